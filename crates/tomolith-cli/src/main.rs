@@ -1,0 +1,2 @@
+//! The `tomolith` command.
+fn main() {}

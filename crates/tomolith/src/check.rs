@@ -1,0 +1,1 @@
+//! Public properties that every model, objective and optimiser must have.

@@ -1,0 +1,164 @@
+//! The one error type of the library.
+//!
+//! A variant carries values, not sentences: the program that shows it decides how. Errors of a job file start as
+//! [`Error::Config`] with the key path only; the job reader adds the [`Place`] (file and line).
+
+use std::path::PathBuf;
+
+/// Where in a text file something stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file as the user named it.
+    pub file: PathBuf,
+    /// Line, counted from 1.
+    pub line: usize,
+    /// Byte range of the key or value in the file, for tools that underline it.
+    pub span: std::ops::Range<usize>,
+}
+
+/// Everything that can go wrong, by what the caller can do about it.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A key of the job (or a parameter of the API) has a value that cannot be used.
+    #[error("{}: {found}; accepted: {accepted}{}{}", if key.is_empty() { "job" } else { key.as_str() },
+        nearest.as_ref().map(|n| format!("; did you mean `{n}`?")).unwrap_or_default(),
+        place.as_ref().map(|p| format!(" ({}, line {})", p.file.display(), p.line)).unwrap_or_default())]
+    Config {
+        /// Dotted key path, for example `vial.cylinder.inner_radius_mm`.
+        key: String,
+        /// What was found, with the value.
+        found: String,
+        /// What would be accepted.
+        accepted: String,
+        /// The nearest accepted name, for misspelt keys and kinds.
+        nearest: Option<String>,
+        /// Where it stands, when it came from a file.
+        place: Option<Place>,
+    },
+    /// An array has the wrong shape.
+    #[error("{what}: expected shape {expected:?}, found {found:?}")]
+    Shape {
+        /// Which array.
+        what: String,
+        /// The shape it must have.
+        expected: Vec<usize>,
+        /// The shape it has.
+        found: Vec<usize>,
+    },
+    /// A mesh that cannot be used.
+    #[error("mesh {}: {found}; accepted: {accepted}", path.display())]
+    Mesh {
+        /// The mesh file.
+        path: PathBuf,
+        /// What is wrong with it.
+        found: String,
+        /// What would be accepted.
+        accepted: String,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A file could be read but does not hold what it should.
+    #[error("{}: {found}; accepted: {accepted}", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What was found in it.
+        found: String,
+        /// What would be accepted.
+        accepted: String,
+    },
+    /// Memory or disk would not be enough.
+    #[error("{what}: {needed_mb} MB needed, {available_mb} MB available; {advice}")]
+    Resources {
+        /// `memory` or `disk`, and for what.
+        what: String,
+        /// The estimate in MB (10⁶ bytes).
+        needed_mb: u64,
+        /// What there is, in MB.
+        available_mb: u64,
+        /// What the user can do.
+        advice: String,
+    },
+    /// A number became infinite or not-a-number.
+    #[error("{what} became {value} at iteration {iteration}")]
+    NonFinite {
+        /// Which number.
+        what: String,
+        /// Its value.
+        value: f64,
+        /// The iteration, counted from 0 (the start).
+        iteration: usize,
+    },
+    /// Two things that cannot be combined.
+    #[error("{what} cannot be used here: {reason}")]
+    Unsupported {
+        /// What was asked for.
+        what: String,
+        /// Why it is refused.
+        reason: String,
+    },
+    /// The user asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl Error {
+    /// A [`Error::Config`] without place and nearest name.
+    pub fn config(
+        key: impl Into<String>,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Error::Config {
+            key: key.into(),
+            found: found.into(),
+            accepted: accepted.into(),
+            nearest: None,
+            place: None,
+        }
+    }
+
+    /// An [`Error::Io`] for a path.
+    pub fn io(path: impl Into<PathBuf>, source: std::io::Error) -> Self {
+        Error::Io {
+            path: path.into(),
+            source,
+        }
+    }
+
+    /// Puts `prefix` before the key of a [`Error::Config`]; other errors pass unchanged.
+    #[must_use]
+    pub fn under(mut self, prefix: &str) -> Self {
+        if let Error::Config { key, .. } = &mut self
+            && !prefix.is_empty()
+        {
+            *key = if key.is_empty() {
+                prefix.to_owned()
+            } else {
+                format!("{prefix}.{key}")
+            };
+        }
+        self
+    }
+}
+
+/// The library's result.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// The name among `names` that is nearest to `word`, when it is near enough to be a slip of the keyboard.
+#[must_use]
+pub fn nearest_name<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    names
+        .into_iter()
+        .map(|name| (strsim::jaro_winkler(word, name), name))
+        .filter(|(score, _)| *score > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, name)| name)
+}

@@ -1,0 +1,1 @@
+//! Everything between a pattern and what a given machine shows.

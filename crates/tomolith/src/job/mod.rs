@@ -1,0 +1,1 @@
+//! Job file → objects → the whole run.

@@ -1,0 +1,235 @@
+//! Rows of the tables of kinds: the row is the registration.
+//!
+//! A family (vials, objectives, optimisers, …) is a trait and a static table of [`Kind`]s. A row enrols its kind in job
+//! files, in `tomolith kinds`, in the JSON schema and in the family's tests. In a job a kind is an externally tagged
+//! table, `[family.kind]`, so that an error can name the very key.
+
+use crate::error::{Error, Result, nearest_name};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// One table of a job file, and the key path that led to it.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Dotted key path, for error messages.
+    pub path: String,
+    /// The content.
+    pub value: Value,
+}
+
+impl Section {
+    /// A section at a path.
+    pub fn new(path: impl Into<String>, value: Value) -> Self {
+        Section {
+            path: path.into(),
+            value,
+        }
+    }
+
+    /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
+        serde_path_to_error::deserialize(self.value.clone()).map_err(|e| {
+            let inner = e.path().to_string();
+            config_error(
+                &self.path,
+                if inner == "." { "" } else { &inner },
+                &e.into_inner().to_string(),
+            )
+        })
+    }
+
+    /// The single kind named in an externally tagged table, and its section: `{cylinder = {…}}` → `("cylinder", {…})`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when the section does not hold exactly one table, or the kind is not in `table`.
+    pub fn kind<'k, B>(&self, table: &'k [Kind<B>]) -> Result<(&'k Kind<B>, Section)> {
+        let names = || table.iter().map(|k| k.name);
+        let accepted = || names().collect::<Vec<_>>().join(", ");
+        let (name, value) = match &self.value {
+            Value::String(name) => (name, Value::Object(serde_json::Map::new())),
+            Value::Object(map) if map.len() == 1 => {
+                let (name, value) = map.iter().next().ok_or(Error::Cancelled)?;
+                (name, value.clone())
+            }
+            Value::Object(map) if map.is_empty() => {
+                return Err(Error::config(
+                    &self.path,
+                    "no kind is named",
+                    format!("one of {}", accepted()),
+                ));
+            }
+            Value::Object(map) => {
+                let found = map.keys().cloned().collect::<Vec<_>>().join(", ");
+                return Err(Error::config(
+                    &self.path,
+                    format!("more than one entry ({found})"),
+                    format!("exactly one of {}", accepted()),
+                ));
+            }
+            other => {
+                return Err(Error::config(
+                    &self.path,
+                    format!("found {other}"),
+                    format!(
+                        "a table [{}.KIND] with KIND one of {}",
+                        self.path,
+                        accepted()
+                    ),
+                ));
+            }
+        };
+        let row = table
+            .iter()
+            .find(|k| k.name == name)
+            .ok_or_else(|| Error::Config {
+                key: format!("{}.{name}", self.path),
+                found: format!("unknown kind `{name}`"),
+                accepted: accepted(),
+                nearest: nearest_name(name, names()).map(str::to_owned),
+                place: None,
+            })?;
+        Ok((row, Section::new(format!("{}.{name}", self.path), value)))
+    }
+}
+
+/// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
+fn config_error(path: &str, inner: &str, message: &str) -> Error {
+    let mut key = match (path.is_empty(), inner.is_empty()) {
+        (_, true) => path.to_owned(),
+        (true, _) => inner.to_owned(),
+        _ => format!("{path}.{inner}"),
+    };
+    // serde: "unknown field `x`, expected one of `a`, `b`" | "unknown variant …" | "missing field `x`"
+    let ticked: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    if message.starts_with("unknown field") || message.starts_with("unknown variant") {
+        let (word, names) = ticked.split_first().map_or(("", &[][..]), |(w, n)| (*w, n));
+        if message.starts_with("unknown field") && !key.ends_with(word) {
+            key = if key.is_empty() {
+                word.to_owned()
+            } else {
+                format!("{key}.{word}")
+            };
+        }
+        return Error::Config {
+            key,
+            found: format!("unknown name `{word}`"),
+            accepted: names.join(", "),
+            nearest: nearest_name(word, names.iter().copied()).map(str::to_owned),
+            place: None,
+        };
+    }
+    if message.starts_with("missing field") {
+        let word = ticked.first().copied().unwrap_or_default();
+        return Error::config(
+            if key.is_empty() {
+                word.to_owned()
+            } else {
+                format!("{key}.{word}")
+            },
+            "the key is missing",
+            "a value (see `tomolith kinds` and `tomolith schema`)",
+        );
+    }
+    let (found, accepted) = message
+        .split_once(", expected ")
+        .unwrap_or((message, "see `tomolith schema`"));
+    let (found, accepted) = found
+        .split_once("; accepted: ")
+        .unwrap_or((found, accepted));
+    Error::config(key, found, accepted)
+}
+
+/// A row of a family's table.
+pub struct Kind<B> {
+    /// Its name in job files.
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// A section of a job file that works, in TOML.
+    pub example: &'static str,
+    /// The JSON schema of its parameters: names, types, defaults and meaning (from the doc comments).
+    pub schema: fn() -> schemars::Schema,
+    /// Builds one from its section.
+    pub build: B,
+}
+
+/// A kind without its builder: what help pages and schemas need.
+pub struct KindPage {
+    /// The family, as the key in a job file: `vial`, `objective`, …
+    pub family: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// A section of a job file that works, in TOML.
+    pub example: &'static str,
+    /// The JSON schema of its parameters.
+    pub schema: schemars::Schema,
+}
+
+impl<B> Kind<B> {
+    /// The help page of this row.
+    pub fn page(&self, family: &'static str) -> KindPage {
+        KindPage {
+            family,
+            name: self.name,
+            summary: self.summary,
+            example: self.example,
+            schema: (self.schema)(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Stop {
+        iterations: usize,
+    }
+
+    #[test]
+    fn a_misspelt_key_is_named_with_its_neighbour() {
+        let section = Section::new("stop", serde_json::json!({ "iteratons": 3 }));
+        let Err(Error::Config {
+            key,
+            nearest,
+            accepted,
+            ..
+        }) = section.parse::<Stop>()
+        else {
+            panic!("the misspelt key was accepted")
+        };
+        assert_eq!(key, "stop.iteratons");
+        assert_eq!(nearest.as_deref(), Some("iterations"));
+        assert_eq!(accepted, "iterations");
+    }
+
+    #[test]
+    fn a_missing_key_and_a_wrong_type_are_named() {
+        let section = Section::new("stop", serde_json::json!({}));
+        let text = section.parse::<Stop>().unwrap_err().to_string();
+        assert!(
+            text.starts_with("stop.iterations: the key is missing"),
+            "{text}"
+        );
+        let section = Section::new("stop", serde_json::json!({ "iterations": "many" }));
+        let text = section.parse::<Stop>().unwrap_err().to_string();
+        assert!(
+            text.starts_with("stop.iterations: invalid type: string \"many\""),
+            "{text}"
+        );
+        assert_eq!(
+            Section::new("stop", serde_json::json!({"iterations": 4}))
+                .parse::<Stop>()
+                .unwrap()
+                .iterations,
+            4
+        );
+    }
+}

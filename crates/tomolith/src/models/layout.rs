@@ -1,0 +1,275 @@
+//! How a model's fields are laid out, and the way to and from arrays in file order.
+//!
+//! Inside, z is the fastest axis: the geometry of one slice serves all heights, so a kernel walks along z. A dose field
+//! holds rows of lanes `[y][x][z]`, each row padded to a multiple of 16 floats (64 bytes). A pattern field holds only
+//! *active* pixels: for each (frame, column) one run of rows, from low z to high z.
+//!
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::models::DoseLayout;
+//! let grid = VolumeGrid::centered([2, 1, 3], 0.1);
+//! let layout = DoseLayout::new("dose", grid.clone(), 0);
+//! assert_eq!(layout.len(), 3 * 16); // three (y, x) rows of two heights, padded to 16
+//! let volume = Volume { grid, values: vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0] };
+//! let field = layout.field_of(&volume);
+//! assert_eq!(field[16..18], [2.0, 5.0]); // x = 1: z = 0 holds 2, z = 1 holds 5
+//! assert_eq!(layout.volume_of(&field), volume);
+//! ```
+
+use crate::field::LANES;
+use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// What a pattern value means to a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Areal dose over the whole exposure.
+    Energy,
+    /// Its square root.
+    Amplitude,
+}
+
+/// The dose of one species: where its voxels lie in the model's field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DoseLayout {
+    /// The species, `"dose"` when there is only one.
+    pub species: String,
+    /// The voxels.
+    pub grid: VolumeGrid,
+    /// First element in the field.
+    pub offset: usize,
+    /// Floats per (y, x) row: nz rounded up to a multiple of 16; the padding stays zero.
+    pub row: usize,
+}
+
+impl DoseLayout {
+    /// The layout of a grid, starting at `offset`.
+    #[must_use]
+    pub fn new(species: &str, grid: VolumeGrid, offset: usize) -> Self {
+        let row = grid.shape[0].next_multiple_of(LANES);
+        DoseLayout {
+            species: species.to_owned(),
+            grid,
+            offset,
+            row,
+        }
+    }
+
+    /// Elements in the field, padding included.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.row * self.grid.shape[1] * self.grid.shape[2]
+    }
+
+    /// Whether there is no element.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Elements of this species in the field.
+    #[must_use]
+    pub fn range(&self) -> Range<usize> {
+        self.offset..self.offset + self.len()
+    }
+
+    /// Element of voxel `[iz, iy, ix]`.
+    #[must_use]
+    pub fn index(&self, iz: usize, iy: usize, ix: usize) -> usize {
+        self.offset + (iy * self.grid.shape[2] + ix) * self.row + iz
+    }
+
+    /// This species as an array in file order `[z, y, x]`; `field` is the whole field of the model.
+    ///
+    /// # Panics
+    /// When the field is shorter than the layout.
+    #[must_use]
+    pub fn volume_of<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Volume<T> {
+        let [nz, ny, nx] = self.grid.shape;
+        let field = &field[self.range()];
+        let mut values = vec![T::default(); nz * ny * nx];
+        if values.is_empty() {
+            return Volume {
+                grid: self.grid.clone(),
+                values,
+            };
+        }
+        // Sixteen slices at a time, so that a cache line of the field is used whole
+        values
+            .par_chunks_mut(nx * ny * LANES)
+            .enumerate()
+            .for_each(|(slab, out)| {
+                let depth = out.len() / (nx * ny);
+                for pixel in 0..nx * ny {
+                    let lanes = &field[pixel * self.row + slab * LANES..][..depth];
+                    for (iz, &value) in lanes.iter().enumerate() {
+                        out[iz * nx * ny + pixel] = value;
+                    }
+                }
+            });
+        Volume {
+            grid: self.grid.clone(),
+            values,
+        }
+    }
+
+    /// An array in file order as the elements of this species (length [`len`](Self::len), padding = default).
+    ///
+    /// # Panics
+    /// When the volume has another shape.
+    #[must_use]
+    pub fn field_of<T: Copy + Default + Send + Sync>(&self, volume: &Volume<T>) -> Vec<T> {
+        assert_eq!(
+            volume.grid.shape, self.grid.shape,
+            "volume of another shape"
+        );
+        let [nz, ny, nx] = self.grid.shape;
+        let mut field = vec![T::default(); self.len()];
+        if field.is_empty() {
+            return field;
+        }
+        field
+            .par_chunks_mut(self.row * nx)
+            .enumerate()
+            .for_each(|(iy, rows)| {
+                for iz in 0..nz {
+                    let line = &volume.values[(iz * ny + iy) * nx..][..nx];
+                    for (ix, &value) in line.iter().enumerate() {
+                        rows[ix * self.row + iz] = value;
+                    }
+                }
+            });
+        field
+    }
+}
+
+/// One run of active pixels of a (frame, column): rows counted from the *bottom*.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PixelRun {
+    /// First element in the model's field.
+    pub offset: usize,
+    /// First active row, counted from the lowest row (row `rows − 1` of the image).
+    pub bottom: u32,
+    /// Number of active rows.
+    pub count: u32,
+}
+
+/// The patterns of one light: where its active pixels lie in the model's field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatternLayout {
+    /// The pixels.
+    pub grid: PatternGrid,
+    /// What a value means.
+    pub quantity: Quantity,
+    /// First element in the field.
+    pub offset: usize,
+    /// Per (frame, column), frame-major: the active rows.
+    pub runs: Vec<PixelRun>,
+    len: usize,
+}
+
+impl PatternLayout {
+    /// A layout with these active rows per (frame, column): `(bottom, count)`, rows counted from the lowest.
+    ///
+    /// # Panics
+    /// When there are not `frames·columns` entries.
+    #[must_use]
+    pub fn new(
+        grid: PatternGrid,
+        quantity: Quantity,
+        offset: usize,
+        active: &[(u32, u32)],
+    ) -> Self {
+        assert_eq!(
+            active.len(),
+            grid.frames() * grid.columns,
+            "one run per frame and column"
+        );
+        let mut next = offset;
+        let runs = active
+            .iter()
+            .map(|&(bottom, count)| {
+                let run = PixelRun {
+                    offset: next,
+                    bottom,
+                    count,
+                };
+                next += count as usize;
+                run
+            })
+            .collect();
+        PatternLayout {
+            grid,
+            quantity,
+            offset,
+            runs,
+            len: next - offset,
+        }
+    }
+
+    /// Number of active pixels.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether no pixel is active.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Elements of this light in the field.
+    #[must_use]
+    pub fn range(&self) -> Range<usize> {
+        self.offset..self.offset + self.len
+    }
+
+    /// Full images in file order, inactive pixels 0; `field` is the whole field of the model.
+    ///
+    /// # Panics
+    /// When the field is shorter than the layout.
+    #[must_use]
+    pub fn patterns_of(&self, field: &[f32]) -> Patterns {
+        let mut patterns = Patterns::dark(self.grid.clone());
+        let (rows, columns) = (self.grid.rows, self.grid.columns);
+        if patterns.values.is_empty() {
+            return patterns;
+        }
+        patterns
+            .values
+            .par_chunks_mut(rows * columns)
+            .zip(self.runs.par_chunks(columns))
+            .for_each(|(image, runs)| {
+                for (column, run) in runs.iter().enumerate() {
+                    let values = &field[run.offset..][..run.count as usize];
+                    for (i, &value) in values.iter().enumerate() {
+                        image[(rows - 1 - run.bottom as usize - i) * columns + column] = value;
+                    }
+                }
+            });
+        patterns
+    }
+
+    /// Writes images in file order into the field; inactive pixels are dropped.
+    ///
+    /// # Panics
+    /// When the images have another shape or the field is shorter than the layout.
+    pub fn fill_field(&self, patterns: &Patterns, field: &mut [f32]) {
+        assert_eq!(
+            patterns.grid.shape(),
+            self.grid.shape(),
+            "patterns of another shape"
+        );
+        let (rows, columns) = (self.grid.rows, self.grid.columns);
+        for (slot, run) in self.runs.iter().enumerate() {
+            let (frame, column) = (slot / columns, slot % columns);
+            let image = &patterns.values[frame * rows * columns..][..rows * columns];
+            for i in 0..run.count as usize {
+                field[run.offset + i] =
+                    image[(rows - 1 - run.bottom as usize - i) * columns + column];
+            }
+        }
+    }
+}

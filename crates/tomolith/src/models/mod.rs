@@ -1,0 +1,242 @@
+//! Dose models: patterns → absorbed dose in the resin, with the exact derivative.
+//!
+//! *What must it do, and who does it.* A [`DoseModel`] is F of the one equation; a [`LinearOperator`] is a dose model
+//! whose derivative is its adjoint (rays are; coherent waves are not). [`planner`] chooses the model of a job and says why.
+//! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
+//! back-projection).
+
+pub mod layout;
+pub mod parallel;
+pub mod planner;
+
+use crate::error::Result;
+use crate::field::Field;
+pub use layout::{DoseLayout, PatternLayout, Quantity};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What long work carries along: a way to be stopped.
+#[derive(Debug, Default)]
+pub struct Run {
+    cancel: AtomicBool,
+}
+
+impl Run {
+    /// A run that nobody has stopped yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Asks everything that carries this run to stop soon.
+    pub fn cancel(&self) {
+        self.cancel.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether a stop was asked for.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+/// How far along z a pattern row reaches: whether a job may be cut into z slabs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ZCoupling {
+    /// Rows light their own heights only.
+    None,
+    /// Rows light heights up to this distance, mm.
+    Halo(f64),
+    /// No bound.
+    Full,
+}
+
+/// A map from patterns to dose with its exact derivative.
+///
+/// Patterns of all lights lie one after the other in one field, and so do the doses of all species; the layouts say
+/// where. The field layouts are the model's own; [`PatternLayout`] and [`DoseLayout`] translate to array order.
+pub trait DoseModel: Send + Sync {
+    /// Where the numbers live.
+    type Field: Field;
+
+    /// One per light.
+    fn patterns(&self) -> &[PatternLayout];
+    /// One per species.
+    fn outputs(&self) -> &[DoseLayout];
+    /// Dark patterns.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn new_patterns(&self) -> Result<Self::Field>;
+    /// Zero dose.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn new_dose(&self) -> Result<Self::Field>;
+    /// F(x); overwrites `dose`.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()>;
+    /// F′(x)ᵀ c; overwrites `grad`.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn pullback(
+        &self,
+        x: &Self::Field,
+        cotangent: &Self::Field,
+        grad: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()>;
+    /// Dose of some frames only, *added* to `dose`: printing in time, streaming, sharding by angle.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &Self::Field,
+        dose: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()>;
+    /// α ↦ F(x + α d) as coefficient fields of a polynomial (`[F(x), F(d)]` for linear models), or None.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled), or not enough memory.
+    fn along(
+        &self,
+        x: &Self::Field,
+        d: &Self::Field,
+        run: &Run,
+    ) -> Result<Option<Vec<Self::Field>>>;
+    /// How far a row reaches along z.
+    fn z_coupling(&self) -> ZCoupling;
+    /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
+    fn is_linear(&self) -> bool;
+    /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
+    fn updates(&self) -> u64;
+    /// One line for people: which model, which kernel.
+    fn describe(&self) -> String;
+}
+
+/// A linear dose model; every one of them is a [`DoseModel`].
+pub trait LinearOperator: Send + Sync {
+    /// Where the numbers live.
+    type Field: Field;
+
+    /// One per light.
+    fn patterns(&self) -> &[PatternLayout];
+    /// One per species.
+    fn outputs(&self) -> &[DoseLayout];
+    /// Dark patterns.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn new_patterns(&self) -> Result<Self::Field>;
+    /// Zero dose.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn new_dose(&self) -> Result<Self::Field>;
+    /// dose += A x, of these frames only.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &Self::Field,
+        dose: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()>;
+    /// grad = Aᵀ c
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()>;
+    /// Number of frames of all lights.
+    fn frames(&self) -> usize;
+    /// How far a row reaches along z.
+    fn z_coupling(&self) -> ZCoupling;
+    /// Voxel-angle updates of one forward call after all masks.
+    fn updates(&self) -> u64;
+    /// One line for people.
+    fn describe(&self) -> String;
+}
+
+impl<A: LinearOperator> DoseModel for A {
+    type Field = A::Field;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        LinearOperator::patterns(self)
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        LinearOperator::outputs(self)
+    }
+
+    fn new_patterns(&self) -> Result<Self::Field> {
+        LinearOperator::new_patterns(self)
+    }
+
+    fn new_dose(&self) -> Result<Self::Field> {
+        LinearOperator::new_dose(self)
+    }
+
+    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
+        dose.fill(0.0);
+        self.add_forward(0..self.frames(), x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        _x: &Self::Field,
+        cotangent: &Self::Field,
+        grad: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()> {
+        self.adjoint(cotangent, grad, run)
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &Self::Field,
+        dose: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()> {
+        self.add_forward(frames, x, dose, run)
+    }
+
+    fn along(
+        &self,
+        x: &Self::Field,
+        d: &Self::Field,
+        run: &Run,
+    ) -> Result<Option<Vec<Self::Field>>> {
+        let mut terms = Vec::with_capacity(2);
+        for field in [x, d] {
+            let mut dose = LinearOperator::new_dose(self)?;
+            self.add_forward(0..self.frames(), field, &mut dose, run)?;
+            terms.push(dose);
+        }
+        Ok(Some(terms))
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        LinearOperator::z_coupling(self)
+    }
+
+    fn is_linear(&self) -> bool {
+        true
+    }
+
+    fn updates(&self) -> u64 {
+        LinearOperator::updates(self)
+    }
+
+    fn describe(&self) -> String {
+        LinearOperator::describe(self)
+    }
+}

@@ -1,0 +1,1 @@
+//! The `parallel` dose model (see below).

@@ -1,0 +1,1 @@
+//! Chooses the dose model of a job, and says why.

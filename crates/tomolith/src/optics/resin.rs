@@ -1,0 +1,1 @@
+//! The resin: what it does to light.

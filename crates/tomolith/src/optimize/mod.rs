@@ -1,0 +1,1 @@
+//! Optimisers: from a problem to patterns.

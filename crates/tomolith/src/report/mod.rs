@@ -1,0 +1,1 @@
+//! Run folder → report.json, report.html, figures.

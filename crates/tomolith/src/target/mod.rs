@@ -1,0 +1,88 @@
+//! Targets: mesh, image or phantom → what each voxel should become.
+//!
+//! *What must it do, and who does it.* A [`Target`] is an inside fraction per voxel (1 part, 0 void, between at the
+//! surface), or grey values to be reproduced. It can be asked for again on a finer grid: evaluation does that.
+
+use crate::error::Result;
+use crate::grid::{Volume, VolumeGrid};
+use rayon::prelude::*;
+
+/// Something with a shape that can be sampled on any grid.
+pub trait Shape: std::fmt::Debug + Send + Sync {
+    /// Box `[low, high]`, each `[x, y, z]`, mm, in the resin frame.
+    fn bounds_mm(&self) -> [[f64; 3]; 2];
+    /// Fraction of each voxel that is inside, 0…1 (for grey images: the grey value).
+    ///
+    /// # Errors
+    /// When the shape cannot be sampled.
+    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>>;
+    /// Whether values are grey (to be reproduced as they are) and not an inside fraction.
+    fn is_grey(&self) -> bool {
+        false
+    }
+    /// Exact volume where known, mm³.
+    fn volume_mm3(&self) -> Option<f64> {
+        None
+    }
+    /// Things people should know (open edges, inverted shells, …), one sentence each.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// A shape sampled on a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Target {
+    /// Name of the part, for files and titles.
+    pub name: String,
+    /// Inside fraction, or grey values when `grey`.
+    pub inside: Volume<f32>,
+    /// Whether the values are grey values to be reproduced.
+    pub grey: bool,
+}
+
+impl Target {
+    /// Whether a voxel is part: its inside fraction is at least one half.
+    #[must_use]
+    pub fn is_part(&self, index: usize) -> bool {
+        self.inside.values[index] >= 0.5
+    }
+}
+
+/// Labels of voxels: a byte each.
+pub mod label {
+    /// Outside the resin or the region that counts: weight 0, in no metric.
+    pub const OUTSIDE: u8 = 0;
+    /// Must stay liquid.
+    pub const VOID: u8 = 1;
+    /// Must turn solid.
+    pub const PART: u8 = 2;
+}
+
+/// Labels every voxel: part where the inside fraction is at least one half, void elsewhere, [`label::OUTSIDE`] where
+/// `counts([x, y, z])` (mm, voxel centre) is false.
+pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -> Volume<u8> {
+    let grid = &target.inside.grid;
+    let [_, ny, nx] = grid.shape;
+    let mut values = vec![label::OUTSIDE; grid.len()];
+    if !values.is_empty() {
+        values
+            .par_chunks_mut(nx * ny)
+            .enumerate()
+            .for_each(|(iz, slice)| {
+                for (i, value) in slice.iter_mut().enumerate() {
+                    if counts([grid.x(i % nx), grid.y(i / nx), grid.z(iz)]) {
+                        *value = if target.is_part(iz * nx * ny + i) {
+                            label::PART
+                        } else {
+                            label::VOID
+                        };
+                    }
+                }
+            });
+    }
+    Volume {
+        grid: grid.clone(),
+        values,
+    }
+}

@@ -1,0 +1,94 @@
+//! Quantities of job files that may carry a unit.
+//!
+//! A key names its unit (`inner_radius_mm`); a plain number is in that unit, and a string may say another one:
+//!
+//! ```
+//! use tomolith::units::Mm;
+//! let a: Mm = serde_json::from_str("8.0").unwrap();
+//! let b: Mm = serde_json::from_str("\"0.8 cm\"").unwrap();
+//! assert_eq!(a.0, 8.0); // a number is in millimetres, the unit in the key
+//! assert!((b.0 - a.0).abs() < 1e-12); // 0.8 cm = 8 mm
+//! assert!(serde_json::from_str::<Mm>("\"8 kg\"").is_err());
+//! ```
+
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// A length in millimetres: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default, Serialize)]
+#[serde(transparent)]
+pub struct Mm(pub f64);
+
+impl Mm {
+    fn parse(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        let split = text
+            .find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E')
+            .unwrap_or(text.len());
+        let (number, unit) = text.split_at(split);
+        let value: f64 = number
+            .trim()
+            .parse()
+            .map_err(|_| format!("`{text}` is no length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
+        let factor = match unit.trim() {
+            "" | "mm" => 1.0,
+            "um" | "µm" | "μm" => 1e-3,
+            "nm" => 1e-6,
+            "cm" => 10.0,
+            "m" => 1000.0,
+            "in" | "inch" => 25.4,
+            other => {
+                return Err(format!(
+                    "unknown unit of length `{other}`; accepted: nm, um, mm, cm, m, in"
+                ));
+            }
+        };
+        if value.is_finite() {
+            Ok(Mm(value * factor))
+        } else {
+            Err(format!("`{text}` is not finite"))
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Mm {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl serde::de::Visitor<'_> for Visitor {
+            type Value = Mm;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a length: a number in mm, or a string such as \"8 mm\" or \"13.7 um\"")
+            }
+            fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<Mm, E> {
+                if v.is_finite() {
+                    Ok(Mm(v))
+                } else {
+                    Err(E::custom("a length must be finite"))
+                }
+            }
+            #[expect(clippy::cast_precision_loss, reason = "lengths are small numbers")]
+            fn visit_i64<E: serde::de::Error>(self, v: i64) -> Result<Mm, E> {
+                Ok(Mm(v as f64))
+            }
+            #[expect(clippy::cast_precision_loss, reason = "lengths are small numbers")]
+            fn visit_u64<E: serde::de::Error>(self, v: u64) -> Result<Mm, E> {
+                Ok(Mm(v as f64))
+            }
+            fn visit_str<E: serde::de::Error>(self, v: &str) -> Result<Mm, E> {
+                Mm::parse(v).map_err(E::custom)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl schemars::JsonSchema for Mm {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Length".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A length: a number in mm, or a string with a unit (nm, um, mm, cm, m, in)",
+            "type": ["number", "string"]
+        })
+    }
+}
