@@ -1,1 +1,0 @@
-//! Public properties that every model, objective and optimiser must have.
