@@ -9,6 +9,7 @@ use crate::objective::Objective;
 /// - the gradient is the derivative: the remainder L(d + hv) − L(d) − h·g·v falls with h² (for directions v that keep away from
 ///   voxels at whose band's edge the slope jumps; so it holds for every power, also p ≤ 1);
 /// - `value`, `value_and_gradient`, `value_along`, `slope_along` and `advance` agree, the values bit for bit;
+/// - one that claims to be convex has slopes that never fall along a line;
 /// - whatever stood in `grad` before is overwritten.
 ///
 /// # Errors
@@ -16,6 +17,7 @@ use crate::objective::Objective;
 pub fn objective(objective: &dyn Objective<HostField>, dose: &HostField) -> Result<(), String> {
     let step = HostField::from_slice(&noise(dose.len(), 7));
     agreement(objective, dose, &step)?;
+    convexity(objective, dose, &step)?;
     remainder(objective, dose, &step)
 }
 
@@ -74,6 +76,28 @@ fn agreement(
                 "slope_along gives {slope}, gradient times step {expected} (α = {alpha})"
             ));
         }
+    }
+    Ok(())
+}
+
+/// A convex function's slope along a line never falls.
+fn convexity(
+    objective: &dyn Objective<HostField>,
+    dose: &HostField,
+    step: &HostField,
+) -> Result<(), String> {
+    if !objective.is_convex() {
+        return Ok(());
+    }
+    let slopes = [-1.0, -0.5, -0.1, 0.0, 0.2, 0.6, 1.0]
+        .map(|alpha| objective.slope_along(dose, step, alpha).1);
+    let size = slopes
+        .iter()
+        .fold(0.0, |size: f64, slope| size.max(slope.abs()));
+    if slopes.windows(2).any(|w| w[1] < w[0] - 1e-5 * size) {
+        return Err(format!(
+            "it claims to be convex, but its slopes along a line are {slopes:?}"
+        ));
     }
     Ok(())
 }

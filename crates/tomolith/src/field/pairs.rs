@@ -5,9 +5,9 @@
 //! is the *memory* of curvature, the products are those of the rounded pairs, and trials showed the same convergence as f32 to
 //! within the difference of one iteration; it halves the bytes that such a method is bound by.
 //!
-//! **Layout** Blocks of the [`Bounds`], in each chunks of 512 elements, in each the slots one after the other, in each one cache
-//! line per 16 elements: 16 s and 16 y. A bit per slot and 16 elements tells whether the line holds anything but zeros: pixels
-//! that the bounds have held since long cost nothing.
+//! **Layout** Blocks of the [`Bounds`], in each groups of 16 elements, in each a cache line per slot: 16 s and 16 y. So a
+//! pass is one stream through memory, whatever the number of slots. A bit per slot and group tells whether the line holds
+//! anything but zeros: stretches that the bounds have held since long cost nothing.
 //!
 //! **Cost** per element with m pairs: [`record`](Pairs::record) reads 16 + 4(m − 1) bytes and writes 4;
 //! [`direction`](Pairs::direction) reads 8 + 4m and writes 4. Memory: 4m bytes per element, as m pattern fields.
@@ -589,7 +589,7 @@ mod tests {
 
     #[test]
     fn rounding_goes_to_the_nearest_sixteen_bits() {
-        for value in [0.0, -0.0, 1.0, -2.5, 3.141_592_7, 1e-30, -7e20] {
+        for value in [0.0, -0.0, 1.0, -2.5, 0.333_333_3, 1e-30, -7e20] {
             let back = stored(value);
             assert!(
                 (back - value).abs() <= value.abs() / 256.0,
@@ -624,7 +624,7 @@ mod tests {
             let mut step = noise(len, round + 11);
             for (i, v) in step.as_mut_slice().iter_mut().enumerate() {
                 // Long stretches that do not move
-                if (i / 40 + round as usize) % 3 == 0 {
+                if (i / 40 + round as usize).is_multiple_of(3) {
                     *v = 0.0;
                 }
             }

@@ -276,7 +276,7 @@ impl BandObjective {
                 ));
             }
         }
-        if bands.len() != elements.len() || elements.start % LANES != 0 {
+        if bands.len() != elements.len() || !elements.start.is_multiple_of(LANES) {
             return Err(Error::Shape {
                 what: "bands of the objective (beginning at a multiple of 16)".to_owned(),
                 expected: vec![elements.start.next_multiple_of(LANES), elements.len()],

@@ -139,7 +139,7 @@ mod tests {
         let seed = |i: usize| (i * 2_654_435_761) % 23 == 5;
         let place = |i: usize| [i / (ny * nx), i / nx % ny, i % nx];
         let found = squared_distances(shape, seed);
-        for i in 0..n {
+        for (i, &found) in found.iter().enumerate() {
             let nearest = (0..n)
                 .filter(|&j| seed(j))
                 .map(|j| {
@@ -150,7 +150,7 @@ mod tests {
                         .sum::<f32>()
                 })
                 .fold(f32::INFINITY, f32::min);
-            assert_eq!(found[i], nearest, "voxel {:?}", place(i));
+            assert_eq!(found, nearest, "voxel {:?}", place(i));
         }
         assert!(
             squared_distances(shape, |_| false)

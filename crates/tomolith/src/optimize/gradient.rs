@@ -106,7 +106,7 @@ impl<F: Field> Gradient<F> {
             return self.length * 4.0;
         }
         // The step was α·p, so s·s/s·y carries one α, and s·y/y·y another
-        let length = if self.steps % 2 == 0 {
+        let length = if self.steps.is_multiple_of(2) {
             secant.pp / secant.py
         } else {
             secant.py / secant.yy

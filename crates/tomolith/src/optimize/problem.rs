@@ -422,9 +422,10 @@ fn between(left: (f32, f64), right: (f32, f64)) -> f32 {
 fn ray_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> f64 {
     // A loss that is nowhere negative falls no longer than this at its first slope
     let mut reach = (value / slope.abs()).clamp(1e-30, 1e30);
-    for _ in 0..60 {
+    for _ in 0..20 {
         let (v, s) = at(reach as f32);
-        if v > value || s >= 0.0 || s.is_nan() {
+        // A saturating response flattens out without ever rising
+        if v > value || s >= CONTENT * slope || s.is_nan() {
             break;
         }
         reach *= 4.0;

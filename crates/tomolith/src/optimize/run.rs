@@ -144,7 +144,7 @@ pub struct Outcome {
 ///
 /// # Errors
 /// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
-/// A cancelled run is no error.
+/// A cancelled run is no error; cancelled before its first loss, that is NaN and the history empty.
 pub fn run<F: Field>(
     problem: &mut Problem<F>,
     optimizer: &mut dyn Optimizer<F>,
