@@ -2,7 +2,7 @@
 //!
 //! *What must it do, and who does it.* An [`Optimizer`] improves patterns step by step; it knows a [`Problem`] (model,
 //! objective, bounds) and [`Field`]s, no optics and no files. The loop around it, with stopping, history and checkpoints, is
-//! [`run`]; where it begins is [`start`].
+//! [`run()`]; where it begins is [`start`].
 
 pub mod checkpoint;
 pub mod gradient;
@@ -27,7 +27,7 @@ pub trait Optimizer<F: Field>: Send {
     /// From x to a better x inside the bounds; `at` follows. Costs one adjoint and, with a linear model, one forward call.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled); then x and `at` may be lost.
+    /// [`Error::Cancelled`]; then x and `at` may be lost.
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
     /// Whether no step raises the loss.
     fn is_monotone(&self) -> bool;
