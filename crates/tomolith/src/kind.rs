@@ -133,13 +133,33 @@ fn config_error(path: &str, inner: &str, message: &str) -> Error {
             "a value (see `tomolith kinds` and `tomolith schema`)",
         );
     }
-    let (found, accepted) = message
-        .split_once(", expected ")
-        .unwrap_or((message, "see `tomolith schema`"));
-    let (found, accepted) = found
-        .split_once("; accepted: ")
-        .unwrap_or((found, accepted));
+    let (found, accepted) = match message.split_once(", expected ") {
+        Some((found, expected)) => (found, in_words(expected)),
+        None => match message.split_once("; accepted: ") {
+            Some((found, accepted)) => (found, accepted.to_owned()),
+            None => (message, "see `tomolith schema`".to_owned()),
+        },
+    };
     Error::config(key, found, accepted)
+}
+
+/// What serde expects, without the names of Rust's types.
+fn in_words(expected: &str) -> String {
+    let words = match expected {
+        "usize" | "u64" | "u32" | "u16" | "u8" => "a whole number, 0 or more",
+        "i64" | "i32" => "a whole number",
+        "f64" | "f32" => "a number",
+        "a string" | "str" | "path string" => "text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        "a map" => "a table",
+        other if other.starts_with("struct ") => "a table",
+        other if other.starts_with("an array of length ") => {
+            return other.replace("an array of length ", "a list of ");
+        }
+        other => other,
+    };
+    words.to_owned()
 }
 
 /// A row of a family's table.

@@ -1,0 +1,1 @@
+//! Ranges of every key, before any work.
