@@ -303,8 +303,9 @@ pub struct OutputSpec {
     pub folder: Option<PathBuf>,
     /// Turns of the vial per minute: gives the movie its frame rate.
     pub rpm: f64,
-    /// Grey levels of the PNG frames: 8 or 16 bits.
-    pub frame_bits: u32,
+    /// Grey levels of the PNG frames, 8 or 16 bits; what the bit depth needs when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frame_bits: Option<u32>,
 }
 
 fn one() -> usize {
@@ -370,7 +371,7 @@ impl Default for OutputSpec {
         OutputSpec {
             folder: None,
             rpm: 10.0,
-            frame_bits: 8,
+            frame_bits: None,
         }
     }
 }
