@@ -6,14 +6,22 @@
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
 //! | every row of every family's table | [`kinds`], [`schema`] |
+//! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 pub mod document;
+pub mod folder;
 pub mod kinds;
+pub mod progress;
+pub mod read;
+pub mod resources;
 pub mod schema;
 pub mod spec;
 pub mod validate;
 
 pub use document::Document;
+pub use folder::RunFolder;
+pub use progress::{Event, Progress, Silent};
+pub use read::Job;
 pub use spec::*;
 
 #[cfg(test)]
