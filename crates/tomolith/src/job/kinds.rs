@@ -2,6 +2,8 @@
 //! here.
 
 use crate::kind::{Kind, KindPage};
+use crate::objective::OBJECTIVES;
+use crate::optics::vial::VIALS;
 use crate::response::RESPONSES;
 use serde_json::Value;
 
@@ -26,11 +28,11 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Fa
 /// Every family.
 #[must_use]
 pub fn families() -> Vec<Family> {
-    vec![family(
-        "response",
-        "What the material does with the dose",
-        RESPONSES,
-    )]
+    vec![
+        family("vial", "What stands around the resin", VIALS),
+        family("objective", "What is minimised", OBJECTIVES),
+        family("response", "What the material does with the dose", RESPONSES),
+    ]
 }
 
 /// One parameter of a kind, for help pages.

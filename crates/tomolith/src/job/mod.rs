@@ -8,21 +8,27 @@
 //! | every row of every family's table | [`kinds`], [`schema`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
+mod build;
 pub mod document;
+mod estimate;
 pub mod folder;
 pub mod kinds;
+pub mod outcome;
 pub mod progress;
 pub mod read;
 pub mod resources;
 pub mod schema;
 pub mod spec;
+mod stages;
 pub mod validate;
 
 pub use document::Document;
 pub use folder::RunFolder;
+pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
 pub use read::Job;
 pub use spec::*;
+pub use stages::{check, run, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {

@@ -8,6 +8,7 @@
 use super::document::Document;
 use crate::error::{Error, Result};
 use crate::kind::Section;
+use crate::optics::interface::Polarisation;
 use crate::units::Mm;
 use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
@@ -16,7 +17,8 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Tables that are planned but not built, and what to do without them.
-const PLANNED: [(&str, &str); 3] = [
+const PLANNED: [(&str, &str); 4] = [
+    ("bath", "a clear bath's index is vial.surrounding_index"),
     (
         "printer",
         "patterns are exported as they are: no canvas, no flips, no grey curve",
@@ -36,8 +38,7 @@ pub struct JobSpec {
     pub grid: GridSpec,
     /// The photosensitive material.
     pub resin: ResinSpec,
-    /// What stands around the resin.
-    #[serde(default)]
+    /// What stands around the resin, `[vial.KIND]`.
     pub vial: VialSpec,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
@@ -165,19 +166,6 @@ pub enum Rotation {
     Clockwise,
     /// Azimuths fall.
     Counterclockwise,
-}
-
-/// Polarisation of the light.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Polarisation {
-    /// The mean of s and p.
-    #[default]
-    Unpolarised,
-    /// Electric field along the axis of the vial.
-    S,
-    /// Electric field in the plane of incidence.
-    P,
 }
 
 /// The optics of a light.
@@ -376,34 +364,22 @@ impl Default for OutputSpec {
     }
 }
 
-impl Default for VialSpec {
-    fn default() -> Self {
-        VialSpec {
-            surrounding_index: 1.0,
-            kind: kind("index_matched"),
-        }
-    }
-}
-
 impl<'de> Deserialize<'de> for VialSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut spec = VialSpec::default();
-        match Value::deserialize(deserializer)? {
-            Value::Object(mut map) => {
-                if let Some(index) = map.remove("surrounding_index") {
-                    spec.surrounding_index = index.as_f64().ok_or_else(|| {
-                        serde::de::Error::custom(format!(
-                            "surrounding_index is {index}, expected a number"
-                        ))
-                    })?;
-                }
-                if !map.is_empty() {
-                    spec.kind = Value::Object(map);
-                }
-            }
-            other => spec.kind = other,
-        }
-        Ok(spec)
+        let mut kind = Value::deserialize(deserializer)?;
+        let asked = kind
+            .as_object_mut()
+            .and_then(|map| map.remove("surrounding_index"));
+        let surrounding_index = match asked {
+            None => 1.0,
+            Some(index) => index.as_f64().ok_or_else(|| {
+                serde::de::Error::custom(format!("surrounding_index is {index}, expected a number"))
+            })?,
+        };
+        Ok(VialSpec {
+            surrounding_index,
+            kind,
+        })
     }
 }
 
