@@ -101,6 +101,18 @@ impl HostField {
         &mut bytemuck::cast_slice_mut(&mut self.lanes)[..self.len]
     }
 
+    /// The elements sixteen at a time; what lies beyond the last element is padding, which nobody reads as a result.
+    #[must_use]
+    pub fn lanes(&self) -> &[Lanes] {
+        &self.lanes
+    }
+
+    /// The elements sixteen at a time, to change; see [`lanes`](Self::lanes).
+    #[must_use]
+    pub fn lanes_mut(&mut self) -> &mut [Lanes] {
+        &mut self.lanes
+    }
+
     /// Σ over blocks of `f(block of self, block of other)`, in a fixed order.
     fn sum_blocks(&self, other: &Self, f: impl Fn(&[f32], &[f32]) -> f64 + Sync) -> f64 {
         assert_eq!(self.len, other.len, "fields of different length");
