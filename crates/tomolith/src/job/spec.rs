@@ -8,6 +8,7 @@
 use super::document::Document;
 use crate::error::{Error, Result};
 use crate::kind::Section;
+use crate::optimize::checkpoint;
 use crate::optics::interface::Polarisation;
 use crate::units::Mm;
 use schemars::JsonSchema;
@@ -65,7 +66,7 @@ pub struct JobSpec {
     pub stop: StopSpec,
     /// What is kept against a crash.
     #[serde(default)]
-    pub checkpoint: CheckpointSpec,
+    pub checkpoint: checkpoint::Params,
     /// How the written patterns are judged.
     #[serde(default)]
     pub evaluate: EvaluateSpec,
@@ -238,30 +239,6 @@ pub struct StopSpec {
     /// Wall time of the optimisation, s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_s: Option<f64>,
-}
-
-/// What is kept against a crash.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct CheckpointSpec {
-    /// Seconds between checkpoints; chosen so that they cost under 2 % of the time when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub every_s: Option<f64>,
-    /// `all` resumes to the same bits; `patterns` is small and restarts the optimiser's memory; `none` keeps nothing.
-    pub contents: CheckpointContents,
-}
-
-/// What a checkpoint holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum CheckpointContents {
-    /// Patterns and the optimiser's memory: resumes to the same bits.
-    #[default]
-    All,
-    /// Patterns only.
-    Patterns,
-    /// No checkpoints.
-    None,
 }
 
 /// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
