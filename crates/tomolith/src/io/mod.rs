@@ -1,1 +1,4 @@
 //! Formats in and out.
+
+pub mod image;
+pub mod mesh;
