@@ -5,6 +5,8 @@
 
 pub mod csv;
 pub mod frames;
+pub mod image;
+pub mod mesh;
 pub mod mp4;
 pub mod npy;
 pub mod stl;
