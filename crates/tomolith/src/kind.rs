@@ -220,12 +220,15 @@ pub(crate) mod tests_of_rows {
 
     /// The section of a row's example.
     pub(crate) fn example<B>(row: &Kind<B>) -> Section {
-        let value: toml::Table = toml::from_str(row.example).unwrap_or_else(|e| panic!("example of {}: {e}", row.name));
+        let value: toml::Table =
+            toml::from_str(row.example).unwrap_or_else(|e| panic!("example of {}: {e}", row.name));
         let mut path = Vec::new();
         let mut value = serde_json::to_value(value).unwrap();
         // Down to the kind: `[family.kind]`
         for _ in 0..2 {
-            let Value::Object(map) = value else { panic!("example of {} holds no [family.kind]", row.name) };
+            let Value::Object(map) = value else {
+                panic!("example of {} holds no [family.kind]", row.name)
+            };
             let (key, inner) = map.into_iter().next().unwrap();
             path.push(key);
             value = inner;

@@ -112,7 +112,9 @@ impl Band {
 
     fn validate(&self) -> Result<()> {
         // Also refuses NaN
-        if !(self.lower <= self.upper && self.lower < f32::INFINITY && self.upper > f32::NEG_INFINITY)
+        if !(self.lower <= self.upper
+            && self.lower < f32::INFINITY
+            && self.upper > f32::NEG_INFINITY)
         {
             return Err(Error::config(
                 "band",
@@ -198,9 +200,9 @@ impl Bands {
                         });
                     }
                 }
-                (0..lower.len()).into_par_iter().try_for_each(|i| {
-                    Band::new(lower[i], upper[i], weight[i]).validate()
-                })
+                (0..lower.len())
+                    .into_par_iter()
+                    .try_for_each(|i| Band::new(lower[i], upper[i], weight[i]).validate())
             }
         }
     }
@@ -414,7 +416,10 @@ impl Penalty for Power {
         let rise = e.max(self.chord).powf(self.p - 1.0);
         let slope = if e < self.chord { rise } else { self.p * rise };
         // Adding the distance itself keeps a NaN, which `max` would hide
-        (weight * rise * e, weight * slope.copysign(distance) + 0.0 * distance)
+        (
+            weight * rise * e,
+            weight * slope.copysign(distance) + 0.0 * distance,
+        )
     }
 }
 
@@ -505,7 +510,11 @@ impl Bands {
                     *slope = Lanes::default();
                     let share = |i: usize, band: &Band, s: fn(f32) -> f32| {
                         let counts = shares[i] >= 0.0;
-                        band.weighing(if counts { band.weight * s(shares[i]) } else { 0.0 })
+                        band.weighing(if counts {
+                            band.weight * s(shares[i])
+                        } else {
+                            0.0
+                        })
                     };
                     let parts = Mixed::of(|i| share(i, part, |s| s));
                     add_lanes(&parts, m, slope, &mut sums, penalty);
@@ -518,7 +527,8 @@ impl Bands {
                 upper,
                 weight,
             } => {
-                let arrays = [lower, upper, weight].map(|a| a[range.clone()].as_chunks::<LANES>().0);
+                let arrays =
+                    [lower, upper, weight].map(|a| a[range.clone()].as_chunks::<LANES>().0);
                 for (k, (m, slope)) in lanes.enumerate() {
                     *slope = Lanes::default();
                     let [lower, upper, weight] = arrays.map(|a| a[k]);

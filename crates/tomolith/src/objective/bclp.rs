@@ -74,6 +74,8 @@ pub const KIND: Kind<BuildObjective> = Kind {
     build: |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 };

@@ -21,13 +21,19 @@ use rayon::prelude::*;
 pub fn near_the_other_kind(target: &Target, distance_mm: f64) -> Vec<bool> {
     let grid = &target.inside.grid;
     let reach = (distance_mm / grid.pitch_mm).powi(2) * (1.0 + 1e-6);
-    let part: Vec<bool> = (0..grid.len()).into_par_iter().map(|i| target.is_part(i)).collect();
+    let part: Vec<bool> = (0..grid.len())
+        .into_par_iter()
+        .map(|i| target.is_part(i))
+        .collect();
     let mut near = vec![false; part.len()];
     for kind in [true, false] {
         let squared = squared_distances(grid.shape, |i| part[i] == kind);
-        near.par_iter_mut().zip(&part).zip(&squared).for_each(|((near, &part), &d)| {
-            *near |= part != kind && f64::from(d) <= reach;
-        });
+        near.par_iter_mut()
+            .zip(&part)
+            .zip(&squared)
+            .for_each(|((near, &part), &d)| {
+                *near |= part != kind && f64::from(d) <= reach;
+            });
     }
     near
 }
@@ -107,7 +113,11 @@ impl Envelope {
         let mut piece = 0;
         for i in 0..n {
             let x = i as f64;
-            while self.pieces.get(piece + 1).is_some_and(|&(_, _, begin)| begin <= x) {
+            while self
+                .pieces
+                .get(piece + 1)
+                .is_some_and(|&(_, _, begin)| begin <= x)
+            {
                 piece += 1;
             }
             if let Some(&(j, f, _)) = self.pieces.get(piece) {
@@ -132,10 +142,20 @@ mod tests {
         for i in 0..n {
             let nearest = (0..n)
                 .filter(|&j| seed(j))
-                .map(|j| place(i).iter().zip(place(j)).map(|(&a, b)| (a as f32 - b as f32).powi(2)).sum::<f32>())
+                .map(|j| {
+                    place(i)
+                        .iter()
+                        .zip(place(j))
+                        .map(|(&a, b)| (a as f32 - b as f32).powi(2))
+                        .sum::<f32>()
+                })
                 .fold(f32::INFINITY, f32::min);
             assert_eq!(found[i], nearest, "voxel {:?}", place(i));
         }
-        assert!(squared_distances(shape, |_| false).iter().all(|d| d.is_infinite()));
+        assert!(
+            squared_distances(shape, |_| false)
+                .iter()
+                .all(|d| d.is_infinite())
+        );
     }
 }

@@ -21,6 +21,8 @@ pub const KIND: Kind<BuildObjective> = Kind {
     build: |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 };

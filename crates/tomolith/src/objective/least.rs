@@ -30,7 +30,11 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Params { part_weight: 1.0, void_weight: 1.0, surface: Surface::Voxel }
+        Params {
+            part_weight: 1.0,
+            void_weight: 1.0,
+            surface: Surface::Voxel,
+        }
     }
 }
 
@@ -50,8 +54,19 @@ impl Params {
     }
 }
 
-const fn kind(name: &'static str, summary: &'static str, example: &'static str, build: BuildObjective) -> Kind<BuildObjective> {
-    Kind { name, summary, example, schema: || schemars::schema_for!(Params), build }
+const fn kind(
+    name: &'static str,
+    summary: &'static str,
+    example: &'static str,
+    build: BuildObjective,
+) -> Kind<BuildObjective> {
+    Kind {
+        name,
+        summary,
+        example,
+        schema: || schemars::schema_for!(Params),
+        build,
+    }
 }
 
 /// The row of least squares.
@@ -62,7 +77,9 @@ pub const L2: Kind<BuildObjective> = kind(
     |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands(2.0).map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 );
 
@@ -74,6 +91,8 @@ pub const L1: Kind<BuildObjective> = kind(
     |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 );

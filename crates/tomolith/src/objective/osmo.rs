@@ -30,7 +30,11 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Params { d_h: 0.9, d_l: 0.85, surface: Surface::Voxel }
+        Params {
+            d_h: 0.9,
+            d_l: 0.85,
+            surface: Surface::Voxel,
+        }
     }
 }
 
@@ -58,6 +62,8 @@ pub const KIND: Kind<BuildObjective> = Kind {
     build: |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 };

@@ -81,11 +81,15 @@ impl Params {
     fn eroded(&self, input: &ObjectiveInput) -> Volume<u8> {
         let mut labels = input.labels.clone();
         let buffer = super::buffer::near_the_other_kind(input.target, self.buffer_mm.0);
-        labels.values.par_iter_mut().zip(&buffer).for_each(|(l, &near)| {
-            if near {
-                *l = label::OUTSIDE;
-            }
-        });
+        labels
+            .values
+            .par_iter_mut()
+            .zip(&buffer)
+            .for_each(|(l, &near)| {
+                if near {
+                    *l = label::OUTSIDE;
+                }
+            });
         labels
     }
 }

@@ -44,7 +44,8 @@ impl PartAndVoid {
         if input.target.grey {
             return Err(Error::Unsupported {
                 what: "an objective of part and void".to_owned(),
-                reason: "the target is grey; l2, l1, dose_matching and bclp reproduce grey values".to_owned(),
+                reason: "the target is grey; l2, l1, dose_matching and bclp reproduce grey values"
+                    .to_owned(),
             });
         }
         self.build_with_labels(surface, input, input.labels)
@@ -135,13 +136,21 @@ impl AroundTarget {
         let labels = input.layout.field_of(input.labels);
         let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };
         let lower = shifted(-self.half_width);
-        let upper = if self.half_width == 0.0 { lower.clone() } else { shifted(self.half_width) };
+        let upper = if self.half_width == 0.0 {
+            lower.clone()
+        } else {
+            shifted(self.half_width)
+        };
         let weight = labels.iter().map(|&label| match label {
             label::PART => self.part_weight,
             label::VOID => self.void_weight,
             _ => 0.0,
         });
-        Bands::Voxels { lower, upper, weight: weight.collect() }
+        Bands::Voxels {
+            lower,
+            upper,
+            weight: weight.collect(),
+        }
     }
 }
 
@@ -176,7 +185,11 @@ pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
     if value.is_finite() {
         Ok(())
     } else {
-        Err(Error::config(key, format!("found {value}"), "a finite number"))
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number",
+        ))
     }
 }
 
@@ -188,7 +201,11 @@ pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
     if value.is_finite() && value > 0.0 {
         Ok(())
     } else {
-        Err(Error::config(key, format!("found {value}"), "a finite number above 0"))
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number above 0",
+        ))
     }
 }
 
@@ -200,7 +217,11 @@ pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
     if value.is_finite() && value >= 0.0 {
         Ok(())
     } else {
-        Err(Error::config(key, format!("found {value}"), "a finite number, 0 or above"))
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number, 0 or above",
+        ))
     }
 }
 

@@ -27,7 +27,10 @@ impl<F: Field> Sum<F> {
 
 impl<F: Field> Objective<F> for Sum<F> {
     fn value(&self, dose: &F) -> f64 {
-        self.parts.iter().map(|(w, part)| w * part.value(dose)).sum()
+        self.parts
+            .iter()
+            .map(|(w, part)| w * part.value(dose))
+            .sum()
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
@@ -48,10 +51,12 @@ impl<F: Field> Objective<F> for Sum<F> {
     }
 
     fn slope_along(&self, dose: &F, step: &F, alpha: f32) -> (f64, f64) {
-        self.parts.iter().fold((0.0, 0.0), |(loss, slope), (w, part)| {
-            let (value, rise) = part.slope_along(dose, step, alpha);
-            (loss + w * value, slope + w * rise)
-        })
+        self.parts
+            .iter()
+            .fold((0.0, 0.0), |(loss, slope), (w, part)| {
+                let (value, rise) = part.slope_along(dose, step, alpha);
+                (loss + w * value, slope + w * rise)
+            })
     }
 
     fn is_convex(&self) -> bool {

@@ -75,7 +75,11 @@ impl Params {
             ));
         }
         Ok(PartAndVoid {
-            part: Band::new(self.upper as f32, self.ceiling as f32, self.part_weight as f32),
+            part: Band::new(
+                self.upper as f32,
+                self.ceiling as f32,
+                self.part_weight as f32,
+            ),
             void: Band::below(self.lower as f32).weighing(self.void_weight as f32),
             p: self.exponent,
             q: self.exponent,
@@ -92,6 +96,8 @@ pub const KIND: Kind<BuildObjective> = Kind {
     build: |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;
         let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands.build(params.surface, input).map_err(|e| e.under(&section.path))
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
     },
 };

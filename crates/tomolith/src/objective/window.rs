@@ -35,7 +35,11 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
-        Params { lower: 0.7, upper: 0.9, surface: Surface::Voxel }
+        Params {
+            lower: 0.7,
+            upper: 0.9,
+            surface: Surface::Voxel,
+        }
     }
 }
 
@@ -55,17 +59,31 @@ pub struct WindowParams {
 
 impl Default for WindowParams {
     fn default() -> Self {
-        WindowParams { lower: 0.7, upper: 0.9, w: 0.0, surface: Surface::Voxel }
+        WindowParams {
+            lower: 0.7,
+            upper: 0.9,
+            w: 0.0,
+            surface: Surface::Voxel,
+        }
     }
 }
 
 /// Squared distances from bands made of τ_l and τ_u.
-fn squared(lower: f64, upper: f64, bands: impl Fn(f64, f64) -> (Band, Band)) -> Result<PartAndVoid> {
+fn squared(
+    lower: f64,
+    upper: f64,
+    bands: impl Fn(f64, f64) -> (Band, Band),
+) -> Result<PartAndVoid> {
     finite("lower", lower)?;
     finite("upper", upper)?;
     below("lower", lower, "upper", upper)?;
     let (part, void) = bands(lower, upper);
-    Ok(PartAndVoid { part, void, p: 2.0, q: 2.0 })
+    Ok(PartAndVoid {
+        part,
+        void,
+        p: 2.0,
+        q: 2.0,
+    })
 }
 
 /// The row of L2N.

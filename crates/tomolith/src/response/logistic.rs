@@ -69,7 +69,11 @@ impl Params {
             ("asymmetry", self.asymmetry, true),
         ] {
             if !value.is_finite() || (positive && value <= 0.0) {
-                let accepted = if positive { "a finite number above 0" } else { "a finite number" };
+                let accepted = if positive {
+                    "a finite number above 0"
+                } else {
+                    "a finite number"
+                };
                 return Err(Error::config(key, format!("found {value}"), accepted));
             }
         }
@@ -132,7 +136,11 @@ impl Logistic {
         let u = 1.0 / (1.0 + falling);
         // Not 1 − u, which loses the tail
         let rest = falling * u;
-        let height = if self.exponent == 1.0 { u } else { u.powf(self.exponent) };
+        let height = if self.exponent == 1.0 {
+            u
+        } else {
+            u.powf(self.exponent)
+        };
         (height, self.steepness * self.exponent * height * rest)
     }
 }
@@ -151,7 +159,8 @@ impl Response for Logistic {
     #[expect(clippy::cast_possible_truncation, reason = "a dose is f32")]
     fn inverse(&self, response: f32) -> f32 {
         let p = &self.params;
-        let height = ((f64::from(response) - p.lower) / (p.upper - p.lower)).clamp(1e-7, 1.0 - 1e-7);
+        let height =
+            ((f64::from(response) - p.lower) / (p.upper - p.lower)).clamp(1e-7, 1.0 - 1e-7);
         (p.midpoint - (height.powf(-p.asymmetry) - 1.0).ln() / p.steepness) as f32
     }
 
@@ -201,22 +210,37 @@ mod tests {
     #[test]
     fn closed_forms_of_the_asymmetric_curve() {
         // ν = 2, A = 0.1, K = 0.9 at the midpoint: u = ½, M = 0.1 + 0.8/√2, slope = 0.8·(B/2)/√2·½
-        let params = Params { lower: 0.1, upper: 0.9, steepness: 6.0, midpoint: 0.4, asymmetry: 2.0 };
+        let params = Params {
+            lower: 0.1,
+            upper: 0.9,
+            steepness: 6.0,
+            midpoint: 0.4,
+            asymmetry: 2.0,
+        };
         let response = Logistic::new(params).unwrap();
         let (value, slope) = response.value_and_slope(0.4);
         assert!((f64::from(value) - (0.1 + 0.8 / 2f64.sqrt())).abs() < 1e-6);
         assert!((f64::from(slope) - 0.8 * 3.0 / 2f64.sqrt() * 0.5).abs() < 1e-5);
         for i in 0..30 {
             let dose = i as f32 * 0.05 - 0.2;
-            assert!((response.inverse(response.value(dose)) - dose).abs() < 1e-4, "at {dose}");
+            assert!(
+                (response.inverse(response.value(dose)) - dose).abs() < 1e-4,
+                "at {dose}"
+            );
         }
     }
 
     #[test]
     fn parameters_out_of_range_are_named() {
         for (json, key) in [
-            (serde_json::json!({"steepness": 0.0}), "response.logistic.steepness"),
-            (serde_json::json!({"asymmetry": -1.0}), "response.logistic.asymmetry"),
+            (
+                serde_json::json!({"steepness": 0.0}),
+                "response.logistic.steepness",
+            ),
+            (
+                serde_json::json!({"asymmetry": -1.0}),
+                "response.logistic.asymmetry",
+            ),
             (serde_json::json!({"lower": 1.0}), "response.logistic.lower"),
         ] {
             let section = crate::kind::Section::new("response.logistic", json);

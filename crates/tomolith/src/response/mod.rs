@@ -76,14 +76,26 @@ mod tests {
             for i in 1..40 {
                 let dose = i as f32 * 0.025;
                 let back = response.inverse(response.value(dose));
-                assert!((back - dose).abs() < 1e-4, "{response:?}: {dose} came back as {back}");
+                assert!(
+                    (back - dose).abs() < 1e-4,
+                    "{response:?}: {dose} came back as {back}"
+                );
             }
             for dose in [-1e30, -1e3, 0.0, 1e3, 1e30, f32::MAX, f32::MIN] {
                 let (value, slope) = response.value_and_slope(dose);
-                assert!(value.is_finite() && slope.is_finite(), "{response:?} at {dose}");
-                assert!(response.inverse(dose).is_finite(), "{response:?}: inverse of {dose}");
+                assert!(
+                    value.is_finite() && slope.is_finite(),
+                    "{response:?} at {dose}"
+                );
+                assert!(
+                    response.inverse(dose).is_finite(),
+                    "{response:?}: inverse of {dose}"
+                );
             }
-            assert!(response.value(f32::NAN).is_nan(), "{response:?} hides a NaN");
+            assert!(
+                response.value(f32::NAN).is_nan(),
+                "{response:?} hides a NaN"
+            );
         }
     }
 
@@ -95,7 +107,10 @@ mod tests {
             let mut slopes = Lanes::default();
             response.lanes(&mut values, &mut slopes);
             for i in 0..16 {
-                assert_eq!((values.0[i], slopes.0[i]), response.value_and_slope(doses.0[i]));
+                assert_eq!(
+                    (values.0[i], slopes.0[i]),
+                    response.value_and_slope(doses.0[i])
+                );
             }
         }
     }
