@@ -1,1 +1,4 @@
-//! Metrics: one number of the report a file.
+//! Metrics.
+pub mod isosurface;
+pub mod nearest;
+pub mod scan;
