@@ -73,13 +73,29 @@ fn find<'t, T>(
 /// A kind with its parameters and an example.
 fn full(page: &KindPage) -> String {
     let mut lines = vec![String::new(), format!("  {}: {}", page.name, page.summary)];
-    let rows: Vec<[String; 4]> =
-        parameters(page).iter().map(|p| [p.name.clone(), p.kind.clone(), presence(p), p.meaning.clone()]).collect();
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let rows: Vec<[String; 4]> = parameters(page)
+        .iter()
+        .map(|p| {
+            [
+                p.name.clone(),
+                p.kind.clone(),
+                presence(p),
+                p.meaning.clone(),
+            ]
+        })
+        .collect();
+    let width = |column: usize| {
+        rows.iter()
+            .map(|row| row[column].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
     let widths = [width(0), width(1), width(2)];
     for [name, kind, presence, meaning] in &rows {
         let [a, b, c] = widths;
-        lines.push(format!("      {name:<a$}  {kind:<b$}  {presence:<c$}  {meaning}"));
+        lines.push(format!(
+            "      {name:<a$}  {kind:<b$}  {presence:<c$}  {meaning}"
+        ));
     }
     lines.push(String::new());
     lines.extend(page.example.lines().map(|line| format!("      | {line}")));

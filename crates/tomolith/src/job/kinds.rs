@@ -31,7 +31,11 @@ pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
         family("objective", "What is minimised", OBJECTIVES),
-        family("response", "What the material does with the dose", RESPONSES),
+        family(
+            "response",
+            "What the material does with the dose",
+            RESPONSES,
+        ),
     ]
 }
 

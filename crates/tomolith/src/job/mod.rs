@@ -17,6 +17,7 @@ pub mod outcome;
 pub mod progress;
 pub mod read;
 pub mod resources;
+mod scene;
 pub mod schema;
 pub mod spec;
 mod stages;

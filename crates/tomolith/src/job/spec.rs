@@ -8,8 +8,9 @@
 use super::document::Document;
 use crate::error::{Error, Result};
 use crate::kind::Section;
-use crate::optimize::checkpoint;
 use crate::optics::interface::Polarisation;
+use crate::optimize::checkpoint;
+use crate::target::TargetSpec;
 use crate::units::Mm;
 use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
@@ -33,7 +34,7 @@ const PLANNED: [(&str, &str); 4] = [
 #[serde(deny_unknown_fields)]
 pub struct JobSpec {
     /// What should be printed.
-    pub target: Value,
+    pub target: TargetSpec,
     /// The voxels on which the dose is computed.
     #[serde(default)]
     pub grid: GridSpec,
@@ -268,9 +269,6 @@ pub struct OutputSpec {
     pub folder: Option<PathBuf>,
     /// Turns of the vial per minute: gives the movie its frame rate.
     pub rpm: f64,
-    /// Grey levels of the PNG frames, 8 or 16 bits; what the bit depth needs when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub frame_bits: Option<u32>,
 }
 
 fn one() -> usize {
@@ -336,7 +334,6 @@ impl Default for OutputSpec {
         OutputSpec {
             folder: None,
             rpm: 10.0,
-            frame_bits: None,
         }
     }
 }

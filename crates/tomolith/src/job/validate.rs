@@ -232,21 +232,6 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
     })?;
     positive("output.rpm", spec.output.rpm, "turns per minute")?;
-    if let Some(bits) = spec.output.frame_bits {
-        let least = evaluate.bit_depth;
-        if !matches!(bits, 8 | 16) || bits < least {
-            let accepted = if least > 8 {
-                "16, because evaluate.bit_depth is more than 8"
-            } else {
-                "8 or 16"
-            };
-            return Err(Error::config(
-                "output.frame_bits",
-                format!("found {bits}"),
-                accepted,
-            ));
-        }
-    }
     if spec
         .output
         .folder
@@ -331,7 +316,6 @@ mod tests {
         };
         check(&[]).unwrap();
         check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();
-        check(&["evaluate.bit_depth=10", "output.frame_bits=16"]).unwrap();
         for (change, key) in [
             ("grid.pitch_mm=0", "grid.pitch_mm"),
             ("grid.pitch_mm=\"-1 mm\"", "grid.pitch_mm"),
@@ -370,7 +354,6 @@ mod tests {
             ("evaluate.require_iou=99", "evaluate.require_iou"),
             ("evaluate.threshold=0", "evaluate.threshold"),
             ("output.rpm=0", "output.rpm"),
-            ("output.frame_bits=12", "output.frame_bits"),
             ("output.folder=\"\"", "output.folder"),
             ("objectives=[{ l2 = {} }]", "objectives"),
         ] {
