@@ -42,6 +42,7 @@ use crate::target::label;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Low bits of a key that the first pass does not look at.
 const FINE_BITS: u32 = 10;
@@ -179,6 +180,7 @@ pub struct Scan<'a> {
     response: &'a [f32],
     buckets: Vec<Bucket>,
     spread: [Option<Spread>; 2],
+    settled: OnceLock<Option<(Opened, Fraction)>>,
 }
 
 /// Which of the two counts a label belongs to.
@@ -231,6 +233,7 @@ impl<'a> Scan<'a> {
             response,
             buckets: Vec::new(),
             spread: [0, 1].map(|c| spread(&blocks, c)),
+            settled: OnceLock::new(),
         };
         // Only tops between the smallest and the largest value can be filled
         let tops = scan
@@ -415,7 +418,11 @@ impl<'a> Scan<'a> {
     }
 
     /// Pieces that are cut finely enough that the best IoU is exact, and that IoU.
-    fn settled(&self) -> Option<(Opened, Fraction)> {
+    fn settled(&self) -> Option<&(Opened, Fraction)> {
+        self.settled.get_or_init(|| self.settle()).as_ref()
+    }
+
+    fn settle(&self) -> Option<(Opened, Fraction)> {
         self.part()?;
         let best_of = |pieces: &[Piece]| {
             pieces
@@ -446,8 +453,8 @@ impl<'a> Scan<'a> {
         }
         let mut longest: Option<Plateau> = None;
         let mut current: Option<Plateau> = None;
-        for piece in self.pieces(&opened) {
-            if piece.closed.is_some() || piece.low.compare(&best, 1, 1).is_ne() {
+        for piece in self.pieces(opened) {
+            if piece.closed.is_some() || piece.low.compare(best, 1, 1).is_ne() {
                 current = None;
                 continue;
             }
@@ -467,8 +474,9 @@ impl<'a> Scan<'a> {
     /// Length of {t in [0, 1]: IoU(t) > 0.95·best}; `None` when there is no part.
     #[must_use]
     pub fn length_near_best(&self) -> Option<f64> {
-        let (mut opened, best) = self.settled()?;
-        let near = |f: &Fraction| f.compare(&best, 19, 20).is_gt();
+        let (opened, best) = self.settled()?;
+        let mut opened = opened.clone();
+        let near = |f: &Fraction| f.compare(best, 19, 20).is_gt();
         let open: Vec<usize> = self
             .pieces(&opened)
             .iter()
