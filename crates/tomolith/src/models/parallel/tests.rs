@@ -197,7 +197,7 @@ fn every_column_leaves_the_energy_that_its_rays_lose() {
     }
 }
 
-/// Dose of a smooth pattern against single rays followed in steps of a fortieth of a voxel: relative rms of the voxels
+/// Dose of a smooth pattern against single rays followed in steps of a hundredth of a voxel: relative rms of the voxels
 /// that no wall cuts.
 fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
     let h = 4.5 / n as f64;
@@ -215,12 +215,12 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
     let dose = dose_of(&model, &values);
     let mut reference = vec![0.0f64; grid.len()];
     let tracer = Tracer::new(vial, light.resin, 1.0, light.polarisation);
-    let (rays, mu) = (50, 0.3);
+    let (rays, mu) = (100, 0.3);
     for &azimuth in &light.pixels.azimuths {
         for ray in 0..columns * rays {
             let u = ((ray as f64 + 0.5) / rays as f64 - columns as f64 / 2.0) * h;
             for leg in tracer.trace(u, azimuth).legs {
-                let steps = (leg.length / (h / 40.0)).ceil().max(1.0);
+                let steps = (leg.length / (h / 100.0)).ceil().max(1.0);
                 let step = leg.length / steps;
                 for s in 0..steps as usize {
                     let way = (s as f64 + 0.5) * step;
@@ -240,12 +240,12 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
             }
         }
     }
-    // Voxels that a wall cuts are compared by their energy (above), not one by one
+    // Voxels near a wall are compared by their energy (above), not one by one
     let whole = |i: usize| {
         let (x, y) = (grid.x(i % n), grid.y(i / n));
-        [(-1.5, -1.5), (-1.5, 1.5), (1.5, -1.5), (1.5, 1.5)]
+        [(-0.2, -0.2), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)]
             .iter()
-            .all(|(a, b)| vial.in_resin(x + a * h, y + b * h))
+            .all(|(a, b)| vial.in_resin(x + a, y + b))
     };
     let (mut error, mut size) = (0.0, 0.0);
     for (i, (&d, r)) in dose
@@ -267,14 +267,16 @@ fn refraction_and_folds_put_dose_where_single_rays_put_it() {
     // Resin radius 2.0 mm, light tangent only up to 2.2/1.48 = 1.486 mm: folds lie inside the resin
     for vial in vials() {
         let (coarse, fine) = (
-            error_against_rays(vial.as_ref(), 45),
-            error_against_rays(vial.as_ref(), 90),
+            error_against_rays(vial.as_ref(), 30),
+            error_against_rays(vial.as_ref(), 60),
         );
-        println!("{vial:?} {coarse} {fine}");
+        // Beam edges are jumps and caustics poles: there the rms falls more slowly than in smooth light
         assert!(
-            fine < 0.7 * coarse,
-            "{vial:?}: {coarse} does not fall: {fine}"
+            coarse < 0.07 && fine < 0.75 * coarse,
+            "{vial:?}: {coarse}, then {fine}"
         );
+        let smooth = vial.walls().len() == 1;
+        assert!(!smooth || fine < 1.5e-3, "{coarse}, then {fine}");
     }
 }
 
