@@ -156,6 +156,16 @@ impl Tracer {
         path
     }
 
+    /// What light of power 1 leaves along `length` mm of resin: 1 − e^(−μ_t·length), or the length in pure Radon mode.
+    #[must_use]
+    pub fn deposit(&self, length: f64) -> f64 {
+        if self.resin.pure_radon {
+            length
+        } else {
+            -(-self.resin.attenuation_per_mm * length).exp_m1()
+        }
+    }
+
     fn cross_resin(
         &self,
         from: [f64; 2],

@@ -8,12 +8,27 @@
     reason = "kernel file: registers and run-time dispatch need intrinsics"
 )]
 
-use super::tiles::Entry;
 use crate::field::LANES;
 use std::sync::OnceLock;
 
 /// Vectors of 16 lanes that a block has at most.
 pub(super) const MAX_BLOCK: usize = 16;
+
+/// Weighted rows of lanes: `slots[i]` counts `weights[i]` times.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entries<'a> {
+    pub(super) slots: &'a [u32],
+    pub(super) weights: &'a [f32],
+}
+
+impl Entries<'_> {
+    fn iter(&self) -> impl Iterator<Item = (usize, f32)> {
+        self.slots
+            .iter()
+            .zip(self.weights)
+            .map(|(&slot, &weight)| (slot as usize, weight))
+    }
+}
 
 /// Rows of lanes: `row` vectors of 16 floats each, of which a block `first..first + count` is used.
 #[derive(Clone, Copy, Debug)]
@@ -90,15 +105,15 @@ pub(super) fn accumulate(
     isa: Isa,
     out: &mut [f32],
     source: &[f32],
-    entries: &[Entry],
+    entries: Entries,
     block: Block,
 ) {
     let Block { row, first, count } = block;
     assert!(count <= MAX_BLOCK && first + count <= row && out.len() >= count * LANES);
     let rows = source.len() / (row * LANES);
-    let highest = entries.iter().fold(0, |m, e| m.max(e.slot));
+    let highest = entries.slots.iter().fold(0, |m, &slot| m.max(slot));
     assert!(
-        (highest as usize) < rows || entries.is_empty(),
+        (highest as usize) < rows || entries.slots.is_empty(),
         "slot outside the source"
     );
     match isa {
@@ -117,12 +132,12 @@ pub(super) fn accumulate(
 }
 
 /// The plain twin.
-fn scalar(out: &mut [f32], source: &[f32], entries: &[Entry], block: Block) {
+fn scalar(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
     let lanes = block.count * LANES;
-    for entry in entries {
-        let from = (entry.slot as usize * block.row + block.first) * LANES;
+    for (slot, weight) in entries.iter() {
+        let from = (slot * block.row + block.first) * LANES;
         for (o, s) in out[..lanes].iter_mut().zip(&source[from..from + lanes]) {
-            *o += entry.weight * s;
+            *o += weight * s;
         }
     }
 }
@@ -139,13 +154,13 @@ macro_rules! call {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Block, Entry, LANES};
+    use super::{Block, Entries, LANES};
     use std::arch::x86_64::*;
 
     /// # Safety
     /// AVX-512F; slots inside `source`, the block inside rows and `out`.
     #[target_feature(enable = "avx512f")]
-    pub(super) unsafe fn avx512(out: &mut [f32], source: &[f32], entries: &[Entry], block: Block) {
+    pub(super) unsafe fn avx512(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
         let Block { row, first, count } = block;
         // SAFETY: bounds are the caller's promise.
         unsafe {
@@ -163,14 +178,14 @@ mod x86 {
         to: *mut f32,
         base: *const f32,
         stride: usize,
-        entries: &[Entry],
+        entries: Entries,
     ) {
         // SAFETY: bounds are the caller's promise.
         unsafe {
             let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-            for entry in entries {
-                let weight = _mm512_set1_ps(entry.weight);
-                let from = base.add(entry.slot as usize * stride);
+            for (slot, weight) in entries.iter() {
+                let weight = _mm512_set1_ps(weight);
+                let from = base.add(slot * stride);
                 for (v, sum) in sums.iter_mut().enumerate() {
                     *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);
                 }
@@ -184,7 +199,7 @@ mod x86 {
     /// # Safety
     /// AVX2 and FMA; slots inside `source`, the block inside rows and `out`.
     #[target_feature(enable = "avx2,fma")]
-    pub(super) unsafe fn avx2(out: &mut [f32], source: &[f32], entries: &[Entry], block: Block) {
+    pub(super) unsafe fn avx2(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
         let Block { row, first, count } = block;
         // Six vectors of 16 lanes fill twelve of the sixteen registers
         for begin in (0..count).step_by(6) {
@@ -206,15 +221,15 @@ mod x86 {
         to: *mut f32,
         base: *const f32,
         stride: usize,
-        entries: &[Entry],
+        entries: Entries,
     ) {
         // SAFETY: bounds are the caller's promise.
         unsafe {
             let mut sums: [[__m256; 2]; N] =
                 std::array::from_fn(|v| [0, 8].map(|i| _mm256_loadu_ps(to.add(v * 16 + i))));
-            for entry in entries {
-                let weight = _mm256_set1_ps(entry.weight);
-                let from = base.add(entry.slot as usize * stride);
+            for (slot, weight) in entries.iter() {
+                let weight = _mm256_set1_ps(weight);
+                let from = base.add(slot * stride);
                 for (v, sum) in sums.iter_mut().enumerate() {
                     for (i, sum) in sum.iter_mut().enumerate() {
                         *sum = _mm256_fmadd_ps(
@@ -235,12 +250,12 @@ mod x86 {
 
 #[cfg(target_arch = "aarch64")]
 mod arm {
-    use super::{Block, Entry, LANES};
+    use super::{Block, Entries, LANES};
     use std::arch::aarch64::*;
 
     /// # Safety
     /// Slots inside `source`, the block inside rows and `out`.
-    pub(super) unsafe fn neon(out: &mut [f32], source: &[f32], entries: &[Entry], block: Block) {
+    pub(super) unsafe fn neon(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
         let Block { row, first, count } = block;
         for begin in (0..count).step_by(6) {
             let n = (count - begin).min(6);
@@ -260,15 +275,15 @@ mod arm {
         to: *mut f32,
         base: *const f32,
         stride: usize,
-        entries: &[Entry],
+        entries: Entries,
     ) {
         // SAFETY: bounds are the caller's promise.
         unsafe {
             let mut sums: [[float32x4_t; 4]; N] =
                 std::array::from_fn(|v| [0, 4, 8, 12].map(|i| vld1q_f32(to.add(v * 16 + i))));
-            for entry in entries {
-                let weight = vdupq_n_f32(entry.weight);
-                let from = base.add(entry.slot as usize * stride);
+            for (slot, weight) in entries.iter() {
+                let weight = vdupq_n_f32(weight);
+                let from = base.add(slot * stride);
                 for (v, sum) in sums.iter_mut().enumerate() {
                     for (i, sum) in sum.iter_mut().enumerate() {
                         *sum = vfmaq_f32(*sum, weight, vld1q_f32(from.add(v * 16 + i * 4)));
@@ -294,12 +309,12 @@ mod tests {
         let source: Vec<f32> = (0..row * LANES * 5)
             .map(|i| ((i * 7919) % 1000) as f32 / 999.0 - 0.4)
             .collect();
-        let entries: Vec<Entry> = (0..9)
-            .map(|i| Entry {
-                slot: (i * 3) % 5,
-                weight: 0.1 * i as f32 - 0.3,
-            })
-            .collect();
+        let slots: Vec<u32> = (0..9).map(|i| (i * 3) % 5).collect();
+        let weights: Vec<f32> = (0..9).map(|i| 0.1 * i as f32 - 0.3).collect();
+        let entries = Entries {
+            slots: &slots,
+            weights: &weights,
+        };
         for isa in Isa::available() {
             for count in 1..=MAX_BLOCK {
                 let block = Block {
@@ -309,8 +324,8 @@ mod tests {
                 };
                 let mut plain = vec![0.25f32; count * LANES];
                 let mut fast = plain.clone();
-                scalar(&mut plain, &source, &entries, block);
-                accumulate(isa, &mut fast, &source, &entries, block);
+                scalar(&mut plain, &source, entries, block);
+                accumulate(isa, &mut fast, &source, entries, block);
                 for (p, f) in plain.iter().zip(&fast) {
                     assert!((p - f).abs() <= 1e-6, "{isa:?} {count}: {p} {f}");
                 }
@@ -321,15 +336,15 @@ mod tests {
     #[test]
     #[should_panic(expected = "slot outside")]
     fn a_slot_outside_the_source_is_refused() {
-        let entries = [Entry {
-            slot: 1,
-            weight: 1.0,
-        }];
+        let entries = Entries {
+            slots: &[1],
+            weights: &[1.0],
+        };
         accumulate(
             Isa::in_use(),
             &mut [0.0; 16],
             &[0.0; 16],
-            &entries,
+            entries,
             Block {
                 row: 1,
                 first: 0,

@@ -54,6 +54,7 @@
 //! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
 //! ```
 
+mod chains;
 mod heights;
 pub mod kernel;
 mod strips;
@@ -68,13 +69,14 @@ use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
 use crate::optics::trace::Tracer;
 use crate::optics::vial::Vial;
+use chains::{Avx512, Chain, Taps};
 use heights::Heights;
-use kernel::{Block, Isa, MAX_BLOCK, accumulate};
+use kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, OnceLock, PoisonError};
-use strips::Beam;
-use tiles::{Deposit, Entry, Slots, StripRun, TILE, Tile, TileEntries};
+use strips::{Beam, Major};
+use tiles::{Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 
 /// One light: its pixels and what the resin does at its wavelength.
 #[derive(Clone, Debug)]
@@ -114,10 +116,27 @@ pub struct Parallel {
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
     tiles: Vec<Tile>,
-    isa: Isa,
+    path: KernelPath,
     /// Lanes of pixels, kept between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
+}
+
+/// Which kernels run.
+#[derive(Clone, Copy, Debug)]
+struct KernelPath {
+    isa: Isa,
+    /// Chains as vectors, where the machine can.
+    wide: Option<Avx512>,
+}
+
+impl KernelPath {
+    fn of(isa: Isa) -> Self {
+        KernelPath {
+            isa,
+            wide: Avx512::detect().filter(|_| isa == Isa::Avx512),
+        }
+    }
 }
 
 /// What is known of one light before any pattern.
@@ -125,8 +144,8 @@ struct LightPlan {
     beams: Vec<Beam>,
     /// Beams of each frame.
     of_frame: Vec<Range<usize>>,
-    /// Strips of a beam that may light a tile: `[tile][beam]`.
-    ranges: Vec<(u16, u16)>,
+    /// How tiles and beams meet: `[tile][beam]`.
+    meetings: Vec<Meeting>,
     heights: Heights,
     deposit: Deposit,
     /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
@@ -178,7 +197,7 @@ impl Parallel {
             patterns,
             outputs: vec![DoseLayout::new("dose", grid, 0)],
             tiles,
-            isa: Isa::in_use(),
+            path: KernelPath::of(Isa::in_use()),
             scratch: Mutex::new(Vec::new()),
             updates: OnceLock::new(),
         })
@@ -187,7 +206,7 @@ impl Parallel {
     /// Uses a given instruction set; for tests and benches.
     #[must_use]
     pub fn with_isa(mut self, isa: Isa) -> Self {
-        self.isa = isa;
+        self.path = KernelPath::of(isa);
         self
     }
 
@@ -285,14 +304,14 @@ impl Parallel {
         tile_rows(dose, row, nx)
             .into_par_iter()
             .zip(self.tiles.par_iter().enumerate())
-            .for_each_init(Sorter::default, |sorter, (mut rows, (index, tile))| {
+            .for_each_init(Gatherer::default, |gatherer, (mut rows, (index, tile))| {
                 for group in plan.groups(frames.clone()) {
                     if run.is_cancelled() {
                         return;
                     }
-                    sorter.load(plan, group, index, tile);
+                    gatherer.load(self.path, plan, group, index, tile);
                     for block in &blocks {
-                        sorter.add_block(self.isa, plan, *block, tile, source, &mut rows);
+                        gatherer.add_block(self.path, plan, *block, source, &mut rows);
                     }
                 }
             });
@@ -335,7 +354,7 @@ impl Parallel {
                         let own = &mut lanes[(frame - first) * plan.columns * row..]
                             [..plan.columns * row];
                         plan.collect_tile(
-                            self.isa,
+                            self.path,
                             frame,
                             (index, tile, nx),
                             &blocks,
@@ -391,12 +410,19 @@ impl LightPlan {
             light.surrounding_index,
             light.polarisation,
         );
+        let resin = light.resin;
+        let deposit = Deposit {
+            attenuation: resin.attenuation_per_mm,
+            active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
+            pure_radon: resin.pure_radon,
+        };
         let beams = strips::beams(
             &tracer,
             vial.is_round(),
             &light.pixels,
             light.sub_angles.max(1),
             grid,
+            &deposit,
         );
         let frames = light.pixels.frames();
         let mut of_frame = vec![0..0; frames];
@@ -408,9 +434,9 @@ impl LightPlan {
                 range.start..i + 1
             };
         }
-        let ranges = tiles
+        let meetings = tiles
             .par_iter()
-            .flat_map_iter(|tile| beams.iter().map(|beam| tiles::strips_of(beam, tile)))
+            .flat_map_iter(|tile| beams.iter().map(|beam| tiles::meeting(beam, tile)))
             .collect();
         let heights = Heights::new(&light.pixels, grid);
         let lit = layout
@@ -421,17 +447,12 @@ impl LightPlan {
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
             })
             .collect();
-        let resin = light.resin;
         LightPlan {
             beams,
             of_frame,
-            ranges,
+            meetings,
             heights,
-            deposit: Deposit {
-                attenuation: resin.attenuation_per_mm,
-                active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
-                pure_radon: resin.pure_radon,
-            },
+            deposit,
             lit,
             columns: light.pixels.columns,
             first_frame,
@@ -478,6 +499,8 @@ impl LightPlan {
                         if run.count > 0 {
                             let values = &x[run.offset..][..run.count as usize];
                             self.heights.expand(values, *run, lanes, buffer);
+                        } else {
+                            lanes.fill(0.0);
                         }
                     }
                 },
@@ -520,50 +543,54 @@ impl LightPlan {
     /// Adds to the lanes of one frame what the cotangent of one tile gives.
     fn collect_tile(
         &self,
-        isa: Isa,
+        path: KernelPath,
         frame: usize,
         (index, tile, nx): (usize, &Tile, usize),
         blocks: &[Block],
         cotangent: &[f32],
         lanes: &mut [f32],
-        entries: &mut TileEntries,
+        found: &mut TileEntries,
     ) {
-        entries.clear();
-        let slots = Slots::within_plane(tile, nx);
-        self.enumerate(frame, index, (tile, slots), entries);
+        found.clear();
+        let place = (tile, Slots::within_plane(tile, nx));
+        for i in self.of_frame[frame].clone() {
+            self.enumerate(
+                path,
+                i,
+                self.meetings[index * self.beams.len() + i],
+                place,
+                found,
+            );
+        }
         let first_slot = frame * self.columns;
         for &block in blocks {
-            for &StripRun { column, begin, end } in &entries.runs {
-                if self.is_lit_in(first_slot + column as usize, block) {
-                    let from = (column as usize * block.row + block.first) * LANES;
+            for run in &found.runs {
+                if self.is_lit_in(first_slot + run.column as usize, block) {
+                    let from = (run.column as usize * block.row + block.first) * LANES;
                     let out = &mut lanes[from..from + block.count * LANES];
-                    accumulate(
-                        isa,
-                        out,
-                        cotangent,
-                        &entries.entries[begin as usize..end as usize],
-                        block,
-                    );
+                    accumulate(path.isa, out, cotangent, found.of(run), block);
                 }
             }
         }
     }
 
-    /// Everything that one frame lights in one tile.
+    /// Everything that a beam lights in a tile.
     fn enumerate(
         &self,
-        frame: usize,
-        index: usize,
-        place: (&Tile, Slots),
-        entries: &mut TileEntries,
+        path: KernelPath,
+        beam: usize,
+        meeting: Meeting,
+        (tile, slots): (&Tile, Slots),
+        found: &mut TileEntries,
     ) {
-        for i in self.of_frame[frame].clone() {
-            let beam = &self.beams[i];
-            let (first, end) = self.ranges[index * self.beams.len() + i];
-            let strips = &beam.strips[first as usize..end as usize];
-            let keep = |column| self.is_lit(frame * self.columns + column as usize);
-            entries.add(strips, beam.major, place, &self.deposit, keep);
+        let beam = &self.beams[beam];
+        let (first, end) = (meeting.first as usize, meeting.end as usize);
+        let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
+        let local = Local::new(tile, beam.major, slots);
+        if let Some(wide) = path.wide.filter(|_| meeting.chain) {
+            return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
         }
+        found.add(&beam.strips[first..end], &local, &self.deposit, keep);
     }
 }
 
@@ -583,47 +610,144 @@ fn tile_rows(dose: &mut [f32], row: usize, nx: usize) -> Vec<Vec<&mut [f32]>> {
     tiles
 }
 
+/// What a group of frames brings to a tile: chains as taps, all else as entries sorted by voxel.
+#[derive(Default)]
+struct Gatherer {
+    chains: Vec<Taps>,
+    /// How many of `chains` are in use.
+    chain_count: usize,
+    loose: Sorter,
+}
+
+impl Gatherer {
+    /// Enumerates what a group of frames lights in a tile.
+    fn load(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        frames: Range<usize>,
+        index: usize,
+        tile: &Tile,
+    ) {
+        self.chain_count = 0;
+        self.loose.found.clear();
+        for frame in frames {
+            for i in plan.of_frame[frame].clone() {
+                let meeting = plan.meetings[index * plan.beams.len() + i];
+                if let Some(wide) = path.wide.filter(|_| meeting.chain) {
+                    self.load_chain(wide, plan, i, meeting, tile);
+                } else if meeting.end > meeting.first {
+                    self.loose.load(path, plan, i, meeting, tile);
+                }
+            }
+        }
+        self.loose.sort();
+    }
+
+    fn load_chain(
+        &mut self,
+        wide: Avx512,
+        plan: &LightPlan,
+        beam: usize,
+        meeting: Meeting,
+        tile: &Tile,
+    ) {
+        if self.chains.len() == self.chain_count {
+            self.chains.push(Taps::default());
+        }
+        let taps = &mut self.chains[self.chain_count];
+        self.chain_count += 1;
+        let beam = &plan.beams[beam];
+        let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
+        let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+        wide.find_taps(
+            taps,
+            &chain,
+            &local,
+            beam.major == Major::X,
+            beam.frame * plan.columns as u32,
+        );
+    }
+
+    /// Adds one block of lanes to the voxels of a tile.
+    fn add_block(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        block: Block,
+        source: &[f32],
+        rows: &mut [&mut [f32]],
+    ) {
+        if let Some(wide) = path.wide {
+            let used = self.chains[..self.chain_count].iter();
+            let lit: Vec<&Taps> = used
+                .filter(|taps| taps.slots().any(|slot| plan.is_lit_in(slot, block)))
+                .collect();
+            if !lit.is_empty() {
+                wide.gather_tile(rows, source, &lit, block);
+            }
+        }
+        self.loose.add_block(path, plan, block, source, rows);
+    }
+}
+
 /// Entries of a group of frames, sorted by voxel.
 #[derive(Default)]
 struct Sorter {
+    /// By strip; a run's column is its slot: frame and column of the light.
     found: TileEntries,
-    /// Entries by voxel; `slot` is (frame, column) of the light.
-    sorted: Vec<Entry>,
+    /// By voxel: slots and weights.
+    slots: Vec<u32>,
+    weights: Vec<f32>,
     /// First entry of each voxel.
     starts: Vec<u32>,
     /// Entries that are lit in the block at hand.
-    kept: Vec<Entry>,
+    kept_slots: Vec<u32>,
+    kept_weights: Vec<f32>,
 }
 
 impl Sorter {
-    /// Enumerates what a group of frames lights in a tile, and sorts it by voxel.
-    fn load(&mut self, plan: &LightPlan, frames: Range<usize>, index: usize, tile: &Tile) {
-        self.found.clear();
-        for frame in frames {
-            let before = self.found.runs.len();
-            plan.enumerate(frame, index, (tile, Slots::WITHIN_TILE), &mut self.found);
-            for run in &mut self.found.runs[before..] {
-                run.column += (frame * plan.columns) as u32;
-            }
+    /// Enumerates what a beam lights in a tile.
+    fn load(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        beam: usize,
+        meeting: Meeting,
+        tile: &Tile,
+    ) {
+        let before = self.found.runs.len();
+        plan.enumerate(
+            path,
+            beam,
+            meeting,
+            (tile, Slots::WITHIN_TILE),
+            &mut self.found,
+        );
+        let first = plan.beams[beam].frame * plan.columns as u32;
+        for run in &mut self.found.runs[before..] {
+            run.column += first;
         }
-        // Counting sort; within a voxel the order of frames and columns is kept, so sums are reproducible
+    }
+
+    /// Counting sort; within a voxel the order of frames and columns is kept, so sums are reproducible.
+    fn sort(&mut self) {
         self.starts.clear();
         self.starts.resize(TILE * TILE + 2, 0);
-        for entry in &self.found.entries {
-            self.starts[entry.slot as usize + 2] += 1;
+        for &voxel in &self.found.slots {
+            self.starts[voxel as usize + 2] += 1;
         }
         for i in 2..self.starts.len() {
             self.starts[i] += self.starts[i - 1];
         }
-        self.sorted
-            .resize(self.found.entries.len(), Entry::default());
+        self.slots.resize(self.found.slots.len(), 0);
+        self.weights.resize(self.found.slots.len(), 0.0);
         for run in &self.found.runs {
-            for entry in &self.found.entries[run.begin as usize..run.end as usize] {
-                let next = &mut self.starts[entry.slot as usize + 1];
-                self.sorted[*next as usize] = Entry {
-                    slot: run.column,
-                    weight: entry.weight,
-                };
+            let of_run = self.found.of(run);
+            for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
+                let next = &mut self.starts[voxel as usize + 1];
+                self.slots[*next as usize] = run.column;
+                self.weights[*next as usize] = weight;
                 *next += 1;
             }
         }
@@ -632,10 +756,9 @@ impl Sorter {
     /// Adds one block of lanes to the voxels of a tile.
     fn add_block(
         &mut self,
-        isa: Isa,
+        path: KernelPath,
         plan: &LightPlan,
         block: Block,
-        tile: &Tile,
         source: &[f32],
         rows: &mut [&mut [f32]],
     ) {
@@ -645,26 +768,30 @@ impl Sorter {
             return;
         }
         for (y, line) in rows.iter_mut().enumerate() {
-            for (x, voxel) in line
-                .chunks_mut(block.row * LANES)
-                .enumerate()
-                .take(tile.size[0])
-            {
+            for (x, voxel) in line.chunks_exact_mut(block.row * LANES).enumerate() {
                 let v = y * TILE + x;
-                let mut entries =
-                    &self.sorted[self.starts[v] as usize..self.starts[v + 1] as usize];
+                let own = self.starts[v] as usize..self.starts[v + 1] as usize;
+                let mut entries = Entries {
+                    slots: &self.slots[own.clone()],
+                    weights: &self.weights[own],
+                };
                 if dark > 0 {
-                    self.kept.clear();
-                    self.kept.extend(
-                        entries
-                            .iter()
-                            .filter(|e| plan.is_lit_in(e.slot as usize, block)),
-                    );
-                    entries = &self.kept;
+                    self.kept_slots.clear();
+                    self.kept_weights.clear();
+                    for (&slot, &weight) in entries.slots.iter().zip(entries.weights) {
+                        if plan.is_lit_in(slot as usize, block) {
+                            self.kept_slots.push(slot);
+                            self.kept_weights.push(weight);
+                        }
+                    }
+                    entries = Entries {
+                        slots: &self.kept_slots,
+                        weights: &self.kept_weights,
+                    };
                 }
-                if !entries.is_empty() {
+                if !entries.slots.is_empty() {
                     let out = &mut voxel[block.first * LANES..][..block.count * LANES];
-                    accumulate(isa, out, source, entries, block);
+                    accumulate(path.isa, out, source, entries, block);
                 }
             }
         }
@@ -732,7 +859,7 @@ impl LinearOperator for Parallel {
     fn describe(&self) -> String {
         format!(
             "parallel (distance-driven kernel, {} path)",
-            self.isa.name()
+            self.path.isa.name()
         )
     }
 }
@@ -768,23 +895,20 @@ impl LightPlan {
     ) -> u64 {
         let mut total = 0;
         for i in self.of_frame[frame].clone() {
-            let beam = &self.beams[i];
-            let (first, end) = self.ranges[index * self.beams.len() + i];
-            let strips = &beam.strips[first as usize..end as usize];
             entries.clear();
-            let keep = |column| self.is_lit(frame * self.columns + column as usize);
-            entries.add(
-                strips,
-                beam.major,
+            let meeting = self.meetings[index * self.beams.len() + i];
+            self.enumerate(
+                KernelPath::of(Isa::in_use()),
+                i,
+                meeting,
                 (tile, Slots::WITHIN_TILE),
-                &self.deposit,
-                keep,
+                entries,
             );
             let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
             for run in &entries.runs {
                 let lit = self.lit[frame * self.columns + run.column as usize];
-                for entry in &entries.entries[run.begin as usize..run.end as usize] {
-                    let seen = &mut lanes[entry.slot as usize];
+                for &voxel in entries.of(run).slots {
+                    let seen = &mut lanes[voxel as usize];
                     *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
                 }
             }
@@ -797,3 +921,6 @@ impl LightPlan {
         total
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,7 @@
 //! (du/dt of the refracted bundle), and where rays cross (the fold beyond n_s·R_o/n_r) two strips cover the same voxel.
 //! A column that meets a corner or the rim of an inner tube is cut there into several strips.
 
+use super::tiles::Deposit;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::optics::trace::{Path, Tracer};
 use rayon::prelude::*;
@@ -68,8 +69,30 @@ pub(super) struct Beam {
     /// Frame of the pattern grid.
     pub(super) frame: u32,
     pub(super) major: Major,
+    /// In order of growing minor coordinate where they do not cross.
     pub(super) strips: Vec<Strip>,
+    /// The same strips by component, for vectors over strips.
+    pub(super) columns: Columns,
 }
+
+/// Components of the strips of a beam, padded by [`PADDING`] so that a vector may read beyond the last.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns {
+    /// Offset and slope of the lower edge; the next strip's is this one's upper edge wherever `is_chain`.
+    pub(super) offset: Vec<f32>,
+    pub(super) slope: Vec<f32>,
+    /// Deposit of a full row right behind the entry.
+    pub(super) full: Vec<f32>,
+    /// Attenuation over one row.
+    pub(super) per_row: Vec<f32>,
+    /// Where light enters the resin, in rows, seen in the direction of travel.
+    pub(super) enter: Vec<f32>,
+    /// Growth of the column number from strip to strip, where strips form a chain: +1 or −1.
+    pub(super) step: i32,
+}
+
+/// Entries behind the last strip in [`Columns`].
+pub(super) const PADDING: usize = 33;
 
 /// Strips of every frame of one light; each frame is the mean of `sub_angles` positions within its arc.
 pub(super) fn beams(
@@ -78,6 +101,7 @@ pub(super) fn beams(
     pixels: &PatternGrid,
     sub_angles: usize,
     grid: &VolumeGrid,
+    deposit: &Deposit,
 ) -> Vec<Beam> {
     // A round vial looks the same from everywhere: trace it once
     let shared = is_round.then(|| bundles(tracer, pixels, 0.0));
@@ -96,7 +120,7 @@ pub(super) fn beams(
                     None => (Some(bundles(tracer, pixels, angle)), 0.0),
                 };
                 let list = own.as_ref().or(shared.as_ref()).map_or(&[][..], |v| v);
-                beams.extend(lay(frame as u32, list, turn, weight, grid));
+                beams.extend(lay(frame as u32, list, turn, weight, grid, deposit));
             }
             beams
         })
@@ -133,7 +157,7 @@ fn cut(tracer: &Tracer, azimuth: f64, column: u32, low: f64, high: f64, out: &mu
     let (a, b) = (trace(low + inset), trace(high - inset));
     let middle = trace((low + high) / 2.0);
     if a.class == b.class && a.class == middle.class {
-        push(column, high - low, &a, &middle, &b, out);
+        push(tracer, azimuth, column, [low, high], [&a, &middle, &b], out);
         return;
     }
     // Bisect for the first change of class between the low edge and the first differing sample
@@ -157,7 +181,7 @@ fn cut(tracer: &Tracer, azimuth: f64, column: u32, low: f64, high: f64, out: &mu
             trace(same - INSET * (same - low)),
         );
         if mid.class == a.class && end.class == a.class {
-            push(column, same - low, &a, &mid, &end, out);
+            push(tracer, azimuth, column, [low, same], [&a, &mid, &end], out);
         } else {
             cut(tracer, azimuth, column, low, same, out);
         }
@@ -167,11 +191,42 @@ fn cut(tracer: &Tracer, azimuth: f64, column: u32, low: f64, high: f64, out: &mu
     }
 }
 
-fn push(column: u32, width: f64, a: &Path, middle: &Path, b: &Path, out: &mut Vec<Bundle>) {
+/// Nodes and weights of Gauss's rule of five points on (−1, 1).
+const GAUSS: [(f64, f64); 5] = [
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+];
+
+/// Adds one bundle per leg. Its power is such that its middle ray leaves what all rays between `low` and `high` leave
+/// together: near the rim of the resin their ways differ much.
+fn push(
+    tracer: &Tracer,
+    azimuth: f64,
+    column: u32,
+    [low, high]: [f64; 2],
+    [a, middle, b]: [&Path; 3],
+    out: &mut Vec<Bundle>,
+) {
+    let half = (high - low) / 2.0;
+    let samples = GAUSS.map(|(node, weight)| {
+        (
+            tracer.trace((low + high) / 2.0 + node * half, azimuth),
+            weight * half,
+        )
+    });
     for (i, leg) in middle.legs.iter().enumerate() {
         let (Some(la), Some(lb)) = (a.legs.get(i), b.legs.get(i)) else {
             continue;
         };
+        let legs = samples
+            .iter()
+            .filter_map(|(path, weight)| path.legs.get(i).map(|leg| (leg, weight)));
+        let left: f64 = legs
+            .map(|(leg, weight)| leg.power * tracer.deposit(leg.length) * weight)
+            .sum();
         out.push(Bundle {
             column,
             edges: [la, lb].map(|l| Line {
@@ -183,18 +238,74 @@ fn push(column: u32, width: f64, a: &Path, middle: &Path, b: &Path, out: &mut Ve
                 direction: leg.direction,
             },
             length: leg.length,
-            power: leg.power * width,
+            power: left / tracer.deposit(leg.length),
         });
     }
 }
 
+impl Beam {
+    /// Orders the strips, joins edges that neighbours share, and fills [`Columns`].
+    fn finish(&mut self, deposit: &Deposit) {
+        let strips = &mut self.strips;
+        let (first, last) = (strips[0].edges[0][0], strips[strips.len() - 1].edges[0][0]);
+        self.columns.step = 1;
+        if last < first {
+            strips.reverse();
+            strips.iter_mut().for_each(|strip| strip.edges.swap(0, 1));
+            self.columns.step = -1;
+        }
+        for i in 1..strips.len() {
+            let (below, above) = (strips[i - 1].edges[1], strips[i].edges[0]);
+            if (below[0] - above[0]).abs() < JOIN && (below[1] - above[1]).abs() < JOIN * 1e-3 {
+                strips[i - 1].edges[1] = above;
+            }
+        }
+        let component = |f: &dyn Fn(&Strip) -> f32| {
+            let mut values: Vec<f32> = strips.iter().map(f).collect();
+            values.resize(strips.len() + PADDING, 0.0);
+            values
+        };
+        let row_mm = |s: &Strip| f64::from(s.row_mm);
+        self.columns.offset = component(&|s| s.edges[0][0]);
+        self.columns.slope = component(&|s| s.edges[0][1]);
+        self.columns.full =
+            component(&|s| (f64::from(s.power) * deposit.over(0.0, row_mm(s))) as f32);
+        self.columns.per_row = component(&|s| deposit.log_per_row(row_mm(s)) as f32);
+        self.columns.enter = component(&|s| if s.upward { s.span[0] } else { s.span[1] });
+        // The upper edge of the last strip, where a chain ends
+        let n = strips.len();
+        let [offset, slope] = strips[n - 1].edges[1];
+        (self.columns.offset[n], self.columns.slope[n]) = (offset, slope);
+    }
+
+    /// Whether strips `first..end` are neighbours of one column each, that share edges and travel the same way.
+    pub(super) fn is_chain(&self, first: usize, end: usize) -> bool {
+        self.strips[first..end].windows(2).all(|pair| {
+            pair[0].edges[1] == pair[1].edges[0]
+                && pair[0].upward == pair[1].upward
+                && pair[1].column as i32 - pair[0].column as i32 == self.columns.step
+        })
+    }
+}
+
+/// Edges nearer than this, in voxels, are one edge: rays are traced a little inside their column.
+const JOIN: f32 = 1e-3;
+
 /// Lays bundles, turned by `turn`, on a grid: one beam per major axis that occurs.
-fn lay(frame: u32, bundles: &[Bundle], turn: f64, weight: f64, grid: &VolumeGrid) -> Vec<Beam> {
+fn lay(
+    frame: u32,
+    bundles: &[Bundle],
+    turn: f64,
+    weight: f64,
+    grid: &VolumeGrid,
+    deposit: &Deposit,
+) -> Vec<Beam> {
     let (sin, cos) = turn.rem_euclid(TAU).sin_cos();
     let mut beams = [Major::X, Major::Y].map(|major| Beam {
         frame,
         major,
         strips: Vec::new(),
+        columns: Columns::default(),
     });
     for bundle in bundles {
         let middle = bundle.middle.turned(sin, cos);
@@ -213,10 +324,12 @@ fn lay(frame: u32, bundles: &[Bundle], turn: f64, weight: f64, grid: &VolumeGrid
         );
         beams[usize::from(major == Major::Y)].strips.extend(strip);
     }
-    beams
+    let mut beams: Vec<Beam> = beams
         .into_iter()
         .filter(|beam| !beam.strips.is_empty())
-        .collect()
+        .collect();
+    beams.iter_mut().for_each(|beam| beam.finish(deposit));
+    beams
 }
 
 fn strip(

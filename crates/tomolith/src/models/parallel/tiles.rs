@@ -6,6 +6,7 @@
 //! the length of the interval that each covers (the *distance-driven* kernel: De Man & Basu, Phys. Med. Biol. 49, 2463
 //! (2004)). Hence a pixel's energy is conserved and a uniform light gives a uniform dose, both without any tuning.
 
+use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
 
 /// Edge of a tile of voxels in the plane.
@@ -49,13 +50,22 @@ pub(super) struct Deposit {
 
 impl Deposit {
     /// Deposit over `way` mm that begins `depth` mm behind the entry.
-    fn over(&self, depth: f64, way: f64) -> f64 {
+    pub(super) fn over(&self, depth: f64, way: f64) -> f64 {
         if self.pure_radon {
             way
         } else {
             -(-self.attenuation * way).exp_m1()
                 * (-self.attenuation * depth).exp()
                 * self.active_share
+        }
+    }
+
+    /// Attenuation over one row: minus the logarithm of [`per_row`](Self::per_row).
+    pub(super) fn log_per_row(&self, row_mm: f64) -> f64 {
+        if self.pure_radon {
+            0.0
+        } else {
+            self.attenuation * row_mm
         }
     }
 
@@ -69,15 +79,7 @@ impl Deposit {
     }
 }
 
-/// Weight of one voxel, or of one column: `slot` says which row of lanes.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(C)]
-pub(super) struct Entry {
-    pub(super) slot: u32,
-    pub(super) weight: f32,
-}
-
-/// Entries of one strip within a tile: a run of [`TileEntries::entries`].
+/// Entries of one strip within a tile: a run of [`TileEntries`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripRun {
     pub(super) column: u32,
@@ -88,8 +90,9 @@ pub(super) struct StripRun {
 /// Buffer of the enumerator: what a beam lights in a tile, strip after strip.
 #[derive(Default)]
 pub(super) struct TileEntries {
-    /// `slot` is the voxel.
-    pub(super) entries: Vec<Entry>,
+    /// Voxel and weight of each entry.
+    pub(super) slots: Vec<u32>,
+    pub(super) weights: Vec<f32>,
     pub(super) runs: Vec<StripRun>,
 }
 
@@ -117,20 +120,20 @@ impl Slots {
 }
 
 /// A strip seen from a tile: coordinates relative to the tile's corner.
-struct Local {
+pub(super) struct Local {
     /// Rows and voxels across of the tile.
-    rows: usize,
-    across: usize,
+    pub(super) rows: usize,
+    pub(super) across: usize,
     /// Slot of (row, across) is `first_slot + row·row_step + across·across_step`.
-    first_slot: u32,
-    row_step: u32,
-    across_step: u32,
+    pub(super) first_slot: u32,
+    pub(super) row_step: u32,
+    pub(super) across_step: u32,
     /// First row and first voxel across of the tile on the grid.
-    origin: [f32; 2],
+    pub(super) origin: [f32; 2],
 }
 
 impl Local {
-    fn new(tile: &Tile, major: Major, slots: Slots) -> Self {
+    pub(super) fn new(tile: &Tile, major: Major, slots: Slots) -> Self {
         let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
         let step = [1, slots.per_y];
         Local {
@@ -157,15 +160,64 @@ impl Local {
     }
 }
 
-/// The first and last strip of a beam that may light a tile, as a half-open range.
-pub(super) fn strips_of(beam: &Beam, tile: &Tile) -> (u16, u16) {
+/// What a beam does in a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Meeting {
+    /// Strips that may light the tile, half-open.
+    pub(super) first: u16,
+    pub(super) end: u16,
+    /// Whether they form a chain that covers the tile, with two spare strips behind it and no resin wall in the tile.
+    pub(super) chain: bool,
+}
+
+/// How a beam and a tile meet.
+pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
     let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
     let meets = |strip: &Strip| local.may_meet(strip);
     let first = beam.strips.iter().position(meets);
     let last = beam.strips.iter().rposition(meets);
-    match (first, last) {
-        (Some(first), Some(last)) => (first as u16, last as u16 + 1),
-        _ => (0, 0),
+    let (Some(first), Some(last)) = (first, last) else {
+        return Meeting::default();
+    };
+    let end = last + 1;
+    // A chain begins one strip early, so that rounding at the tile's edge never leaves it uncovered
+    let early = first.saturating_sub(1);
+    let chain = end - early + 2 <= MOST_IN_CHAIN
+        && end + 2 <= beam.strips.len()
+        && beam.is_chain(early, end + 2)
+        && local.is_covered_by(&beam.strips[early..end + 2]);
+    let first = if chain { early } else { first };
+    Meeting {
+        first: first as u16,
+        end: end as u16,
+        chain,
+    }
+}
+
+/// Strips of a chain at most, the two spare ones included.
+pub(super) const MOST_IN_CHAIN: usize = 31;
+/// Narrowest strip of a chain, in voxels: then at most three strips cover a voxel.
+const NARROWEST_IN_CHAIN: f32 = 0.5;
+
+/// A chain reaches this far beyond a tile, in voxels: more than rounding can move an edge.
+const MARGIN: f32 = 1e-2;
+
+impl Local {
+    /// Whether these strips, in growing order, leave no part of the tile dark and have no resin wall within it.
+    fn is_covered_by(&self, strips: &[Strip]) -> bool {
+        let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
+        let (low, high) = (self.origin[1], self.origin[1] + self.across as f32);
+        let spans = strips
+            .iter()
+            .all(|s| s.span[0] <= first && s.span[1] >= last);
+        [first, last].into_iter().all(|t| {
+            let at = |edge: [f32; 2]| edge[0] + edge[1] * t;
+            let wide = strips
+                .iter()
+                .all(|s| at(s.edges[1]) - at(s.edges[0]) >= NARROWEST_IN_CHAIN);
+            let ends = [strips[0].edges[0], strips[strips.len() - 1].edges[1]].map(at);
+            wide && ends[0] <= low - MARGIN && ends[1] >= high + MARGIN
+        }) && spans
     }
 }
 
@@ -173,30 +225,38 @@ pub(super) fn strips_of(beam: &Beam, tile: &Tile) -> (u16, u16) {
 const NARROWEST: f32 = 1e-4;
 
 impl TileEntries {
-    /// Appends what `strips` light in the tile.
+    /// The entries of one strip.
+    pub(super) fn of(&self, run: &StripRun) -> Entries<'_> {
+        let range = run.begin as usize..run.end as usize;
+        Entries {
+            slots: &self.slots[range.clone()],
+            weights: &self.weights[range],
+        }
+    }
+
+    /// Appends what `strips` light in the tile; `keep` says which columns count.
     pub(super) fn add(
         &mut self,
         strips: &[Strip],
-        major: Major,
-        (tile, slots): (&Tile, Slots),
+        local: &Local,
         deposit: &Deposit,
         keep: impl Fn(u32) -> bool,
     ) {
-        let local = Local::new(tile, major, slots);
         for strip in strips {
             if !keep(strip.column) {
                 continue;
             }
-            let begin = self.entries.len() as u32;
-            self.add_strip(strip, &local, deposit);
-            let end = self.entries.len() as u32;
-            if end > begin {
-                self.runs.push(StripRun {
-                    column: strip.column,
-                    begin,
-                    end,
-                });
-            }
+            let begin = self.slots.len() as u32;
+            self.add_strip(strip, local, deposit);
+            self.end_run(strip.column, begin);
+        }
+    }
+
+    /// Closes the entries of one strip.
+    pub(super) fn end_run(&mut self, column: u32, begin: u32) {
+        let end = self.slots.len() as u32;
+        if end > begin {
+            self.runs.push(StripRun { column, begin, end });
         }
     }
 
@@ -257,16 +317,15 @@ impl TileEntries {
             let (i0, i1) = (left as usize, right.ceil() as usize);
             for i in i0..i1 {
                 let cover = right.min(i as f32 + 1.0) - left.max(i as f32);
-                self.entries.push(Entry {
-                    slot: base + i as u32 * local.across_step,
-                    weight: cover * per_voxel,
-                });
+                self.slots.push(base + i as u32 * local.across_step);
+                self.weights.push(cover * per_voxel);
             }
         }
     }
 
     pub(super) fn clear(&mut self) {
-        self.entries.clear();
+        self.slots.clear();
+        self.weights.clear();
         self.runs.clear();
     }
 }

@@ -1,1 +1,3 @@
 //! Public properties that every model, objective and optimiser must have.
+
+pub mod model;
