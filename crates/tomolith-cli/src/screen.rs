@@ -138,8 +138,9 @@ impl Progress for Screen {
                 }
                 *last = Some(Instant::now());
                 let left = elapsed_s / (*iteration).max(1) as f64 * (iterations - iteration) as f64;
+                let gradient = projected_gradient.map_or("–".to_owned(), |g| format!("{g:.1e}"));
                 mutter(&format!(
-                    "{:>12} {iteration:>4}/{iterations}  loss {loss:.4e}  gradient {projected_gradient:.1e}  \
+                    "{:>12} {iteration:>4}/{iterations}  loss {loss:.4e}  gradient {gradient}  \
                      {}updates/s  {left:.0} s left",
                     "",
                     rate(*updates_per_s),

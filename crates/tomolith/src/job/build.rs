@@ -119,13 +119,15 @@ impl Optics {
         &self,
         inside: &crate::grid::Volume<f32>,
         labels: &crate::grid::Volume<u8>,
+        grey: bool,
     ) -> Result<Vec<String>> {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
         let reach = self.reach_mm();
         let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
         for (i, (&label, &inside)) in labels.values.iter().zip(&inside.values).enumerate() {
-            if inside < 0.5 {
+            let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
+            if !is_part {
                 continue;
             }
             part += 1;

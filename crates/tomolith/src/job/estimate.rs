@@ -7,8 +7,7 @@ use super::build::Optics;
 use crate::error::Result;
 use crate::field::{Field, HostField, LANES};
 use crate::grid::VolumeGrid;
-use crate::models::{DoseModel, Run, planner};
-use serde::Serialize;
+use crate::models::{Run, planner};
 use std::time::Instant;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -119,8 +118,10 @@ impl Extent {
 }
 
 /// How fast this machine is with these optics.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct Speed {
+    /// Which model.
+    pub(crate) model: String,
     /// Updates per second.
     pub(crate) updates_per_s: f64,
     /// Updates of one dose call over voxels times frames: what masks leave.
@@ -168,8 +169,10 @@ pub(crate) fn speed(optics: &Optics, grid: &VolumeGrid, run: &Run) -> Result<Spe
     x.fill(1.0);
     let seconds = once(&mut x, &mut dose)?.max(1e-6);
     let updates = model.updates() as f64;
+    let lit = updates / (frames * small.len()).max(1) as f64;
     Ok(Speed {
+        model: plan.reason,
         updates_per_s: 2.0 * updates / seconds,
-        lit: updates / (frames * small.len()).max(1) as f64,
+        lit,
     })
 }

@@ -4,6 +4,7 @@
 use crate::kind::{Kind, KindPage};
 use crate::objective::OBJECTIVES;
 use crate::optics::vial::VIALS;
+use crate::optimize::OPTIMIZERS;
 use crate::response::RESPONSES;
 use serde_json::Value;
 

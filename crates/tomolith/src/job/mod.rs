@@ -12,7 +12,9 @@ mod build;
 pub mod document;
 mod estimate;
 pub mod folder;
+mod judge;
 pub mod kinds;
+mod optimise;
 pub mod outcome;
 pub mod progress;
 pub mod read;
@@ -22,6 +24,7 @@ pub mod schema;
 pub mod spec;
 mod stages;
 pub mod validate;
+mod write;
 
 pub use document::Document;
 pub use folder::RunFolder;

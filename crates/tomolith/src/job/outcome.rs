@@ -1,5 +1,7 @@
 //! What a run and a check tell at their end.
 
+use crate::metrics::Measure;
+use crate::optimize::StopReason;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -8,13 +10,13 @@ use std::path::PathBuf;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Quality {
     /// Intersection over union at the threshold.
-    pub iou: f64,
+    pub iou: Measure,
     /// Voxel error rate.
-    pub ver: f64,
+    pub ver: Measure,
     /// Process window: least dose of the part − largest of the void.
-    pub pw: f64,
+    pub pw: Measure,
     /// The threshold.
-    pub threshold: f64,
+    pub threshold: Measure,
 }
 
 /// The end of a run.
@@ -25,7 +27,7 @@ pub struct Summary {
     /// Iterations done; None for a simulation.
     pub iterations: Option<usize>,
     /// Why the optimisation ended; None for a simulation.
-    pub stopped: Option<String>,
+    pub stopped: Option<StopReason>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
@@ -43,7 +45,7 @@ impl Summary {
     #[must_use]
     pub fn is_met(&self) -> bool {
         self.required_iou
-            .is_none_or(|asked| self.evaluation.iou >= asked)
+            .is_none_or(|asked| self.evaluation.iou.is_some_and(|iou| iou >= asked))
     }
 }
 
@@ -55,11 +57,9 @@ impl fmt::Display for Summary {
             "", "IoU", "VER", "PW", "threshold"
         )?;
         let mut row = |name: &str, q: &Quality| {
-            writeln!(
-                f,
-                "{name:>28} {:8.4} {:8.4} {:8.4} {:10.4}",
-                q.iou, q.ver, q.pw, q.threshold
-            )
+            let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
+            let [iou, ver, pw, threshold] = [q.iou, q.ver, q.pw, q.threshold].map(number);
+            writeln!(f, "{name:>28} {iou:>8} {ver:>8} {pw:>8} {threshold:>10}")
         };
         if let Some(optimisation) = &self.optimisation {
             row("optimised, on its own grid", optimisation)?;

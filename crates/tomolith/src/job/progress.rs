@@ -29,11 +29,11 @@ pub enum Event {
         iterations: usize,
         /// The loss.
         loss: f64,
-        /// Norm of the projected gradient, relative to the start's.
-        projected_gradient: f64,
+        /// Norm of the projected gradient, relative to the first; none at the start.
+        projected_gradient: Option<f64>,
         /// Seconds since the optimisation began.
         elapsed_s: f64,
-        /// Voxel-angle updates per second, over the whole optimisation.
+        /// Voxel-angle updates per second of model time.
         updates_per_s: f64,
     },
     /// Part of a long stage is done.
@@ -47,21 +47,6 @@ pub enum Event {
 pub trait Progress {
     /// Called for each event, in order, from the thread that runs the job.
     fn event(&mut self, event: &Event);
-
-    /// A stage begins.
-    fn stage(&mut self, name: &str) {
-        self.event(&Event::Stage {
-            name: name.to_owned(),
-        });
-    }
-
-    /// A choice that was made.
-    fn note(&mut self, text: impl Into<String>)
-    where
-        Self: Sized,
-    {
-        self.event(&Event::Note { text: text.into() });
-    }
 }
 
 /// Tells nobody.
