@@ -42,14 +42,18 @@ fn rooms_named(line: &str) -> Vec<&str> {
 }
 
 fn first_name(text: &str) -> &str {
-    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    let end = text
+        .find(|c: char| !c.is_alphanumeric() && c != '_')
+        .unwrap_or(text.len());
     &text[..end]
 }
 
 #[test]
 fn no_room_imports_from_a_floor_above_its_own() {
-    let floors: BTreeMap<&str, u32> =
-        FLOORS.iter().flat_map(|(floor, rooms)| rooms.iter().map(move |room| (*room, *floor))).collect();
+    let floors: BTreeMap<&str, u32> = FLOORS
+        .iter()
+        .flat_map(|(floor, rooms)| rooms.iter().map(move |room| (*room, *floor)))
+        .collect();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
     sources(&root, &mut files);
@@ -57,11 +61,19 @@ fn no_room_imports_from_a_floor_above_its_own() {
     let mut wrong = Vec::new();
     for file in files {
         let inner = file.strip_prefix(&root).expect("below src");
-        let room = first_name(inner.components().next().and_then(|c| c.as_os_str().to_str()).unwrap_or_default());
+        let room = first_name(
+            inner
+                .components()
+                .next()
+                .and_then(|c| c.as_os_str().to_str())
+                .unwrap_or_default(),
+        );
         if matches!(room, "lib" | "check") {
             continue;
         }
-        let own = *floors.get(room).unwrap_or_else(|| panic!("room `{room}` has no floor: add it to FLOORS and ARCHITECTURE.md"));
+        let own = *floors.get(room).unwrap_or_else(|| {
+            panic!("room `{room}` has no floor: add it to FLOORS and ARCHITECTURE.md")
+        });
         let text = std::fs::read_to_string(&file).expect("source file");
         // Tests at the end of a file may use what they like
         let code = text.split("#[cfg(test)]").next().unwrap_or_default();
@@ -70,14 +82,23 @@ fn no_room_imports_from_a_floor_above_its_own() {
         }
         for (number, line) in code.lines().enumerate() {
             for other in rooms_named(line) {
-                let Some(&floor) = floors.get(other) else { continue };
+                let Some(&floor) = floors.get(other) else {
+                    continue;
+                };
                 imports += 1;
                 if floor > own || (floor == own && other != room && floor > 1) {
-                    wrong.push(format!("{}:{}: {room} (floor {own}) uses {other} (floor {floor})", inner.display(), number + 1));
+                    wrong.push(format!(
+                        "{}:{}: {room} (floor {own}) uses {other} (floor {floor})",
+                        inner.display(),
+                        number + 1
+                    ));
                 }
             }
         }
     }
-    assert!(imports > 50, "the test has lost its sight: only {imports} imports found");
+    assert!(
+        imports > 50,
+        "the test has lost its sight: only {imports} imports found"
+    );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
