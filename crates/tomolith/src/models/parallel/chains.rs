@@ -52,6 +52,29 @@ impl Avx512 {
         None
     }
 
+    /// out[i] += weights[i] · source[first[i] + tap]
+    ///
+    /// # Panics
+    /// When an index lies outside `source`, or lengths differ.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn add_gathered(
+        self,
+        out: &mut [f32],
+        weights: &[f32],
+        source: &[f32],
+        first: &[u32],
+        tap: usize,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::add_gathered(out, weights, source, first, tap);
+        }
+    }
+
     /// Appends what a chain lights in a tile, strip after strip; `keep` says which columns count.
     #[cfg_attr(
         not(target_arch = "x86_64"),
@@ -161,6 +184,38 @@ mod avx512 {
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
     use super::{Chain, LANES, Taps};
     use std::arch::x86_64::*;
+
+    /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn add_gathered(
+        out: &mut [f32],
+        weights: &[f32],
+        source: &[f32],
+        first: &[u32],
+        tap: usize,
+    ) {
+        let highest = first.iter().fold(0, |m, &i| m.max(i));
+        assert!(out.len() == weights.len() && out.len() == first.len());
+        assert!(highest as usize + tap < source.len() && source.len() < i32::MAX as usize);
+        let from = source[tap..].as_ptr();
+        for ((out, weights), first) in out
+            .chunks_mut(16)
+            .zip(weights.chunks(16))
+            .zip(first.chunks(16))
+        {
+            let n = out.len();
+            let mask: __mmask16 = if n == 16 { 0xffff } else { (1 << n) - 1 };
+            // SAFETY: masked loads and stores touch the n elements of the chunks; gathered indices were checked above.
+            unsafe {
+                let index = _mm512_maskz_loadu_epi32(mask, first.as_ptr().cast());
+                let values = _mm512_mask_i32gather_ps::<4>(_mm512_setzero_ps(), mask, index, from);
+                let weight = _mm512_maskz_loadu_ps(mask, weights.as_ptr());
+                let sum =
+                    _mm512_fmadd_ps(weight, values, _mm512_maskz_loadu_ps(mask, out.as_ptr()));
+                _mm512_mask_storeu_ps(out.as_mut_ptr(), mask, sum);
+            }
+        }
+    }
 
     /// e^x for x ≤ 0 to 2e-7, sixteen at a time.
     #[target_feature(enable = "avx512f")]

@@ -3,12 +3,14 @@
 //! A pixel is a box, so a voxel receives the mean over its height: Σ overlap(row, voxel)/pitch · value. Exact for any ratio
 //! of the two pitches and any offset.
 
+use super::chains::Avx512;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::layout::PixelRun;
 
 /// Overlaps of rows and lanes, in both directions.
 #[derive(Clone, Debug)]
 pub(super) struct Heights {
+    wide: Option<Avx512>,
     rows: usize,
     lanes: usize,
     /// Rows → lanes: taps · lanes weights, tap-major, and the first row of each lane.
@@ -23,15 +25,25 @@ pub(super) struct Heights {
 struct Taps {
     first: Vec<u32>,
     weights: Vec<Vec<f32>>,
+    /// Where `first` starts, when it grows by one from each to the next: equal pitches.
+    consecutive: Option<usize>,
 }
 
 impl Taps {
-    /// Reads `source` (whose index 0 stands for `shift`) into `out`: out[i] = Σ weight·source[first + tap].
-    fn apply(&self, source: &[f32], out: &mut [f32]) {
+    /// out[i] = Σ weight · source[first + tap]
+    fn apply(&self, wide: Option<Avx512>, source: &[f32], out: &mut [f32]) {
         out.fill(0.0);
         for (tap, weights) in self.weights.iter().enumerate() {
-            for ((o, &w), &first) in out.iter_mut().zip(weights).zip(&self.first) {
-                *o += w * source[first as usize + tap];
+            if let Some(start) = self.consecutive {
+                for ((o, &w), &s) in out.iter_mut().zip(weights).zip(&source[start + tap..]) {
+                    *o += w * s;
+                }
+            } else if let Some(wide) = wide {
+                wide.add_gathered(out, weights, source, &self.first, tap);
+            } else {
+                for ((o, &w), &first) in out.iter_mut().zip(weights).zip(&self.first) {
+                    *o += w * source[first as usize + tap];
+                }
             }
         }
     }
@@ -62,9 +74,16 @@ impl Taps {
                     .collect()
             })
             .collect();
+        let first: Vec<u32> = spans.iter().map(|s| s.0 as u32).collect();
+        let steps_by_one = first.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let consecutive = first
+            .first()
+            .filter(|_| steps_by_one)
+            .map(|&start| start as usize);
         Taps {
-            first: spans.iter().map(|s| s.0 as u32).collect(),
+            first,
             weights,
+            consecutive,
         }
     }
 
@@ -75,7 +94,7 @@ impl Taps {
 
 impl Heights {
     /// Overlaps of the rows of `pixels` (lowest first) with the slices of `grid`.
-    pub(super) fn new(pixels: &PatternGrid, grid: &VolumeGrid) -> Self {
+    pub(super) fn new(pixels: &PatternGrid, grid: &VolumeGrid, wide: Option<Avx512>) -> Self {
         let (rows, lanes) = (pixels.rows, grid.shape[0]);
         let row_low = |i: usize| (i as f64 - rows as f64 / 2.0) * pixels.pitch_mm;
         let lane_low = |i: usize| grid.z(i) - grid.pitch_mm / 2.0;
@@ -98,6 +117,7 @@ impl Heights {
             })
             .collect();
         Heights {
+            wide,
             rows,
             lanes,
             to_lanes: Taps::new(lanes, rows, overlap),
@@ -133,7 +153,8 @@ impl Heights {
         let low = run.bottom as usize;
         buffer.fill(0.0);
         buffer[low..low + values.len()].copy_from_slice(values);
-        self.to_lanes.apply(buffer, &mut lanes[..self.lanes]);
+        self.to_lanes
+            .apply(self.wide, buffer, &mut lanes[..self.lanes]);
     }
 
     /// Lanes → the rows of a run (transpose of [`expand`](Self::expand)).
@@ -147,7 +168,8 @@ impl Heights {
     ) {
         buffer[..self.lanes].copy_from_slice(&lanes[..self.lanes]);
         buffer[self.lanes..].fill(0.0);
-        self.to_rows.apply(buffer, &mut rows[..self.rows]);
+        self.to_rows
+            .apply(self.wide, buffer, &mut rows[..self.rows]);
         values.copy_from_slice(&rows[run.bottom as usize..][..run.count as usize]);
     }
 }

@@ -438,7 +438,7 @@ impl LightPlan {
             .par_iter()
             .flat_map_iter(|tile| beams.iter().map(|beam| tiles::meeting(beam, tile)))
             .collect();
-        let heights = Heights::new(&light.pixels, grid);
+        let heights = Heights::new(&light.pixels, grid, KernelPath::of(Isa::in_use()).wide);
         let lit = layout
             .runs
             .iter()
