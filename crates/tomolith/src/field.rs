@@ -16,6 +16,9 @@
 //! assert_eq!(x.dot(&y), 3.0 * 2.0 * 3.0); // three elements, 2·3 each
 //! ```
 
+mod pairs;
+
+pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -124,6 +127,9 @@ pub struct Secant {
 /// A flat vector of f32 somewhere. All operations on two fields need equal lengths and panic otherwise
 /// (a programming error, not a user's).
 pub trait Field: Clone + Send + Sync {
+    /// The memory of a quasi-Newton method over such fields.
+    type Pairs: Pairs<Self>;
+
     /// Number of elements.
     fn len(&self) -> usize;
     /// Whether there are no elements.
@@ -271,6 +277,8 @@ pub fn dot_block(a: &[f32], b: &[f32]) -> f64 {
 }
 
 impl Field for HostField {
+    type Pairs = HostPairs;
+
     fn len(&self) -> usize {
         self.len
     }

@@ -174,7 +174,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, x: &F) -> Result<()> {
+    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
         let kept: Kept = recall_numbers(memory)?;
         (self.length, self.alpha, self.steps) = (kept.length, kept.alpha, kept.steps);
         if self.steps > 0 {

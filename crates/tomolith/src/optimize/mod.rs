@@ -6,6 +6,7 @@
 
 pub mod checkpoint;
 pub mod gradient;
+pub mod lbfgs;
 pub mod problem;
 pub mod run;
 pub mod start;
@@ -29,13 +30,13 @@ pub trait Optimizer<F: Field>: Send {
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
     /// Whether no step raises the loss.
     fn is_monotone(&self) -> bool;
-    /// What must be saved.
+    /// What must be saved. Between steps only.
     fn memory(&self) -> Memory<'_>;
     /// Takes back what [`memory`](Self::memory) gave; `x` shows where fields live.
     ///
     /// # Errors
     /// A sentence, when the memory is another method's or of other settings.
-    fn restore(&mut self, memory: &mut dyn Recall, x: &F) -> Result<()>;
+    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()>;
 }
 
 /// What a step did.
@@ -73,6 +74,15 @@ impl<'a> SavedArray<'a> {
             dtype: safetensors::Dtype::F32,
             len: field.len(),
             bytes: Box::new(|| field.host_bytes()),
+        }
+    }
+
+    /// Bytes that only their writer understands.
+    pub fn of_bytes(bytes: std::borrow::Cow<'a, [u8]>) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::U8,
+            len: bytes.len(),
+            bytes: Box::new(move || bytes.clone()),
         }
     }
 }
@@ -114,4 +124,4 @@ pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Re
 pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
 
 /// Every optimiser.
-pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[gradient::KIND];
+pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[lbfgs::KIND, gradient::KIND];

@@ -317,7 +317,7 @@ impl<'a, F: Field> Problem<'a, F> {
         let size = f64::from(x.max_abs()).max(f64::from(f32::MIN_POSITIVE));
         let largest = f64::from(gradient.max_abs());
         if largest == 0.0 || !largest.is_finite() {
-            return Ok(0.0);
+            return Ok(if largest == 0.0 { 0.0 } else { f64::NAN });
         }
         let unit = if x.max_abs() > 0.0 {
             1e-3 * size / largest

@@ -221,7 +221,7 @@ fn begin<F: Field>(
             let mut dose = problem.model().new_dose()?;
             checkpoint.read_field("dose", &mut dose)?;
             let at = problem.place_at(dose)?;
-            optimizer.restore(&mut checkpoint, x)?;
+            optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
             let mut best = None;
             if checkpoint.has("best") {
