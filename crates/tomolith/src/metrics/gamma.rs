@@ -55,21 +55,15 @@ mod tests {
     fn is_the_length_of_the_good_thresholds() {
         assert!(near(measure(&[VOID, PART], &[0.375, 0.875]), 50.0));
         assert!(near(measure(&[VOID, PART], &[0.375, 7.0]), 62.5)); // the scale ends at 1
-        // Twenty part voxels: the weakest may be lost (19/20 is not above 0.95), so only up to it
-        let labels: Vec<u8> = (0..22).map(|i| if i == 0 { VOID } else { PART }).collect();
-        let response: Vec<f32> = (0..22)
-            .map(|i| {
-                if i == 0 {
-                    0.25
-                } else if i == 1 {
-                    0.5
-                } else {
-                    0.75
-                }
-            })
-            .collect();
-        assert!(near(measure(&labels[..21], &response[..21]), 25.0));
-        assert!(near(measure(&labels, &response), 50.0)); // 20/21 is above
+        // Twenty part voxels: the weakest may not be lost (19/20 is not above 0.95), nor may the void gel (20/22)
+        let print = |parts: usize| {
+            let labels: Vec<u8> = [VOID, VOID].into_iter().chain(vec![PART; parts]).collect();
+            let mut response = vec![0.75; parts + 2];
+            response[..3].copy_from_slice(&[0.25, 0.25, 0.5]);
+            measure(&labels, &response)
+        };
+        assert!(near(print(20), 25.0));
+        assert!(near(print(21), 50.0)); // 20/21 is above 0.95, 21/23 is not
         assert_eq!(measure(&[VOID], &[1.0]), None);
     }
 }

@@ -424,23 +424,22 @@ impl<'a> Scan<'a> {
 
     fn settle(&self) -> Option<(Opened, Fraction)> {
         self.part()?;
-        let best_of = |pieces: &[Piece]| {
-            pieces
-                .iter()
-                .filter(|p| p.closed.is_none())
-                .map(|p| p.low)
-                .max_by(|a, b| a.compare(b, 1, 1))
-        };
+        let best_of =
+            |ious: &mut dyn Iterator<Item = Fraction>| ious.max_by(|a, b| a.compare(b, 1, 1));
         let mut opened = Opened::new();
         let pieces = self.pieces(&opened);
-        let at_least = best_of(&pieces)?;
+        // Attained for sure: below all values, and between any two buckets
+        let exact = pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low);
+        let between = self.buckets.iter().map(|b| self.iou(b.above));
+        let at_least = best_of(&mut exact.chain(between))?;
         let open: Vec<usize> = pieces
             .iter()
             .filter(|p| p.high.compare(&at_least, 1, 1).is_ge())
             .filter_map(|p| p.closed)
             .collect();
         self.open(&open, &mut opened);
-        let best = best_of(&self.pieces(&opened))?;
+        let pieces = self.pieces(&opened);
+        let best = best_of(&mut pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low))?;
         Some((opened, best))
     }
 

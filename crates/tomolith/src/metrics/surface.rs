@@ -9,7 +9,7 @@
 //! # Limits
 //! Distances are exact up to f32 between the triangulated surfaces. The iso-surface of a fraction lies within about
 //! 0.1 pitch of a flat surface, that of bare labels within half a pitch. Grids of more than 2·10⁸ voxels are averaged
-//! over 2³ voxels first (or 3³, …), and the result says so.
+//! over 2³ voxels first (or 3³, …), and so are rough surfaces of more than 4·10⁶ triangles; the result says so.
 //!
 //! # Cost
 //! A few seconds at 400³ on two cores; memory for the triangles (36 bytes each) and their boxes.
@@ -37,6 +37,8 @@ use rayon::prelude::*;
 
 /// Voxels up to which surfaces are taken on the print's own grid.
 const FULL_RESOLUTION: usize = 200_000_000;
+/// Triangles of one surface up to which it is used; a smooth part has about a million at 400³ voxels.
+const MOST_TRIANGLES: usize = 4_000_000;
 /// Corners that are asked for one after the other, each with the answer of the one before.
 const RUN: usize = 1024;
 
@@ -61,11 +63,17 @@ pub(super) fn surface_distance(print: &Print<'_>) -> Option<SurfaceDistance> {
 fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceDistance> {
     let threshold = print.gel_threshold()?;
     let grid = print.grid();
-    let coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
-    let printed = surface(grid, coarsened, threshold, |i| {
-        print.printed_value(i, threshold)
-    });
-    let target = surface(grid, coarsened, 0.5, |i| print.target_value(i));
+    let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
+    let (printed, target) = loop {
+        let printed = surface(grid, coarsened, threshold, |i| {
+            print.printed_value(i, threshold)
+        });
+        let target = surface(grid, coarsened, 0.5, |i| print.target_value(i));
+        if printed.triangles.len().max(target.triangles.len()) <= MOST_TRIANGLES {
+            break (printed, target);
+        }
+        coarsened += 1;
+    };
     if printed.is_empty() || target.is_empty() {
         return None;
     }
