@@ -167,3 +167,112 @@ fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<G
         values: values.chunks_exact(samples).map(luma).collect(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn png_of(color: png::ColorType, depth: png::BitDepth, columns: u32, data: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, columns, 1);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        encoder
+            .write_header()
+            .unwrap()
+            .write_image_data(data)
+            .unwrap();
+        bytes
+    }
+
+    fn parse(bytes: &[u8], extension: &str) -> Vec<f32> {
+        parse_grey(bytes, extension, Path::new("image"))
+            .unwrap()
+            .values
+    }
+
+    #[test]
+    fn png_of_every_kind_is_real_valued() {
+        use png::{BitDepth, ColorType};
+        let grey = png_of(ColorType::Grayscale, BitDepth::Eight, 3, &[0, 51, 255]);
+        assert_eq!(parse(&grey, "png"), [0.0, 0.2, 1.0]);
+        let deep = png_of(
+            ColorType::Grayscale,
+            BitDepth::Sixteen,
+            2,
+            &[0x33, 0x33, 0, 1],
+        );
+        assert_eq!(parse(&deep, "PNG"), [0.2, 1.0 / 65535.0]);
+        let alpha = png_of(
+            ColorType::GrayscaleAlpha,
+            BitDepth::Eight,
+            2,
+            &[51, 0, 255, 9],
+        );
+        assert_eq!(parse(&alpha, "png"), [0.2, 1.0]);
+        let rgba = png_of(
+            ColorType::Rgba,
+            BitDepth::Eight,
+            3,
+            &[255, 0, 0, 0, 0, 255, 0, 1, 255, 255, 255, 2],
+        );
+        assert_eq!(parse(&rgba, "png"), [0.2126, 0.7152, 1.0]);
+        let bits = png_of(ColorType::Grayscale, BitDepth::One, 3, &[0b0100_0000]);
+        assert_eq!(parse(&bits, "png"), [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn tiff_of_integers_and_floats() {
+        use tiff::encoder::{TiffEncoder, colortype};
+        let mut bytes = Cursor::new(Vec::new());
+        TiffEncoder::new(&mut bytes)
+            .unwrap()
+            .write_image::<colortype::Gray16>(2, 1, &[13107, 65535])
+            .unwrap();
+        assert_eq!(parse(bytes.get_ref(), "tif"), [0.2, 1.0]);
+        let mut bytes = Cursor::new(Vec::new());
+        TiffEncoder::new(&mut bytes)
+            .unwrap()
+            .write_image::<colortype::Gray32Float>(2, 1, &[0.25, 1.5])
+            .unwrap();
+        let text = parse_grey(bytes.get_ref(), "tiff", Path::new("a.tiff"))
+            .unwrap_err()
+            .to_string();
+        assert!(
+            text.starts_with("a.tiff: a pixel of value 1.5; accepted: "),
+            "{text}"
+        );
+        let mut bytes = Cursor::new(Vec::new());
+        TiffEncoder::new(&mut bytes)
+            .unwrap()
+            .write_image::<colortype::RGB8>(1, 1, &[0, 255, 0])
+            .unwrap();
+        assert_eq!(parse(bytes.get_ref(), "tif"), [0.7152]);
+    }
+
+    #[test]
+    fn damage_is_named() {
+        let whole = png_of(
+            png::ColorType::Grayscale,
+            png::BitDepth::Eight,
+            3,
+            &[0, 51, 255],
+        );
+        for cut in [0, 5, 20, 40, whole.len() / 2] {
+            let text = parse_grey(&whole[..cut], "png", Path::new("a.png"))
+                .unwrap_err()
+                .to_string();
+            assert!(text.starts_with("a.png: damaged PNG"), "{text}");
+        }
+        let mut huge = whole.clone();
+        huge[16..20].copy_from_slice(&0x7fff_ffffu32.to_be_bytes());
+        assert!(parse_grey(&huge, "png", Path::new("a.png")).is_err());
+        assert!(
+            parse_grey(&whole, "bmp", Path::new("a.bmp"))
+                .unwrap_err()
+                .to_string()
+                .contains("`.bmp`")
+        );
+        assert!(parse_grey(b"II*\0\x08\0\0\0", "tif", Path::new("a.tif")).is_err());
+    }
+}

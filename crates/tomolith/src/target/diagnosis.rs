@@ -529,3 +529,171 @@ fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis) {
     (found.overlap_mm3, found.overlap_at) = (volume(&total[0]), at(&total[0]));
     (found.negative_mm3, found.negative_at) = (volume(&total[1]), at(&total[1]));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::mesh::samples::{ball, cuboid, inverted, together};
+
+    fn found(mesh: Mesh) -> (Mesh, Diagnosis) {
+        examine(mesh, Path::new("test")).unwrap()
+    }
+
+    #[test]
+    fn sound_meshes_are_left_alone() {
+        for mesh in [cuboid([0.0; 3], [1.0, 2.0, 3.0]), ball([1.0; 3], 2.0, 3)] {
+            let (after, diagnosis) = found(mesh.clone());
+            assert_eq!(after, mesh);
+            assert_eq!(diagnosis.sentences(), Vec::<String>::new());
+            assert_eq!(diagnosis.shell_volumes_mm3.len(), 1);
+        }
+    }
+
+    #[test]
+    fn a_hole_is_said_and_closed() {
+        let mut mesh = cuboid([0.0; 3], [1.0, 2.0, 3.0]);
+        mesh.triangles.drain(2..4); // the top, z = 3
+        let (after, diagnosis) = found(mesh);
+        assert_eq!((diagnosis.open_edges, diagnosis.holes), (4, 1));
+        assert!((after.signed_volume() - 6.0).abs() < 1e-12);
+        let said = diagnosis.sentences();
+        assert!(
+            said[0].contains("4 edges") && said[0].contains("3.000) mm"),
+            "{said:?}"
+        );
+        assert!(diagnosis.is_simple());
+    }
+
+    #[test]
+    fn turned_triangles_are_turned_back() {
+        let mut mesh = ball([0.0; 3], 1.0, 3);
+        let exact = mesh.signed_volume();
+        for t in [5, 6, 300, 301, 302, 1000] {
+            mesh.triangles[t].swap(0, 1);
+        }
+        let (after, diagnosis) = found(mesh);
+        assert_eq!(diagnosis.turned_triangles, 6);
+        assert!((after.signed_volume() - exact).abs() < 1e-12);
+        assert!(diagnosis.sentences()[0].contains("6 triangles were turned"));
+    }
+
+    #[test]
+    fn inside_out_meshes_and_shells_are_turned_and_cavities_kept() {
+        let (_, diagnosis) = found(inverted(cuboid([0.0; 3], [1.0; 3])));
+        assert!(diagnosis.inside_out && (diagnosis.signed_volume_mm3() - 1.0).abs() < 1e-12);
+        let outer = cuboid([0.0; 3], [4.0; 3]);
+        let cavity = inverted(cuboid([1.0; 3], [2.0; 3]));
+        let lone = inverted(cuboid([6.0; 3], [8.0; 3]));
+        let (_, diagnosis) = found(together(&[outer, cavity, lone]));
+        let expected = [64.0, -1.0, 8.0];
+        for (volume, expected) in diagnosis.shell_volumes_mm3.iter().zip(expected) {
+            assert!(
+                (volume - expected).abs() < 1e-9,
+                "{:?}",
+                diagnosis.shell_volumes_mm3
+            );
+        }
+        assert_eq!(diagnosis.turned_shells_at, [[6.0; 3]]);
+        assert_eq!(diagnosis.sentences().len(), 1);
+        // A part that is mostly such shells is not inside out as a whole
+        assert!(!diagnosis.inside_out);
+    }
+
+    #[test]
+    fn overlaps_are_measured_and_located() {
+        let (_, diagnosis) = found(together(&[
+            cuboid([0.0; 3], [2.0; 3]),
+            cuboid([1.0, 1.0, 1.0], [3.0, 3.0, 3.0]),
+        ]));
+        assert!(
+            (diagnosis.overlap_mm3 - 1.0).abs() < 0.03,
+            "{}",
+            diagnosis.overlap_mm3
+        );
+        let at = diagnosis.overlap_at.unwrap();
+        assert!(at.iter().all(|v| (1.0..=2.0).contains(v)), "{at:?}");
+        assert!(diagnosis.sentences()[0].contains("their union is printed"));
+        // Shells that touch do not overlap
+        let (_, diagnosis) = found(together(&[
+            cuboid([0.0; 3], [2.0; 3]),
+            cuboid([2.0, 0.0, 0.0], [3.0, 2.0, 2.0]),
+        ]));
+        assert!(diagnosis.is_simple() && diagnosis.sentences().is_empty());
+    }
+
+    #[test]
+    fn a_surface_through_itself_is_said() {
+        // The apex of a pyramid pulled down through its base
+        let mesh = Mesh {
+            vertices: vec![
+                [0.0, 0.0, 0.0],
+                [4.0, 0.0, 0.0],
+                [4.0, 4.0, 0.0],
+                [0.0, 4.0, 0.0],
+                [2.0, 2.0, 2.0],
+                [1.0, 1.0, 0.0],
+                [3.0, 1.0, 0.0],
+                [3.0, 3.0, 0.0],
+                [1.0, 3.0, 0.0],
+                [2.0, 2.0, 3.0],
+            ],
+            triangles: vec![
+                [0, 1, 4],
+                [1, 2, 4],
+                [2, 3, 4],
+                [3, 0, 4],
+                [0, 5, 6],
+                [0, 6, 1],
+                [1, 6, 7],
+                [1, 7, 2],
+                [2, 7, 8],
+                [2, 8, 3],
+                [3, 8, 5],
+                [3, 5, 0],
+                [5, 9, 6],
+                [6, 9, 7],
+                [7, 9, 8],
+                [8, 9, 5],
+            ],
+        };
+        let (_, diagnosis) = found(mesh);
+        assert_eq!(diagnosis.open_edges, 0);
+        // At height z the outer pyramid is 2·(2 − z) wide, the inner 2·(1 − z/3): from z = 1.5 on, 1 wide there, the inner
+        // lies outside: a tip 1.5 high less one 0.5 high
+        let exact = (1.5 - 0.5) / 3.0;
+        assert!(
+            (diagnosis.negative_mm3 - exact).abs() < 2e-3,
+            "{} {exact}",
+            diagnosis.negative_mm3
+        );
+        assert!(diagnosis.sentences()[0].contains("passes through itself"));
+    }
+
+    #[test]
+    fn doubled_faces_and_edges_of_many_triangles_are_said() {
+        let touching = together(&[
+            cuboid([0.0; 3], [1.0; 3]),
+            cuboid([1.0, 1.0, 0.0], [2.0, 2.0, 1.0]),
+        ])
+        .welded();
+        let (_, diagnosis) = found(touching);
+        assert_eq!(diagnosis.non_manifold_edges, 1);
+        assert!(
+            diagnosis.sentences()[0].contains("(1.000, 1.000, 0.500) mm"),
+            "{:?}",
+            diagnosis.sentences()
+        );
+        assert!((diagnosis.signed_volume_mm3() - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn flat_meshes_are_refused() {
+        let mut sheet = cuboid([0.0; 3], [1.0, 2.0, 0.0]);
+        let refused = |mesh: Mesh| examine(mesh, Path::new("a.stl")).unwrap_err().to_string();
+        assert!(refused(sheet.clone()).contains("enclose no volume"));
+        sheet.triangles.truncate(2);
+        assert!(refused(sheet.welded()).starts_with("mesh a.stl: its "));
+        // A thin plate is no sheet
+        found(cuboid([0.0; 3], [10.0, 10.0, 1e-5]));
+    }
+}

@@ -187,3 +187,78 @@ impl Shape for GreyImage {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows, three columns: 0.1 0.2 0.3 on top (+y), 0.4 0.5 0.6 below.
+    fn image(placement: &Placement) -> GreyImage {
+        let pixels = GreyPixels {
+            rows: 2,
+            columns: 3,
+            values: vec![0.1, 0.2, 0.3, 0.4, 0.5, 0.6],
+        };
+        GreyImage::new(pixels, Some(3.0), Some(2.0), placement).unwrap()
+    }
+
+    #[test]
+    fn the_top_row_is_at_plus_y_and_columns_grow_with_x() {
+        let image = image(&Placement::default());
+        assert_eq!(image.bounds_mm(), [[-1.5, -1.0, -1.0], [1.5, 1.0, 1.0]]);
+        let grid = VolumeGrid::centered([2, 2, 3], 1.0);
+        let slice = [0.4, 0.5, 0.6, 0.1, 0.2, 0.3];
+        assert_eq!(image.sample(&grid).unwrap().values, [slice, slice].concat());
+        assert!(image.is_grey());
+    }
+
+    #[test]
+    fn large_voxels_hold_the_mean_over_their_area_and_height() {
+        let image = image(&Placement::default());
+        // x from −2 to 2, y from −2 to 2, z from −2 to 2: the sum of all pixels over 16 mm², half the height
+        let one = image.sample(&VolumeGrid::centered([1, 1, 1], 4.0)).unwrap();
+        assert!((one.values[0] - 2.1 / 16.0 / 2.0).abs() < 1e-7);
+        // Half of the left and half of the middle column
+        let grid = VolumeGrid {
+            shape: [1, 1, 1],
+            pitch_mm: 1.0,
+            center_mm: [-0.5, 0.5, 0.0],
+        };
+        assert!((image.sample(&grid).unwrap().values[0] - 0.15).abs() < 1e-7);
+    }
+
+    #[test]
+    fn small_voxels_are_interpolated() {
+        let image = image(&Placement::default());
+        let at = |x: f64, y: f64| {
+            let grid = VolumeGrid {
+                shape: [1, 1, 1],
+                pitch_mm: 1e-3,
+                center_mm: [x, y, 0.0],
+            };
+            image.sample(&grid).unwrap().values[0]
+        };
+        assert!((at(-1.0, 0.5) - 0.1).abs() < 1e-6); // the middle of a pixel
+        assert!((at(-0.75, 0.5) - 0.125).abs() < 1e-6); // a quarter of the way to the next
+        assert!((at(-1.0, 0.0) - 0.25).abs() < 1e-6); // between the rows
+        assert!((at(-1.4, 0.9) - 0.1).abs() < 1e-6); // the outer half pixel is flat
+        assert_eq!(at(-1.6, 0.5), 0.0);
+    }
+
+    #[test]
+    fn images_need_width_and_height() {
+        let pixels = GreyPixels {
+            rows: 1,
+            columns: 1,
+            values: vec![1.0],
+        };
+        let placement = Placement::default();
+        let refused = |size, height| {
+            GreyImage::new(pixels.clone(), size, height, &placement)
+                .unwrap_err()
+                .to_string()
+        };
+        assert!(refused(None, Some(1.0)).starts_with("size_mm: the key is missing"));
+        assert!(refused(Some(1.0), Some(-1.0)).starts_with("height_mm: -1 mm"));
+    }
+}

@@ -152,3 +152,71 @@ fn edge_at(mesh: &Scaled, low: u32, high: u32, z: f64) -> [f64; 2] {
     let share = (z - a[2]) / (b[2] - a[2]);
     [1, 0].map(|axis| a[axis] + share * (b[axis] - a[axis]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::mesh::samples::{ball, cuboid};
+
+    /// The crossings of lines at every y of `ys` in the plane z.
+    fn crossings(mesh: &Mesh, z: f64, ys: &[f64]) -> Vec<Vec<(f64, i32)>> {
+        let grid = VolumeGrid {
+            shape: [1; 3],
+            pitch_mm: 1.0,
+            center_mm: [0.5; 3],
+        };
+        let scaled = Scaled::new(mesh, &grid);
+        let all = scaled.between(z, z);
+        ys.iter()
+            .map(|&y| {
+                let mut lines = Lines::default();
+                let mut found = Vec::new();
+                lines.cast(&scaled, &all, z, |i| y + i as f64, 0..1);
+                lines.for_each_line(|_, c| found = c.iter().map(|c| (c.x, c.step)).collect());
+                found
+            })
+            .collect()
+    }
+
+    #[test]
+    fn lines_through_edges_and_corners_of_a_box_count_once() {
+        let mesh = cuboid([0.0; 3], [2.0, 4.0, 4.0]);
+        // On the bottom plane, the diagonals, an edge, the middle; on the far edges and beyond: half open
+        for (z, y, hit) in [
+            (0.0, 0.0, true),
+            (0.0, 1.0, true),
+            (2.0, 2.0, true),
+            (1.0, 3.0, true),
+            (4.0, 1.0, false),
+            (1.0, 4.0, false),
+            (-1.0, 1.0, false),
+        ] {
+            let found = &crossings(&mesh, z, &[y])[0];
+            let expected = if hit {
+                vec![(0.0, 1), (2.0, -1)]
+            } else {
+                vec![]
+            };
+            assert_eq!(*found, expected, "y = {y}, z = {z}");
+        }
+    }
+
+    #[test]
+    fn the_winding_number_returns_to_zero_on_every_line() {
+        let mesh = ball([0.0; 3], 1.0, 2);
+        // Lines through all vertices, and through all middles of edges
+        let mut places: Vec<[f64; 2]> = mesh.vertices.iter().map(|v| [v[1], v[2]]).collect();
+        for t in 0..mesh.triangles.len() {
+            let [a, b, _] = mesh.corners(t);
+            places.push([(a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0]);
+        }
+        for [y, z] in places {
+            let found = &crossings(&mesh, z, &[y])[0];
+            let mut winding = 0;
+            for &(_, step) in found {
+                winding += step;
+            }
+            assert_eq!(winding, 0, "y = {y}, z = {z}: {found:?}");
+        }
+    }
+}

@@ -211,13 +211,13 @@ impl Sums {
         let mut rest = Polygon::new(corners);
         rest = rest.cut(2, z).1;
         rest = rest.cut(2, z + 1.0).0;
-        let [low, high] = rest.range(1);
+        let [low, _] = rest.range(1);
         let first = low.floor().max(0.0);
         if first > low {
             rest = rest.cut(1, first).1;
         }
         let mut y = first;
-        while y < high && (y as usize) < self.ny {
+        while rest.len >= 3 && y < self.ny as f64 {
             let (row, above) = rest.cut(1, y + 1.0);
             self.add_row(row, y as usize);
             rest = above;
@@ -238,7 +238,7 @@ impl Sums {
         if x > low {
             rest = rest.cut(0, x).1;
         }
-        while x < high && x < end {
+        while rest.len >= 3 && x < end {
             let (piece, beyond) = rest.cut(0, x + 1.0);
             let (area, moment) = piece.area_and_moment(x);
             let i = x as usize;
@@ -349,5 +349,246 @@ impl Polygon {
             moment += piece * ((a[0] + b[0] + c[0]) / 3.0 - origin);
         }
         (area, moment)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::mesh::samples::{ball, cuboid, inverted, together};
+    use crate::target::Placement;
+    use crate::target::diagnosis::examine;
+    use std::path::Path;
+
+    fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
+        let (mesh, _) = examine(mesh, Path::new("test")).unwrap();
+        inside_fractions(&mesh, grid).unwrap()
+    }
+
+    fn volume(volume: &Volume<f32>) -> f64 {
+        let sum: f64 = volume.values.iter().map(|&v| f64::from(v)).sum();
+        sum * volume.grid.voxel_mm3()
+    }
+
+    fn turned(mut mesh: Mesh, rotate_deg: [f64; 3]) -> Mesh {
+        let placement = Placement {
+            rotate_deg,
+            ..Placement::default()
+        };
+        let map = placement.map(&mesh.vertices, 0.0, "target").unwrap();
+        map.apply_to(&mut mesh);
+        mesh
+    }
+
+    /// Length that [a, b] shares with [low, low + 1], all in voxels.
+    fn overlap(a: f64, b: f64, low: f64) -> f64 {
+        (b.min(low + 1.0) - a.max(low)).max(0.0)
+    }
+
+    #[test]
+    fn a_box_fills_every_voxel_by_the_product_of_its_overlaps() {
+        // Faces between, on and across voxel planes
+        let (low, high) = ([0.3, 2.0, 1.25], [4.7, 5.0, 6.5]);
+        let grid = VolumeGrid {
+            shape: [8, 7, 6],
+            pitch_mm: 1.0,
+            center_mm: [3.0, 3.5, 4.0],
+        };
+        let volume = sampled(cuboid(low, high), &grid);
+        for iz in 0..8 {
+            for iy in 0..7 {
+                for ix in 0..6 {
+                    let exact: f64 = [ix, iy, iz]
+                        .iter()
+                        .enumerate()
+                        .map(|(axis, &i)| overlap(low[axis], high[axis], i as f64))
+                        .product();
+                    let found = f64::from(*volume.at(iz, iy, ix));
+                    assert!(
+                        (found - exact).abs() < 1e-7,
+                        "{ix} {iy} {iz}: {found} {exact}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_part_of_a_mesh_beyond_the_grid_does_not_matter() {
+        let mesh = turned(ball([0.0; 3], 2.0, 2), [10.0, 20.0, 30.0]);
+        let wide = VolumeGrid::centered([48, 48, 48], 0.1);
+        let narrow = VolumeGrid {
+            shape: [16, 12, 10],
+            pitch_mm: 0.1,
+            center_mm: [0.1 * 11.0, 0.1 * 4.0, -0.1 * 12.0],
+        };
+        let (wide, narrow) = (sampled(mesh.clone(), &wide), sampled(mesh, &narrow));
+        for iz in 0..16 {
+            for iy in 0..12 {
+                for ix in 0..10 {
+                    let a = *narrow.at(iz, iy, ix);
+                    let b = *wide.at(iz + 4, iy + 22, ix + 30);
+                    assert!((a - b).abs() < 1e-6, "{ix} {iy} {iz}: {a} {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_sum_of_the_fractions_is_the_volume_of_the_mesh() {
+        let tilted = turned(cuboid([0.0; 3], [5.0, 0.7, 3.0]), [31.0, -17.0, 66.0]);
+        for mesh in [ball([0.1, 0.2, 0.3], 2.5, 3), tilted] {
+            let exact = mesh.signed_volume();
+            for n in [16, 33, 128] {
+                let grid = VolumeGrid::centered([n; 3], 6.5 / n as f64);
+                let found = volume(&sampled(mesh.clone(), &grid));
+                assert!((found / exact - 1.0).abs() < 1e-7, "{n}: {found} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn fractions_of_a_ball_converge_to_those_of_the_sphere_with_the_square_of_the_edges() {
+        // Four times as many triangles: half the edge, a quarter of the missing volume
+        let missing = |levels| {
+            let mesh = ball([0.0; 3], 1.0, levels);
+            let grid = VolumeGrid::centered([40; 3], 0.06);
+            1.0 - volume(&sampled(mesh, &grid)) / (4.0 / 3.0 * std::f64::consts::PI)
+        };
+        let (coarse, fine) = (missing(3), missing(4));
+        assert!(
+            coarse > 0.0 && (coarse / fine - 4.0).abs() < 0.1,
+            "{coarse} {fine}"
+        );
+    }
+
+    #[test]
+    fn voxels_that_are_part_converge_to_the_volume() {
+        // Counting voxels of fraction ≥ ½: the error falls at least with the first power of the voxel
+        let mesh = turned(cuboid([0.0; 3], [4.0, 3.0, 2.0]), [20.0, 35.0, 50.0]);
+        let error = |n: usize| {
+            let grid = VolumeGrid::centered([n; 3], 5.5 / n as f64);
+            let part = sampled(mesh.clone(), &grid)
+                .values
+                .iter()
+                .filter(|v| **v >= 0.5)
+                .count();
+            (part as f64 * grid.voxel_mm3() / 24.0 - 1.0).abs()
+        };
+        assert!(
+            error(32) < 1e-2 && error(128) < 1e-3,
+            "{} {}",
+            error(32),
+            error(128)
+        );
+    }
+
+    #[test]
+    fn touching_shells_unite_without_a_seam() {
+        let grid = VolumeGrid::centered([8, 8, 16], 0.5);
+        let one = sampled(cuboid([-3.0, -1.1, -1.3], [3.0, 1.0, 1.0]), &grid);
+        // Cut at x = 0.2 (inside a voxel) and at x = 1.0 (on a voxel plane), as one welded mesh and as separate shells
+        let (low, high) = ([-3.0, -1.1, -1.3], [3.0, 1.0, 1.0]);
+        let at = |from: f64, to: f64| cuboid([from, low[1], low[2]], [to, high[1], high[2]]);
+        let parts = together(&[at(-3.0, 0.2), at(0.2, 1.0), at(1.0, 3.0)]);
+        for mesh in [parts.welded(), parts] {
+            let many = sampled(mesh, &grid);
+            for (a, b) in one.values.iter().zip(&many.values) {
+                assert!((a - b).abs() < 1e-6, "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn cavities_are_hollow_and_nested_shells_full() {
+        let grid = VolumeGrid::centered([30; 3], 0.2);
+        let outer = cuboid([-2.0; 3], [2.0; 3]);
+        let inner = cuboid([-1.0; 3], [1.0; 3]);
+        let hollow = sampled(together(&[outer.clone(), inverted(inner.clone())]), &grid);
+        assert!((volume(&hollow) - 56.0).abs() < 1e-4); // 64 − 8
+        assert_eq!(*hollow.at(15, 15, 15), 0.0);
+        // Inside out as a whole: the same
+        let whole = inverted(together(&[outer.clone(), inverted(inner.clone())]));
+        assert_eq!(sampled(whole, &grid), hollow);
+        let full = sampled(together(&[outer, inner]), &grid);
+        assert!((volume(&full) - 64.0).abs() < 1e-4);
+        assert_eq!(*full.at(15, 15, 15), 1.0);
+    }
+
+    #[test]
+    fn overlapping_shells_are_their_union() {
+        // Two cubes of edge 2 that share a cube of edge 1: 8 + 8 − 1
+        let mesh = together(&[
+            cuboid([-1.5; 3], [0.5; 3]),
+            turned(cuboid([-1.0; 3], [1.0; 3]), [0.0; 3]),
+        ]);
+        let mut shifted = mesh;
+        for vertex in &mut shifted.vertices[8..] {
+            vertex.iter_mut().for_each(|v| *v += 0.5);
+        }
+        let grid = VolumeGrid::centered([40; 3], 0.1);
+        let union = sampled(shifted, &grid);
+        assert!(
+            (volume(&union) - 15.0).abs() < 15.0 * 1e-3,
+            "{}",
+            volume(&union)
+        );
+        assert!(union.values.iter().all(|v| (0.0..=1.0).contains(v)));
+        // Two balls at distance 1, radius 1: 2·4/3·π less a lens of π·(4 + 1)·(2 − 1)²/12
+        let balls = together(&[
+            ball([-0.5, 0.01, 0.02], 1.0, 5),
+            ball([0.5, 0.01, 0.02], 1.0, 5),
+        ]);
+        let exact = std::f64::consts::PI * (8.0 / 3.0 - 5.0 / 12.0);
+        let union = volume(&sampled(balls, &grid));
+        assert!((union / exact - 1.0).abs() < 1e-3, "{union} {exact}");
+    }
+
+    #[test]
+    fn sampled_rows_agree_with_the_exact_sums() {
+        let mesh = turned(ball([0.0; 3], 1.5, 3), [5.0, 6.0, 7.0]);
+        let grid = VolumeGrid::centered([20, 18, 22], 0.2);
+        let exact = sampled(mesh.clone(), &grid);
+        let scaled = Scaled::new(&mesh, &grid);
+        let (mut worst, mut sum) = (0.0f32, 0.0f64);
+        for iz in 0..20 {
+            let mut slice = vec![0.0; 18 * 22];
+            sample_rows(&scaled, iz, 22, &[true; 18], &mut slice);
+            for (a, b) in slice.iter().zip(&exact.values[iz * 18 * 22..]) {
+                worst = worst.max((a - b).abs());
+                sum += f64::from(a - b);
+            }
+        }
+        assert!(worst < 0.04, "{worst}");
+        assert!(
+            sum.abs() * grid.voxel_mm3() < 1e-4 * mesh.signed_volume(),
+            "{sum}"
+        );
+    }
+
+    #[test]
+    fn results_do_not_depend_on_the_number_of_threads() {
+        let mesh = together(&[ball([0.0; 3], 1.0, 3), ball([0.7, 0.2, 0.1], 1.0, 3)]);
+        let grid = VolumeGrid::centered([31, 30, 29], 0.13);
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| sampled(mesh.clone(), &grid))
+        };
+        let one = with(1);
+        assert_eq!(one, with(2));
+        assert_eq!(one, with(8));
+    }
+
+    #[test]
+    fn too_large_a_grid_is_refused() {
+        let grid = VolumeGrid::centered([1 << 20; 3], 1e-3);
+        let (mesh, _) = examine(cuboid([0.0; 3], [1.0; 3]), Path::new("test")).unwrap();
+        assert!(matches!(
+            inside_fractions(&mesh, &grid),
+            Err(Error::Resources { .. })
+        ));
     }
 }

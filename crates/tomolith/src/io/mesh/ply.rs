@@ -81,7 +81,11 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     let refused = |e: ParseError| {
         let text = e.to_string();
         let first = text.lines().next().unwrap_or_default();
-        bad(path, format!("damaged PLY: {first}"), WANTED)
+        let what = match e.kind() {
+            std::io::ErrorKind::UnexpectedEof => "truncated",
+            _ => "damaged PLY",
+        };
+        bad(path, format!("{what}: {first}"), WANTED)
     };
     let parser = Parser::<Row>::new();
     let mut reader = Reader::new(Cursor::new(bytes));
