@@ -49,6 +49,9 @@ pub(crate) enum Command {
 pub(crate) struct JobArguments {
     /// Job file, TOML or JSON
     pub(crate) job: PathBuf,
+    /// Quick trial: a third of the resolution, few angles, few iterations; what it prints is poor
+    #[arg(long)]
+    pub(crate) toy: bool,
     /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable)
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,

@@ -94,6 +94,9 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
 
 fn read(given: &JobArguments, output: Option<&Path>) -> Result<Job> {
     let mut job = Job::read(&given.job, &given.set)?;
+    if given.toy {
+        job = job.toy();
+    }
     if let Some(folder) = output {
         job.spec.output.folder = Some(folder.to_owned());
     }

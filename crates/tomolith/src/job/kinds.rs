@@ -6,6 +6,7 @@ use crate::objective::OBJECTIVES;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
 use crate::response::RESPONSES;
+use crate::target::PHANTOMS;
 use serde_json::Value;
 
 /// A family of kinds, as a job names it.
@@ -32,11 +33,9 @@ pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
         family("objective", "What is minimised", OBJECTIVES),
-        family(
-            "response",
-            "What the material does with the dose",
-            RESPONSES,
-        ),
+        family("optimizer", "How it is minimised", OPTIMIZERS),
+        family("response", "What the material does with the dose", RESPONSES),
+        family("target.phantom", "Parts by formula", PHANTOMS),
     ]
 }
 
@@ -85,25 +84,21 @@ pub fn parameters(page: &KindPage) -> Vec<Parameter> {
 /// `section` with the defaults of its kind written in: `{cylinder: {…}}` of the family `vial`.
 #[must_use]
 pub fn with_defaults(pages: &[KindPage], section: &Value) -> Value {
-    let (name, given) = match section {
-        Value::String(name) => (name.clone(), serde_json::Map::new()),
-        Value::Object(map) => match map.iter().next() {
-            Some((name, Value::Object(given))) if map.len() == 1 => (name.clone(), given.clone()),
-            _ => return section.clone(),
-        },
-        _ => return section.clone(),
-    };
-    let mut full = given;
-    for parameter in pages
-        .iter()
-        .filter(|page| page.name == name)
-        .flat_map(parameters)
-    {
-        if let Some(default) = parameter.default {
-            full.entry(parameter.name).or_insert(default);
+    let mut section = section.clone();
+    if let Value::String(name) = &section {
+        section = serde_json::json!({ name: {} });
+    }
+    for page in pages {
+        let Some(Value::Object(given)) = section.get_mut(page.name) else {
+            continue;
+        };
+        for parameter in parameters(page) {
+            if let Some(default) = parameter.default {
+                given.entry(parameter.name).or_insert(default);
+            }
         }
     }
-    Value::Object([(name, Value::Object(full))].into_iter().collect())
+    section
 }
 
 /// The type of a property in a person's words.

@@ -2,10 +2,16 @@
 
 use super::document::Document;
 use super::kinds::{Family, families, with_defaults};
-use super::spec::JobSpec;
+use super::spec::{Angles, JobSpec, ProjectorSpec};
 use super::validate;
 use crate::error::{Error, Result};
 use std::path::{Path, PathBuf};
+
+/// How much coarser a quick trial is, and its limits.
+const TOY: f64 = 3.0;
+const TOY_EDGE: usize = 12;
+const TOY_FRAMES: usize = 36;
+const TOY_ITERATIONS: usize = 3;
 
 /// A job: its tables, and the text they came from.
 #[derive(Clone, Debug)]
@@ -92,9 +98,36 @@ impl Job {
         {
             *objective = with_defaults(pages("objective"), objective);
         }
-        spec.output.folder =
-            Some(std::path::absolute(self.folder()).unwrap_or_else(|_| self.folder()));
+        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        spec.output.folder = Some(absolute(&self.folder()));
+        for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
+            *file = absolute(&self.base().join(&*file));
+        }
         spec
+    }
+
+    /// The same job as a quick trial: a third of the resolution, few angles, few iterations. What it prints is poor, but
+    /// every stage runs.
+    #[must_use]
+    pub fn toy(mut self) -> Self {
+        let spec = &mut self.spec;
+        spec.grid.pitch_mm.iter_mut().for_each(|pitch| pitch.0 *= TOY);
+        for count in spec.grid.shape.iter_mut().flatten() {
+            *count = count.div_ceil(TOY as usize).max(TOY_EDGE);
+        }
+        for light in &mut spec.light {
+            light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
+            let ProjectorSpec::Collimated(collimated) = &mut light.projector;
+            collimated.pixel_pitch_mm.0 *= TOY;
+            match &mut light.angles {
+                Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
+                Angles::List(list) => list.truncate(TOY_FRAMES),
+            }
+        }
+        spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
+        spec.evaluate.require_iou = None;
+        self
     }
 
     /// Adds file and line to an error about one of this job's keys.

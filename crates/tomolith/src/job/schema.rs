@@ -23,6 +23,8 @@ pub fn schema() -> Value {
         }
         match family.name {
             "projector" => drop(definitions.insert("ProjectorSpec".to_owned(), options)),
+            // In the target's own schema
+            "target.phantom" => {}
             "vial" => drop(definitions.insert("VialSpec".to_owned(), options)),
             "objective" => {
                 root["properties"]["objectives"]["items"] = options.clone();

@@ -573,22 +573,7 @@ impl JobSpec {
     /// # Errors
     /// [`Error::Config`] when a value cannot be written as TOML.
     pub fn to_toml(&self) -> Result<String> {
-        let mut value =
-            serde_json::to_value(self).map_err(|e| Error::config("", e.to_string(), "a job"))?;
-        drop_nulls(&mut value);
-        toml::to_string(&value)
+        toml::to_string(self)
             .map_err(|e| Error::config("", e.to_string(), "a job that TOML can hold"))
-    }
-}
-
-/// TOML has no null: a key that is left out means the same.
-fn drop_nulls(value: &mut Value) {
-    match value {
-        Value::Object(map) => {
-            map.retain(|_, v| !v.is_null());
-            map.values_mut().for_each(drop_nulls);
-        }
-        Value::Array(list) => list.iter_mut().for_each(drop_nulls),
-        _ => {}
     }
 }
