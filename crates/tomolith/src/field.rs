@@ -16,14 +16,120 @@
 //! assert_eq!(x.dot(&y), 3.0 * 2.0 * 3.0); // three elements, 2·3 each
 //! ```
 
+mod pairs;
+
+pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// Elements per block of a parallel loop: 256 kB of f32, a compromise between cache and scheduling.
 pub const BLOCK: usize = 1 << 16;
 
+/// Bounds of the elements of a field: constant over pieces, of which a pattern field has one per light.
+///
+/// ```
+/// use tomolith::field::Bounds;
+/// let bounds = Bounds::uniform(100_000, 0.0, 1.0);
+/// assert_eq!(bounds.len(), 100_000);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    blocks: Vec<BoundedBlock>,
+}
+
+/// Neighbouring elements with the same bounds, at most [`BLOCK`] of them.
+#[derive(Clone, Debug, PartialEq)]
+struct BoundedBlock {
+    len: usize,
+    lower: f32,
+    upper: f32,
+}
+
+impl Bounds {
+    /// One pair of bounds for `len` elements.
+    #[must_use]
+    pub fn uniform(len: usize, lower: f32, upper: f32) -> Self {
+        Bounds::of_pieces([(len, lower, upper)])
+    }
+
+    /// Pieces `(length, lower, upper)` one after the other.
+    #[must_use]
+    pub fn of_pieces(pieces: impl IntoIterator<Item = (usize, f32, f32)>) -> Self {
+        let mut blocks = Vec::new();
+        for (len, lower, upper) in pieces {
+            for begin in (0..len).step_by(BLOCK) {
+                let len = BLOCK.min(len - begin);
+                blocks.push(BoundedBlock { len, lower, upper });
+            }
+        }
+        Bounds { blocks }
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.blocks.iter().map(|b| b.len).sum()
+    }
+
+    /// Whether there is no element.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
+    /// The elements of a field, block by block.
+    fn split<'a>(&self, mut values: &'a [f32]) -> Vec<&'a [f32]> {
+        assert_eq!(
+            values.len(),
+            self.len(),
+            "a field of another length than its bounds"
+        );
+        self.blocks
+            .iter()
+            .map(|b| values.split_off(..b.len).unwrap_or_default())
+            .collect()
+    }
+
+    /// The elements of a field, block by block, to change.
+    fn split_mut<'a>(&self, mut values: &'a mut [f32]) -> Vec<&'a mut [f32]> {
+        assert_eq!(
+            values.len(),
+            self.len(),
+            "a field of another length than its bounds"
+        );
+        self.blocks
+            .iter()
+            .map(|b| values.split_off_mut(..b.len).unwrap_or_default())
+            .collect()
+    }
+}
+
+/// Sums over a step p and a gradient g, taken in the pass that made the step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepSums {
+    /// g·p, negative for a descent.
+    pub slope: f64,
+    /// p·p
+    pub square: f64,
+}
+
+/// Sums over the secant of a step: y is the change of the gradient where the step p is not 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Secant {
+    /// p·p
+    pub pp: f64,
+    /// p·y
+    pub py: f64,
+    /// y·y
+    pub yy: f64,
+}
+
 /// A flat vector of f32 somewhere. All operations on two fields need equal lengths and panic otherwise
 /// (a programming error, not a user's).
 pub trait Field: Clone + Send + Sync {
+    /// The memory of a quasi-Newton method over such fields.
+    type Pairs: Pairs<Self>;
+
     /// Number of elements.
     fn len(&self) -> usize;
     /// Whether there are no elements.
@@ -48,10 +154,20 @@ pub trait Field: Clone + Send + Sync {
     fn scale(&mut self, a: f32);
     /// self ← min(max(self, lower), upper)
     fn clamp(&mut self, lower: f32, upper: f32);
+    /// self ← P(self + a·step), P the projection onto the bounds.
+    fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds);
+    /// self ← P(x − t·gradient) − x, the projected gradient step of length t.
+    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums;
+    /// Secant sums of the step `self` between two gradients.
+    fn secant(&self, before: &Self, after: &Self) -> Secant;
     /// Largest |selfᵢ|; NaN if any element is NaN.
     fn max_abs(&self) -> f32;
     /// Copies to host memory.
     fn to_host(&self) -> Vec<f32>;
+    /// The bytes of the elements (f32), copied only where they live elsewhere.
+    fn host_bytes(&self) -> Cow<'_, [u8]> {
+        Cow::Owned(bytemuck::cast_slice(&self.to_host()).to_vec())
+    }
     /// Overwrites from host memory.
     fn copy_from_host(&mut self, values: &[f32]);
 }
@@ -101,6 +217,18 @@ impl HostField {
         &mut bytemuck::cast_slice_mut(&mut self.lanes)[..self.len]
     }
 
+    /// The elements sixteen at a time; what lies beyond the last element is padding, which nobody reads as a result.
+    #[must_use]
+    pub fn lanes(&self) -> &[Lanes] {
+        &self.lanes
+    }
+
+    /// The elements sixteen at a time, to change; see [`lanes`](Self::lanes).
+    #[must_use]
+    pub fn lanes_mut(&mut self) -> &mut [Lanes] {
+        &mut self.lanes
+    }
+
     /// Σ over blocks of `f(block of self, block of other)`, in a fixed order.
     fn sum_blocks(&self, other: &Self, f: impl Fn(&[f32], &[f32]) -> f64 + Sync) -> f64 {
         assert_eq!(self.len, other.len, "fields of different length");
@@ -120,6 +248,13 @@ impl HostField {
             .zip(other.as_slice().par_chunks(BLOCK))
             .for_each(|(a, b)| f(a, b));
     }
+}
+
+/// `value` brought into the bounds; a NaN stays one, which `f32::clamp` would also do but not `max` and `min`.
+#[inline(always)]
+fn clamp(value: f32, lower: f32, upper: f32) -> f32 {
+    let value = if value < lower { lower } else { value };
+    if value > upper { upper } else { value }
 }
 
 /// Σ aᵢ·bᵢ in f64, with eight running sums so that it vectorises.
@@ -142,6 +277,8 @@ pub fn dot_block(a: &[f32], b: &[f32]) -> f64 {
 }
 
 impl Field for HostField {
+    type Pairs = HostPairs;
+
     fn len(&self) -> usize {
         self.len
     }
@@ -182,6 +319,72 @@ impl Field for HostField {
             .for_each(|block| block.iter_mut().for_each(|v| *v = v.max(lower).min(upper)));
     }
 
+    fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
+        let blocks = bounds.split_mut(self.as_mut_slice()).into_par_iter();
+        blocks
+            .zip(bounds.split(step.as_slice()))
+            .zip(&bounds.blocks)
+            .for_each(|((x, step), b)| {
+                for (x, step) in x.iter_mut().zip(step) {
+                    *x = clamp(*x + a * step, b.lower, b.upper);
+                }
+            });
+    }
+
+    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums {
+        let sums: Vec<StepSums> = bounds
+            .split_mut(self.as_mut_slice())
+            .into_par_iter()
+            .zip(bounds.split(x.as_slice()))
+            .zip(bounds.split(gradient.as_slice()))
+            .zip(&bounds.blocks)
+            .map(|(((step, x), gradient), b)| {
+                for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
+                    *step = clamp(x - t * gradient, b.lower, b.upper) - x;
+                }
+                StepSums {
+                    slope: dot_block(gradient, step),
+                    square: dot_block(step, step),
+                }
+            })
+            .collect();
+        sums.iter().fold(StepSums::default(), |a, b| StepSums {
+            slope: a.slope + b.slope,
+            square: a.square + b.square,
+        })
+    }
+
+    fn secant(&self, before: &Self, after: &Self) -> Secant {
+        assert_eq!(self.len, before.len, "fields of different length");
+        assert_eq!(self.len, after.len, "fields of different length");
+        let sums: Vec<Secant> = self
+            .as_slice()
+            .par_chunks(BLOCK)
+            .zip(before.as_slice().par_chunks(BLOCK))
+            .zip(after.as_slice().par_chunks(BLOCK))
+            .map(|((step, before), after)| {
+                let mut sums = Secant::default();
+                for ((&p, &before), &after) in step.iter().zip(before).zip(after) {
+                    let y = if p == 0.0 {
+                        0.0
+                    } else {
+                        f64::from(after) - f64::from(before)
+                    };
+                    let p = f64::from(p);
+                    sums.pp += p * p;
+                    sums.py += p * y;
+                    sums.yy += y * y;
+                }
+                sums
+            })
+            .collect();
+        sums.iter().fold(Secant::default(), |a, b| Secant {
+            pp: a.pp + b.pp,
+            py: a.py + b.py,
+            yy: a.yy + b.yy,
+        })
+    }
+
     fn max_abs(&self) -> f32 {
         self.as_slice()
             .par_chunks(BLOCK)
@@ -208,6 +411,10 @@ impl Field for HostField {
 
     fn to_host(&self) -> Vec<f32> {
         self.as_slice().to_vec()
+    }
+
+    fn host_bytes(&self) -> Cow<'_, [u8]> {
+        Cow::Borrowed(bytemuck::cast_slice(self.as_slice()))
     }
 
     fn copy_from_host(&mut self, values: &[f32]) {

@@ -1,1 +1,127 @@
 //! Optimisers: from a problem to patterns.
+//!
+//! *What must it do, and who does it.* An [`Optimizer`] improves patterns step by step; it knows a [`Problem`] (model,
+//! objective, bounds) and [`Field`]s, no optics and no files. The loop around it, with stopping, history and checkpoints, is
+//! [`run`]; where it begins is [`start`].
+
+pub mod checkpoint;
+pub mod gradient;
+pub mod lbfgs;
+pub mod problem;
+pub mod run;
+pub mod start;
+
+use crate::error::{Error, Result};
+use crate::field::{Field, HostField};
+use crate::kind::{Kind, Section};
+pub use checkpoint::{Checkpoints, Contents};
+pub use problem::{Counters, Limits, Position, Problem};
+pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, run};
+
+/// One method of solving a problem.
+///
+/// What it remembers between steps, beyond the patterns and the [`Position`], is its memory: it is saved to checkpoints, and
+/// a run resumed from one continues with the same bits.
+pub trait Optimizer<F: Field>: Send {
+    /// From x to a better x inside the bounds; `at` follows. Costs one adjoint and, with a linear model, one forward call.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled); then x and `at` may be lost.
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
+    /// Whether no step raises the loss.
+    fn is_monotone(&self) -> bool;
+    /// What must be saved. Between steps only.
+    fn memory(&self) -> Memory<'_>;
+    /// Takes back what [`memory`](Self::memory) gave; `x` shows where fields live.
+    ///
+    /// # Errors
+    /// A sentence, when the memory is another method's or of other settings.
+    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()>;
+}
+
+/// What a step did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Norm of the projected gradient at the beginning of the step: ‖P(x − t·g) − x‖/t.
+    pub projected_gradient: f64,
+    /// α of the feasible segment, or the step length of a fixed step; 0 when no better point was found.
+    pub length: f64,
+}
+
+/// The saved memory of an optimiser: numbers and arrays.
+#[derive(Default)]
+pub struct Memory<'a> {
+    /// Anything small.
+    pub numbers: serde_json::Value,
+    /// Large arrays with their names.
+    pub arrays: Vec<(String, SavedArray<'a>)>,
+}
+
+/// Element type and bytes (little-endian) of a saved array.
+pub struct SavedArray<'a> {
+    /// What the elements are.
+    pub dtype: safetensors::Dtype,
+    /// How many there are.
+    pub len: usize,
+    /// Gives the bytes; called once, when the array is written.
+    pub bytes: Box<dyn Fn() -> std::borrow::Cow<'a, [u8]> + 'a>,
+}
+
+impl<'a> SavedArray<'a> {
+    /// A field, as f32.
+    pub fn of_field<F: Field>(field: &'a F) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::F32,
+            len: field.len(),
+            bytes: Box::new(|| field.host_bytes()),
+        }
+    }
+
+    /// Bytes that only their writer understands.
+    pub fn of_bytes(bytes: std::borrow::Cow<'a, [u8]>) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::U8,
+            len: bytes.len(),
+            bytes: Box::new(move || bytes.clone()),
+        }
+    }
+}
+
+/// A saved memory, read back.
+pub trait Recall {
+    /// The numbers.
+    fn numbers(&self) -> &serde_json::Value;
+    /// Fills a buffer with the bytes of an array.
+    ///
+    /// # Errors
+    /// When there is no array of that name and size.
+    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()>;
+}
+
+/// Reads a field back from a saved memory.
+///
+/// # Errors
+/// When there is no array of that name and size.
+pub fn recall_field<F: Field>(recall: &mut dyn Recall, name: &str, field: &mut F) -> Result<()> {
+    let mut values = vec![0.0f32; field.len()];
+    recall.array(name, bytemuck::cast_slice_mut(&mut values))?;
+    field.copy_from_host(&values);
+    Ok(())
+}
+
+/// Reads the numbers of a saved memory.
+///
+/// # Errors
+/// When they are those of another method.
+pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Result<T> {
+    T::deserialize(recall.numbers()).map_err(|_| Error::Unsupported {
+        what: "the checkpoint".to_owned(),
+        reason: "its memory is that of another optimiser".to_owned(),
+    })
+}
+
+/// Builds an optimiser from its section.
+pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
+
+/// Every optimiser.
+pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[lbfgs::KIND, gradient::KIND];

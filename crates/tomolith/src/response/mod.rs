@@ -3,8 +3,14 @@
 //! *What must it do, and who does it.* A [`Response`] is M of the one equation, voxel by voxel. Bands, metrics and
 //! thresholds are in units of the response.
 
+pub mod identity;
+pub mod logistic;
+
 use crate::error::Result;
+use crate::field::Lanes;
 use crate::kind::{Kind, Section};
+pub use identity::Identity;
+pub use logistic::Logistic;
 
 /// A scalar, increasing map of the dose.
 pub trait Response: std::fmt::Debug + Send + Sync {
@@ -18,10 +24,94 @@ pub trait Response: std::fmt::Debug + Send + Sync {
     fn is_identity(&self) -> bool {
         false
     }
+    /// Sixteen voxels at once: replaces doses by responses and writes the slopes. Overridden where a loop without calls
+    /// is faster; the numbers are those of [`value_and_slope`](Self::value_and_slope).
+    fn lanes(&self, doses: &mut Lanes, slopes: &mut Lanes) {
+        for (dose, slope) in doses.0.iter_mut().zip(&mut slopes.0) {
+            (*dose, *slope) = self.value_and_slope(*dose);
+        }
+    }
 }
 
 /// Builds a response from its section.
 pub type BuildResponse = fn(&Section) -> Result<Box<dyn Response>>;
 
 /// Every response.
-pub static RESPONSES: &[Kind<BuildResponse>] = &[];
+pub static RESPONSES: &[Kind<BuildResponse>] = &[identity::KIND, logistic::KIND];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::tests_of_rows;
+
+    fn examples() -> Vec<Box<dyn Response>> {
+        RESPONSES
+            .iter()
+            .map(|row| (row.build)(&tests_of_rows::example(row)).unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn every_slope_is_the_derivative() {
+        for response in examples() {
+            for i in -20..40 {
+                let dose = i as f32 * 0.05 + 0.013;
+                let h = 4e-3;
+                let difference = (f64::from(response.value(dose + h))
+                    - f64::from(response.value(dose - h)))
+                    / f64::from((dose + h) - (dose - h));
+                let (value, slope) = response.value_and_slope(dose);
+                assert_eq!(value, response.value(dose), "{response:?} at {dose}");
+                assert!(
+                    (difference - f64::from(slope)).abs() < 1e-3 * (1.0 + f64::from(slope)),
+                    "{response:?} at {dose}: slope {slope}, differences {difference}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_inverse_leads_back_and_extremes_stay_finite() {
+        for response in examples() {
+            for i in 1..40 {
+                let dose = i as f32 * 0.025;
+                let back = response.inverse(response.value(dose));
+                assert!(
+                    (back - dose).abs() < 1e-4,
+                    "{response:?}: {dose} came back as {back}"
+                );
+            }
+            for dose in [-1e30, -1e3, 0.0, 1e3, 1e30, f32::MAX, f32::MIN] {
+                let (value, slope) = response.value_and_slope(dose);
+                assert!(
+                    value.is_finite() && slope.is_finite(),
+                    "{response:?} at {dose}"
+                );
+                assert!(
+                    response.inverse(dose).is_finite(),
+                    "{response:?}: inverse of {dose}"
+                );
+            }
+            assert!(
+                response.value(f32::NAN).is_nan(),
+                "{response:?} hides a NaN"
+            );
+        }
+    }
+
+    #[test]
+    fn lanes_are_the_scalar_numbers() {
+        for response in examples() {
+            let mut values = Lanes(std::array::from_fn(|i| i as f32 * 0.2 - 1.0));
+            let doses = values;
+            let mut slopes = Lanes::default();
+            response.lanes(&mut values, &mut slopes);
+            for i in 0..16 {
+                assert_eq!(
+                    (values.0[i], slopes.0[i]),
+                    response.value_and_slope(doses.0[i])
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! What the presets share: how part and void become bands.
+
+use super::band::{Band, BandObjective, Bands};
+use super::{BoxedObjective, ObjectiveInput};
+use crate::error::{Error, Result};
+use crate::field::HostField;
+use crate::grid::Volume;
+use crate::target::label;
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// How voxels that the surface cuts are weighed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Surface {
+    /// A voxel is part when at least half of it is inside, void otherwise.
+    #[default]
+    Voxel,
+    /// A voxel is part with its inside fraction s and void with 1 − s.
+    Fraction,
+}
+
+/// The powers of a band objective and the bands of part and void.
+#[derive(Clone, Copy, Debug)]
+pub struct PartAndVoid {
+    /// Band of part voxels.
+    pub part: Band,
+    /// Band of void voxels.
+    pub void: Band,
+    /// Power of the distance.
+    pub p: f64,
+    /// Power of the norm.
+    pub q: f64,
+}
+
+impl PartAndVoid {
+    /// The objective of a target of part and void.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a grey target, [`Error::Config`] for bands out of range.
+    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+        if input.target.grey {
+            return Err(Error::Unsupported {
+                what: "an objective of part and void".to_owned(),
+                reason: "the target is grey; l2, l1, dose_matching and bclp reproduce grey values"
+                    .to_owned(),
+            });
+        }
+        self.build_with_labels(surface, input, input.labels)
+    }
+
+    /// As [`build`](Self::build), with other labels than the input's.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_with_labels(
+        &self,
+        surface: Surface,
+        input: &ObjectiveInput,
+        labels: &Volume<u8>,
+    ) -> BoxedObjective<HostField> {
+        check_shape("labels", &labels.grid.shape, input)?;
+        let bands = match surface {
+            Surface::Voxel => Bands::labels(
+                input.layout.field_of(labels),
+                &[(label::PART, self.part), (label::VOID, self.void)],
+            ),
+            Surface::Fraction => Bands::Shared {
+                inside: self.shares(input, labels),
+                part: self.part,
+                void: self.void,
+            },
+        };
+        finish(bands, self.p, self.q, input)
+    }
+
+    /// s per element of the dose field, −1 where a voxel does not count.
+    fn shares(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Vec<f32> {
+        let labels = input.layout.field_of(labels);
+        let mut inside = input.layout.field_of(&input.target.inside);
+        inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
+            let counts = label == label::PART || label == label::VOID;
+            *s = if counts { s.clamp(0.0, 1.0) } else { -1.0 };
+        });
+        inside
+    }
+}
+
+/// Bands around the target's own values: `[f − half_width, f + half_width]`, part and void weighed apart.
+#[derive(Clone, Copy, Debug)]
+pub struct AroundTarget {
+    /// Half the width of the bands, in units of the response.
+    pub half_width: f32,
+    /// Weight of part voxels.
+    pub part_weight: f32,
+    /// Weight of void voxels.
+    pub void_weight: f32,
+    /// Power of the distance.
+    pub p: f64,
+    /// Power of the norm.
+    pub q: f64,
+}
+
+impl AroundTarget {
+    /// The objective: f is 1 in the part and 0 in the void, or the grey values of a grey target.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a grey target with a surface fraction, [`Error::Config`] for bands out of range.
+    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+        let around = |value: f32, weight: f32| {
+            Band::new(value - self.half_width, value + self.half_width, weight)
+        };
+        if !input.target.grey {
+            let bands = PartAndVoid {
+                part: around(1.0, self.part_weight),
+                void: around(0.0, self.void_weight),
+                p: self.p,
+                q: self.q,
+            };
+            return bands.build(surface, input);
+        }
+        if surface == Surface::Fraction {
+            return Err(Error::Unsupported {
+                what: "surface = \"fraction\"".to_owned(),
+                reason: "the target is grey: its values are no inside fractions".to_owned(),
+            });
+        }
+        check_shape("labels", &input.labels.grid.shape, input)?;
+        finish(self.grey(input), self.p, self.q, input)
+    }
+
+    fn grey(&self, input: &ObjectiveInput) -> Bands {
+        let values = input.layout.field_of(&input.target.inside);
+        let labels = input.layout.field_of(input.labels);
+        let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };
+        let lower = shifted(-self.half_width);
+        let upper = if self.half_width == 0.0 {
+            lower.clone()
+        } else {
+            shifted(self.half_width)
+        };
+        let weight = labels.iter().map(|&label| match label {
+            label::PART => self.part_weight,
+            label::VOID => self.void_weight,
+            _ => 0.0,
+        });
+        Bands::Voxels {
+            lower,
+            upper,
+            weight: weight.collect(),
+        }
+    }
+}
+
+fn finish(bands: Bands, p: f64, q: f64, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+    check_shape("target", &input.target.inside.grid.shape, input)?;
+    Ok(Box::new(BandObjective::new(
+        input.layout.range(),
+        bands,
+        p,
+        q,
+        input.response.clone(),
+    )?))
+}
+
+fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result<()> {
+    let expected = input.layout.grid.shape;
+    if *found == expected {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: format!("{what} of the objective"),
+        expected: expected.to_vec(),
+        found: found.to_vec(),
+    })
+}
+
+/// Refuses what is no finite number.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number",
+        ))
+    }
+}
+
+/// Refuses what is not finite and above 0.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number above 0",
+        ))
+    }
+}
+
+/// Refuses what is not finite or below 0.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value}"),
+            "a finite number, 0 or above",
+        ))
+    }
+}
+
+/// Refuses `low` at or above `high`.
+///
+/// # Errors
+/// [`Error::Config`] naming the key of `low`.
+pub(crate) fn below(low_key: &str, low: f64, high_key: &str, high: f64) -> Result<()> {
+    if low < high {
+        return Ok(());
+    }
+    Err(Error::config(
+        low_key,
+        format!("{low_key} {low} is not below {high_key} {high}"),
+        format!("{low_key} < {high_key}"),
+    ))
+}

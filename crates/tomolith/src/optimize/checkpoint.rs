@@ -1,0 +1,350 @@
+//! Checkpoints: what a run needs to go on after it was cut off.
+//!
+//! One file, `state.safetensors`, holds the arrays and, as JSON under the key `tomolith` of its header, everything else. It is
+//! written aside and renamed, so it is always whole: a kill at any moment leaves the old one or the new one.
+//!
+//! `contents = "all"` holds patterns, dose and the optimiser's memory: the resumed run has the bits of the uninterrupted one.
+//! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
+//!
+//! Without a stated interval a checkpoint is written when at least fifty times the duration of the last one has passed
+//! (and ten seconds), so that they cost less than 2 % of the time.
+
+use super::run::Row;
+use super::{Counters, Memory, Recall, SavedArray};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use safetensors::tensor::{Dtype, Metadata, View};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What a checkpoint holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Contents {
+    /// Everything: a resumed run has the bits of the uninterrupted one.
+    #[default]
+    All,
+    /// Only the patterns: a resumed run begins anew from them.
+    Patterns,
+}
+
+/// `[checkpoint]` of a job.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Seconds between checkpoints, above 0; so that they cost less than 2 % of the time when it is not given
+    pub every_s: Option<f64>,
+    /// What they hold: "all" (default; resuming is exact) or "patterns" (small; resuming begins anew from them)
+    pub contents: Contents,
+}
+
+/// Writes checkpoints to a folder from time to time, and reads one back.
+#[derive(Debug)]
+pub struct Checkpoints {
+    folder: PathBuf,
+    fingerprint: String,
+    every: Option<Duration>,
+    contents: Contents,
+    last: Instant,
+    cost: Duration,
+}
+
+/// Everything of a checkpoint but the arrays.
+#[derive(Debug, Deserialize, Serialize)]
+struct Header {
+    format: u32,
+    fingerprint: String,
+    contents: Contents,
+    best_loss: f64,
+    counters: Counters,
+    history: Vec<Row>,
+    numbers: serde_json::Value,
+}
+
+/// The format of this file.
+const FORMAT: u32 = 1;
+
+/// What a run gives to a checkpoint.
+pub(super) struct Saved<'a, F> {
+    pub(super) patterns: &'a F,
+    /// The best patterns, when they are others.
+    pub(super) best: Option<&'a F>,
+    pub(super) best_loss: f64,
+    pub(super) dose: &'a F,
+    pub(super) memory: Memory<'a>,
+    pub(super) counters: Counters,
+    pub(super) history: &'a [Row],
+}
+
+impl Checkpoints {
+    /// Checkpoints in a folder (made when the first is written). The fingerprint is that of the job: a checkpoint of another one
+    /// is refused.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for an interval that is not above 0.
+    pub fn new(folder: impl Into<PathBuf>, fingerprint: u64, params: &Params) -> Result<Self> {
+        if let Some(every) = params.every_s
+            && !(every.is_finite() && every > 0.0)
+        {
+            return Err(Error::config(
+                "checkpoint.every_s",
+                format!("found {every}"),
+                "a finite number above 0",
+            ));
+        }
+        Ok(Checkpoints {
+            folder: folder.into(),
+            fingerprint: format!("{fingerprint:016x}"),
+            every: params.every_s.map(Duration::from_secs_f64),
+            contents: params.contents,
+            last: Instant::now(),
+            cost: Duration::ZERO,
+        })
+    }
+
+    /// The file.
+    #[must_use]
+    pub fn file(&self) -> PathBuf {
+        self.folder.join("state.safetensors")
+    }
+
+    /// Whether it is time for the next one.
+    pub(super) fn is_due(&self) -> bool {
+        let wait = self
+            .every
+            .unwrap_or((self.cost * 50).max(Duration::from_secs(10)));
+        self.last.elapsed() >= wait
+    }
+
+    /// Writes a checkpoint.
+    pub(super) fn write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<()> {
+        let begin = Instant::now();
+        std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
+        let header = Header {
+            format: FORMAT,
+            fingerprint: self.fingerprint.clone(),
+            contents: self.contents,
+            best_loss: saved.best_loss,
+            counters: saved.counters,
+            history: saved.history.to_vec(),
+            numbers: saved.memory.numbers,
+        };
+        let mut arrays = vec![("patterns".to_owned(), SavedArray::of_field(saved.patterns))];
+        arrays.extend(
+            saved
+                .best
+                .map(|best| ("best".to_owned(), SavedArray::of_field(best))),
+        );
+        if self.contents == Contents::All {
+            arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
+            let memory = saved.memory.arrays.into_iter();
+            arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
+        }
+        self.write_file(&header, arrays)?;
+        self.cost = begin.elapsed();
+        self.last = Instant::now();
+        Ok(())
+    }
+
+    /// Writes aside, then renames.
+    fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
+        let file = self.file();
+        let aside = self.folder.join("state.safetensors.part");
+        let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
+        let arrays = arrays.into_iter().map(|(name, array)| {
+            (
+                name,
+                Tensor {
+                    shape: [array.len],
+                    array,
+                },
+            )
+        });
+        let info = HashMap::from([("tomolith".to_owned(), text)]);
+        safetensors::serialize_to_file(arrays, Some(info), &aside).map_err(|e| match e {
+            safetensors::SafeTensorError::IoError(source) => Error::io(&aside, source),
+            other => damaged(&aside, &other.to_string()),
+        })?;
+        let written = File::open(&aside).and_then(|f| f.sync_all());
+        written.map_err(|e| Error::io(&aside, e))?;
+        std::fs::rename(&aside, &file).map_err(|e| Error::io(&file, e))
+    }
+
+    /// The checkpoint of the folder, or None when there is none.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when it belongs to another job, version or is damaged; [`Error::Io`].
+    pub fn open(&self) -> Result<Option<Checkpoint>> {
+        let path = self.file();
+        let mut file = match File::open(&path) {
+            Ok(file) => file,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(Error::io(path, e)),
+        };
+        let (metadata, data_begin) = read_header(&path, &mut file)?;
+        let text = metadata.metadata().as_ref().and_then(|m| m.get("tomolith"));
+        let text = text.ok_or_else(|| damaged(&path, "no Tomolith header"))?;
+        let header: Header =
+            serde_json::from_str(text).map_err(|e| damaged(&path, &e.to_string()))?;
+        if header.format != FORMAT {
+            return Err(damaged(
+                &path,
+                &format!("a checkpoint of format {}", header.format),
+            ));
+        }
+        if header.fingerprint != self.fingerprint {
+            return Err(Error::Format {
+                path,
+                found: format!(
+                    "a checkpoint of another job (fingerprint {})",
+                    header.fingerprint
+                ),
+                accepted: format!("one of this job (fingerprint {})", self.fingerprint),
+            });
+        }
+        Ok(Some(Checkpoint {
+            path,
+            file,
+            metadata,
+            data_begin,
+            header,
+        }))
+    }
+}
+
+fn damaged(path: &Path, found: &str) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found: found.to_owned(),
+        accepted: format!(
+            "a whole Tomolith checkpoint of format {FORMAT}; delete it to begin anew"
+        ),
+    }
+}
+
+/// Reads the header of a safetensors file, not the arrays.
+fn read_header(path: &Path, file: &mut File) -> Result<(Metadata, u64)> {
+    let io = |e| Error::io(path, e);
+    let size = file.metadata().map_err(io)?.len();
+    let mut length = [0u8; 8];
+    file.read_exact(&mut length)
+        .map_err(|e| damaged(path, &e.to_string()))?;
+    let length = u64::from_le_bytes(length);
+    if length > size.saturating_sub(8) {
+        return Err(damaged(path, "a file cut short"));
+    }
+    let mut text = Vec::new();
+    file.take(length).read_to_end(&mut text).map_err(io)?;
+    let metadata: Metadata =
+        serde_json::from_slice(&text).map_err(|e| damaged(path, &e.to_string()))?;
+    if metadata.data_len() as u64 != size - 8 - length {
+        return Err(damaged(path, "a file cut short"));
+    }
+    Ok((metadata, 8 + length))
+}
+
+/// A checkpoint, opened.
+pub struct Checkpoint {
+    path: PathBuf,
+    file: File,
+    metadata: Metadata,
+    data_begin: u64,
+    header: Header,
+}
+
+impl Checkpoint {
+    /// What it holds.
+    #[must_use]
+    pub fn contents(&self) -> Contents {
+        self.header.contents
+    }
+
+    /// Steps done when it was written.
+    #[must_use]
+    pub fn iteration(&self) -> usize {
+        self.header.history.last().map_or(0, |row| row.iteration)
+    }
+
+    pub(super) fn history(&self) -> &[Row] {
+        &self.header.history
+    }
+
+    pub(super) fn counters(&self) -> Counters {
+        self.header.counters
+    }
+
+    pub(super) fn best_loss(&self) -> f64 {
+        self.header.best_loss
+    }
+
+    /// Fills a field from an array of the file.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when there is none of that name and length; [`Error::Io`].
+    pub fn read_field<F: Field>(&mut self, name: &str, field: &mut F) -> Result<()> {
+        let mut values = vec![0.0f32; field.len()];
+        self.read(name, bytemuck::cast_slice_mut(&mut values))?;
+        field.copy_from_host(&values);
+        Ok(())
+    }
+
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.metadata.info(name).is_some()
+    }
+
+    fn read(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
+        let info = self.metadata.info(name);
+        let (begin, end) = info.map_or((0, usize::MAX), |info| info.data_offsets);
+        if end - begin != bytes.len() {
+            let found = info.map_or_else(
+                || format!("no array `{name}`"),
+                |_| format!("`{name}` has another size"),
+            );
+            return Err(damaged(&self.path, &found));
+        }
+        let read = self
+            .file
+            .seek(SeekFrom::Start(self.data_begin + begin as u64))
+            .and_then(|_| self.file.read_exact(bytes));
+        read.map_err(|e| Error::io(&self.path, e))
+    }
+}
+
+impl Recall for Checkpoint {
+    fn numbers(&self) -> &serde_json::Value {
+        &self.header.numbers
+    }
+
+    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
+        self.read(&format!("memory.{name}"), bytes)
+    }
+}
+
+struct Tensor<'a> {
+    shape: [usize; 1],
+    array: SavedArray<'a>,
+}
+
+impl View for Tensor<'_> {
+    fn dtype(&self) -> Dtype {
+        self.array.dtype
+    }
+
+    fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    fn data(&self) -> Cow<'_, [u8]> {
+        (self.array.bytes)()
+    }
+
+    fn data_len(&self) -> usize {
+        self.array.len * self.array.dtype.bitsize() / 8
+    }
+}

@@ -1,0 +1,348 @@
+//! L-BFGS with bounds: a quasi-Newton step on the pixels that the bounds do not hold.
+//!
+//! **Step** from x with the gradient g
+//!
+//! ```text
+//! held      pixels at a bound with g pointing out of it; the others are free
+//! d       = −H·g on the free pixels, H the inverse curvature of the last m pairs (two-loop recursion)
+//! x̄       = P(x + 1.5·d)                    P projects onto the bounds
+//! x       ← x + α·(x̄ − x), α ∈ [0, 1]       the exact minimum on the feasible segment, one forward call
+//! ```
+//!
+//! When x̄ − x is no descent, or much less of one than the projected gradient step P(x − γ·g) − x, that step is taken. A pair
+//! (s, y) is the change of x and of the gradient in a step, y only where x moved, so that it knows the curvature of the face of
+//! the box it was taken on; it is kept when s·y is positive enough (curvature check). The segment reaches half as far again
+//! as d: the search decides how far to go, at no model call, and steps that stop short of d are then no more frequent than
+//! those that go on.
+//!
+//! **Source** Nocedal, Math. Comp. 35 (1980) 773 (two-loop recursion); Bertsekas, SIAM J. Control Optim. 20 (1982) 221
+//! (projected Newton on the free variables); Byrd, Lu, Nocedal and Zhu, SIAM J. Sci. Comput. 16 (1995) 1190 (the segment between x
+//! and a point inside the bounds).
+//!
+//! **Parameters** see [`Params`]. **Limits** built for losses with a continuous gradient; with p = 1 it still never raises the
+//! loss but may stop early. The loss never rises.
+//!
+//! **Cost** one forward and one adjoint call a step, one forward more at the first. Vector work is two passes over the pairs and
+//! one to move: at most 48 + 8m bytes per pixel, 96 for m = 6 (see [`Pairs`]); stretches of held pixels cost 36. All products
+//! are taken in the first pass, the combination is the second; no vector is ever touched by a recursion. Memory: m + 3 pattern
+//! fields (pairs are stored in 16 bits) beside x, two dose fields.
+
+use super::{
+    BuildOptimizer, Memory, Optimizer, Position, Problem, Recall, SavedArray, Step, recall_field,
+    recall_numbers,
+};
+use crate::error::{Error, Result};
+use crate::field::{Direction, Field, Latest, Pairs, Products};
+use crate::kind::Kind;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The parameters of L-BFGS with bounds.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Number of pairs remembered, 1 to 30 (default 6)
+    pub memory: usize,
+    /// Curvature check: a pair is kept when s·y > tolerance·‖s‖·‖y‖, 0 or above and below 1 (default 1e-6)
+    pub tolerance: f64,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            memory: 6,
+            tolerance: 1e-6,
+        }
+    }
+}
+
+/// How much further than the quasi-Newton step the feasible segment reaches.
+const STRETCH: f32 = 1.5;
+/// A direction must promise at least this part of what the projected gradient step promises.
+const DESCENT: f64 = 1e-3;
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "lbfgs",
+    summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
+    example: "[optimizer.lbfgs]\nmemory = 6",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        Ok(Box::new(
+            Lbfgs::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+        ))
+    },
+};
+
+/// L-BFGS with bounds; see the [module](self).
+pub struct Lbfgs<F: Field> {
+    params: Params,
+    curvature: Curvature,
+    fields: Option<Fields<F>>,
+}
+
+struct Fields<F: Field> {
+    pairs: F::Pairs,
+    gradient: F,
+    before: F,
+    step: F,
+}
+
+impl<F: Field> Fields<F> {
+    fn like(x: &F, memory: usize, problem: &Problem<F>) -> Self {
+        Fields {
+            pairs: F::Pairs::new(memory, problem.bounds()),
+            gradient: x.zeros_like(),
+            before: x.zeros_like(),
+            step: x.zeros_like(),
+        }
+    }
+}
+
+/// What is known of the curvature: products of pairs, from which the two-loop recursion needs no vector.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+struct Curvature {
+    /// Slots in use, oldest first.
+    order: Vec<usize>,
+    /// `[i][j]` = s_i·y_j, for i not younger than j.
+    s_y: Vec<Vec<f64>>,
+    /// `[i][j]` = y_i·y_j
+    y_y: Vec<Vec<f64>>,
+    /// γ: inverse curvature where no pair knows better.
+    scale: f64,
+    /// α of the last step, None before the first.
+    alpha: Option<f32>,
+}
+
+impl Curvature {
+    fn new(memory: usize) -> Self {
+        Curvature {
+            s_y: vec![vec![0.0; memory]; memory],
+            y_y: vec![vec![0.0; memory]; memory],
+            ..Self::default()
+        }
+    }
+
+    /// The slot for the next pair: a free one, or that of the oldest.
+    fn next_slot(&mut self) -> usize {
+        match (0..self.s_y.len()).find(|slot| !self.order.contains(slot)) {
+            Some(slot) => slot,
+            None => self.order.remove(0),
+        }
+    }
+
+    /// Keeps the newest pair when its curvature is positive enough.
+    fn take(&mut self, slot: usize, products: &Products, tolerance: f64) {
+        let (s_y, y_y) = (products.s_y[slot], products.y_y[slot]);
+        if s_y > 0.0 && s_y > tolerance * (products.s_s * y_y).sqrt() {
+            self.order.push(slot);
+            for &i in &self.order {
+                self.s_y[i][slot] = products.s_y[i];
+                self.y_y[i][slot] = products.y_y[i];
+                self.y_y[slot][i] = products.y_y[i];
+            }
+            self.scale = s_y / y_y;
+        } else if self.alpha == Some(1.0) {
+            // The loss fell to the end of the segment without curving
+            self.scale *= 4.0;
+        }
+    }
+
+    /// −H·g as a combination of g, the s and the y: Nocedal's two loops on products instead of vectors.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn direction(&self, products: Option<&Products>) -> Direction {
+        let memory = self.s_y.len();
+        let mut direction = Direction {
+            scale: self.scale as f32,
+            along_s: vec![0.0; memory],
+            along_y: vec![0.0; memory],
+            stretch: STRETCH,
+        };
+        let Some(products) = products else {
+            return direction;
+        };
+        let mut alpha = vec![0.0; memory];
+        for (age, &j) in self.order.iter().enumerate().rev() {
+            let younger = self.order[age + 1..].iter();
+            let removed: f64 = younger.map(|&i| alpha[i] * self.s_y[j][i]).sum();
+            alpha[j] = (products.s_g[j] - removed) / self.s_y[j][j];
+        }
+        let mut along_s = vec![0.0; memory];
+        for (age, &j) in self.order.iter().enumerate() {
+            let removed: f64 = self.order.iter().map(|&i| alpha[i] * self.y_y[j][i]).sum();
+            let added: f64 = self.order[..age]
+                .iter()
+                .map(|&i| along_s[i] * self.s_y[i][j])
+                .sum();
+            let beta = (self.scale * (products.y_g[j] - removed) + added) / self.s_y[j][j];
+            along_s[j] = alpha[j] - beta;
+        }
+        for &j in &self.order {
+            direction.along_s[j] = -along_s[j] as f32;
+            direction.along_y[j] = (self.scale * alpha[j]) as f32;
+        }
+        direction
+    }
+}
+
+impl<F: Field> Lbfgs<F> {
+    /// The method with these parameters.
+    ///
+    /// # Errors
+    /// [`Error::Config`] naming the key that is out of range.
+    pub fn new(params: Params) -> Result<Self> {
+        let most = F::Pairs::MAX_MEMORY;
+        if !(1..=most).contains(&params.memory) {
+            return Err(Error::config(
+                "memory",
+                format!("found {}", params.memory),
+                format!("1 to {most}"),
+            ));
+        }
+        if !(0.0..1.0).contains(&params.tolerance) {
+            return Err(Error::config(
+                "tolerance",
+                format!("found {}", params.tolerance),
+                "0 or above, below 1",
+            ));
+        }
+        Ok(Lbfgs {
+            curvature: Curvature::new(params.memory),
+            params,
+            fields: None,
+        })
+    }
+
+    /// The direction of the next step, its slope, and the norm of the projected gradient.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn aim(
+        &mut self,
+        problem: &mut Problem<F>,
+        x: &F,
+        at: &mut Position<F>,
+        fields: &mut Fields<F>,
+    ) -> Result<Aim> {
+        let Fields {
+            pairs,
+            gradient,
+            before,
+            step,
+        } = fields;
+        std::mem::swap(gradient, before);
+        problem.gradient(x, at, gradient)?;
+        let products = if let Some(alpha) = self.curvature.alpha {
+            let slot = self.curvature.next_slot();
+            let latest = Latest {
+                x,
+                step,
+                alpha,
+                before,
+                after: gradient,
+            };
+            let products = pairs.record(slot, &latest, problem.bounds());
+            self.curvature.take(slot, &products, self.params.tolerance);
+            Some(products)
+        } else {
+            self.curvature.scale = problem.first_length(x, gradient, step, at)?;
+            None
+        };
+        let direction = self.curvature.direction(products.as_ref());
+        let sums = pairs.direction(&direction, x, gradient, problem.bounds(), step);
+        let scale = self.curvature.scale;
+        let mut slope = sums.slope;
+        // Also when the slope is no number
+        if !(slope <= DESCENT * sums.gradient_slope) {
+            slope = step
+                .project_step(x, gradient, scale as f32, problem.bounds())
+                .slope;
+        }
+        let projected_gradient = if scale == 0.0 {
+            0.0
+        } else {
+            sums.gradient_square.sqrt() / scale
+        };
+        Ok(Aim {
+            slope,
+            projected_gradient,
+        })
+    }
+}
+
+struct Aim {
+    slope: f64,
+    projected_gradient: f64,
+}
+
+impl<F: Field> Optimizer<F> for Lbfgs<F> {
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
+        let mut fields = self
+            .fields
+            .take()
+            .unwrap_or_else(|| Fields::like(x, self.params.memory, problem));
+        let Aim {
+            slope,
+            projected_gradient,
+        } = self.aim(problem, x, at, &mut fields)?;
+        let mut alpha = 0.0;
+        if slope != 0.0 {
+            alpha = problem.search(x, &fields.step, slope, at)?.alpha;
+            if alpha == 0.0 && !self.curvature.order.is_empty() {
+                // What the pairs remember misleads
+                self.curvature.order.clear();
+                let length = self.curvature.scale as f32;
+                let sums = fields
+                    .step
+                    .project_step(x, &fields.gradient, length, problem.bounds());
+                alpha = problem.search(x, &fields.step, sums.slope, at)?.alpha;
+            }
+        }
+        self.curvature.alpha = Some(alpha);
+        self.fields = Some(fields);
+        Ok(Step {
+            projected_gradient,
+            length: f64::from(alpha),
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        true
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        let mut arrays = Vec::new();
+        if let Some(fields) = &self.fields {
+            for (name, field) in [("gradient", &fields.gradient), ("step", &fields.step)] {
+                arrays.push((name.to_owned(), SavedArray::of_field(field)));
+            }
+            let parts = fields.pairs.parts().into_iter();
+            arrays
+                .extend(parts.map(|(name, bytes)| (name.to_owned(), SavedArray::of_bytes(bytes))));
+        }
+        Memory {
+            numbers: serde_json::json!(self.curvature),
+            arrays,
+        }
+    }
+
+    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()> {
+        let curvature: Curvature = recall_numbers(memory)?;
+        if curvature.s_y.len() != self.params.memory {
+            return Err(Error::Unsupported {
+                what: "the checkpoint".to_owned(),
+                reason: format!("its optimiser remembered {} pairs", curvature.s_y.len()),
+            });
+        }
+        if curvature.alpha.is_some() {
+            let mut fields = Fields::like(x, self.params.memory, problem);
+            recall_field(memory, "gradient", &mut fields.gradient)?;
+            recall_field(memory, "step", &mut fields.step)?;
+            fields
+                .pairs
+                .restore(&mut |name, bytes| memory.array(name, bytes))?;
+            self.fields = Some(fields);
+        }
+        self.curvature = curvature;
+        Ok(())
+    }
+}

@@ -1,0 +1,430 @@
+//! The problem an optimiser solves, and the one line search.
+//!
+//! ```text
+//! min over x   L( F(x) )   subject to   min ≤ x ≤ max          (L contains the response)
+//! ```
+//!
+//! A search walks the *feasible segment* x + α·(x̄ − x), α ∈ [0, 1], whose end x̄ lies within the bounds; no point of it needs
+//! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
+//! then costs passes over the dose only. (Searching first and clamping afterwards promises losses that are not delivered.)
+
+use crate::error::{Error, Result};
+use crate::field::{Bounds, Field};
+use crate::models::{DoseModel, Quantity, Run};
+use crate::objective::Objective;
+use std::time::Instant;
+
+/// Smallest and largest value of a light's pixels, mJ/mm² (energy, also for models whose unknown is the amplitude).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Smallest energy, 0 or above.
+    pub min: f64,
+    /// Largest energy, +∞ for none.
+    pub max: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            min: 0.0,
+            max: f64::INFINITY,
+        }
+    }
+}
+
+/// What was done so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Counters {
+    /// Dose calls.
+    pub forward: u64,
+    /// Pullback calls.
+    pub adjoint: u64,
+    /// Seconds in the model.
+    pub model_s: f64,
+    /// Seconds in passes over the dose: loss, gradient, line search.
+    pub objective_s: f64,
+}
+
+/// Model, objective and bounds; see the [module](self).
+pub struct Problem<'a, F: Field> {
+    model: &'a dyn DoseModel<Field = F>,
+    objective: &'a dyn Objective<F>,
+    bounds: Bounds,
+    run: &'a Run,
+    /// What was done so far.
+    pub counters: Counters,
+}
+
+/// Where the patterns are: their dose, and what an optimiser needs of it.
+pub struct Position<F> {
+    /// F(x)
+    pub dose: F,
+    /// ∂L/∂dose at x; a search uses it as its work space.
+    pub cotangent: F,
+    /// L at x.
+    pub loss: f64,
+}
+
+/// What a search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Place on the segment, 0 when nothing better was found.
+    pub alpha: f32,
+    /// Slope at the end of the search relative to that at its beginning; 1 when α = 0.
+    pub slope: f64,
+}
+
+impl<'a, F: Field> Problem<'a, F> {
+    /// A problem; `limits` has one entry per light of the model.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    pub fn new(
+        model: &'a dyn DoseModel<Field = F>,
+        objective: &'a dyn Objective<F>,
+        limits: &[Limits],
+        run: &'a Run,
+    ) -> Result<Self> {
+        let lights = model.patterns();
+        if limits.len() != lights.len() {
+            return Err(Error::Shape {
+                what: "limits, one per light".to_owned(),
+                expected: vec![lights.len()],
+                found: vec![limits.len()],
+            });
+        }
+        let pieces = lights.iter().zip(limits).map(|(light, limits)| {
+            // Also refuses NaN
+            if !(limits.min >= 0.0 && limits.min < limits.max) {
+                return Err(Error::config(
+                    "bounds.min",
+                    format!("min {} and max {}", limits.min, limits.max),
+                    "0 ≤ min < max",
+                ));
+            }
+            let value = |energy: f64| match light.quantity {
+                Quantity::Energy => energy,
+                Quantity::Amplitude => energy.sqrt(),
+            };
+            Ok((
+                light.len(),
+                value(limits.min) as f32,
+                value(limits.max) as f32,
+            ))
+        });
+        let bounds = Bounds::of_pieces(pieces.collect::<Result<Vec<_>>>()?);
+        Ok(Problem {
+            model,
+            objective,
+            bounds,
+            run,
+            counters: Counters::default(),
+        })
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &'a dyn DoseModel<Field = F> {
+        self.model
+    }
+
+    /// The objective.
+    #[must_use]
+    pub fn objective(&self) -> &'a dyn Objective<F> {
+        self.objective
+    }
+
+    /// The bounds of every pixel.
+    #[must_use]
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
+    /// Whether the user asked to stop.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.run.is_cancelled()
+    }
+
+    /// F(x), counted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn dose(&mut self, x: &F, dose: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.dose(x, dose, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.forward += 1;
+        done
+    }
+
+    /// ∂L/∂x at a position, counted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn gradient(&mut self, x: &F, at: &Position<F>, gradient: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.pullback(x, &at.cotangent, gradient, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.adjoint += 1;
+        done
+    }
+
+    /// Brings x into the bounds, and evaluates it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], or not enough memory.
+    pub fn place(&mut self, x: &mut F) -> Result<Position<F>> {
+        let zero = x.zeros_like();
+        x.move_along(&zero, 0.0, &self.bounds);
+        let mut dose = self.model.new_dose()?;
+        self.dose(x, &mut dose)?;
+        self.place_at(dose)
+    }
+
+    /// The position of a known dose.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    pub fn place_at(&mut self, dose: F) -> Result<Position<F>> {
+        let mut cotangent = self.model.new_dose()?;
+        let loss = self.timed(|objective| objective.value_and_gradient(&dose, &mut cotangent));
+        Ok(Position {
+            dose,
+            cotangent,
+            loss,
+        })
+    }
+
+    /// Takes a full step, `step` = x̄ − x, whatever the loss does; one forward call.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn take(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
+        x.move_along(step, 1.0, &self.bounds);
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        self.dose(x, dose)?;
+        *loss = self.timed(|objective| objective.value_and_gradient(dose, cotangent));
+        Ok(())
+    }
+
+    /// Goes to the best place found on the feasible segment of `step` = x̄ − x; `slope` is the gradient times the step and
+    /// must be negative. Never raises the loss.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn search(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        at: &mut Position<F>,
+    ) -> Result<Found> {
+        if !self.model.is_linear() {
+            return self.backtrack(x, step, slope, at);
+        }
+        self.dose(step, &mut at.cotangent)?;
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let found = self.timed(|objective| {
+            let found = segment_minimum(*loss, slope, |alpha| {
+                objective.slope_along(dose, cotangent, alpha)
+            });
+            *loss = if found.alpha == 0.0 {
+                objective.value_and_gradient(dose, cotangent)
+            } else {
+                objective.advance(dose, cotangent, found.alpha)
+            };
+            found
+        });
+        if found.alpha != 0.0 {
+            x.move_along(step, found.alpha, &self.bounds);
+        }
+        Ok(found)
+    }
+
+    /// The search for models whose dose is not linear in x: shrinks the step until the loss falls enough (Armijo), one
+    /// forward call a trial.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn backtrack(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        at: &mut Position<F>,
+    ) -> Result<Found> {
+        let before = at.loss;
+        let mut alpha = 1.0f64;
+        let mut found = Found {
+            alpha: 0.0,
+            slope: 1.0,
+        };
+        for _ in 0..20 {
+            let mut trial = x.clone();
+            trial.move_along(step, alpha as f32, &self.bounds);
+            let Position { cotangent, .. } = &mut *at;
+            self.dose(&trial, cotangent)?;
+            let loss = self.timed(|objective| objective.value(cotangent));
+            if loss <= before + 1e-4 * alpha * slope {
+                found = Found {
+                    alpha: alpha as f32,
+                    slope: 0.0,
+                };
+                *x = trial;
+                at.dose.copy_from(&at.cotangent);
+                break;
+            }
+            // Minimum of the parabola through both losses and the slope, kept inside the segment
+            let curvature = loss - before - alpha * slope;
+            let parabola = -0.5 * slope * alpha * alpha / curvature;
+            let inside = parabola.is_finite() && curvature > 0.0;
+            alpha = if inside {
+                parabola.clamp(0.1 * alpha, 0.5 * alpha)
+            } else {
+                0.1 * alpha
+            };
+        }
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        *loss = self.timed(|objective| objective.value_and_gradient(dose, cotangent));
+        Ok(found)
+    }
+
+    /// A length t for a first projected gradient step x − t·g: where the loss stops falling along −g, bounds apart. Costs one
+    /// forward call. `direction` is overwritten with the negative gradient, without pixels that the bounds hold.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn first_length(
+        &mut self,
+        x: &F,
+        gradient: &F,
+        direction: &mut F,
+        at: &mut Position<F>,
+    ) -> Result<f64> {
+        // A tiny step tells which pixels the bounds hold
+        let size = f64::from(x.max_abs()).max(f64::from(f32::MIN_POSITIVE));
+        let largest = f64::from(gradient.max_abs());
+        if largest == 0.0 || !largest.is_finite() {
+            return Ok(if largest == 0.0 { 0.0 } else { f64::NAN });
+        }
+        let unit = if x.max_abs() > 0.0 {
+            1e-3 * size / largest
+        } else {
+            1.0 / largest
+        };
+        let sums = direction.project_step(x, gradient, unit as f32, &self.bounds);
+        if sums.slope >= 0.0 {
+            return Ok(unit);
+        }
+        self.dose(direction, &mut at.cotangent)?;
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let length = self.timed(|objective| {
+            let length = ray_minimum(*loss, sums.slope, |a| {
+                objective.slope_along(dose, cotangent, a)
+            });
+            *loss = objective.value_and_gradient(dose, cotangent);
+            length
+        });
+        Ok(unit * length)
+    }
+
+    fn timed<T>(&mut self, work: impl FnOnce(&dyn Objective<F>) -> T) -> T {
+        let begin = Instant::now();
+        let result = work(self.objective);
+        self.counters.objective_s += begin.elapsed().as_secs_f64();
+        result
+    }
+}
+
+/// The slope at which a search is content, relative to that at its beginning.
+const CONTENT: f64 = 0.1;
+
+/// Where on [0, 1] a function falls most: the root of its slope for a convex one, some lower place for any other. `at` gives
+/// value and slope; `value` and `slope` (negative) are those at 0.
+fn segment_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> Found {
+    let mut best = Found {
+        alpha: 0.0,
+        slope: 1.0,
+    };
+    let mut lowest = value;
+    // Ends of the bracket with their slopes; the right end is the first one that is too far
+    let (mut left, mut right) = ((0.0f32, slope), None::<(f32, f64)>);
+    let mut alpha = 1.0f32;
+    for _ in 0..40 {
+        let (v, s) = at(alpha);
+        if v < lowest {
+            lowest = v;
+            best = Found {
+                alpha,
+                slope: s / slope,
+            };
+        }
+        let content = v < value && (s.abs() <= CONTENT * slope.abs() || (alpha == 1.0 && s <= 0.0));
+        if content {
+            return Found {
+                alpha,
+                slope: s / slope,
+            };
+        }
+        if v <= value && s < 0.0 {
+            left = (alpha, s);
+        } else {
+            // A slope that is no number, or a higher place, only says "nearer"
+            right = Some((alpha, if v <= value { s } else { f64::NAN }));
+        }
+        let Some(end) = right else { break };
+        alpha = between(left, end);
+        if alpha <= left.0 || alpha >= end.0 {
+            break;
+        }
+    }
+    best
+}
+
+/// A place inside a bracket: where the slopes, joined by a line, cross 0, kept away from the ends.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+fn between(left: (f32, f64), right: (f32, f64)) -> f32 {
+    let width = f64::from(right.0) - f64::from(left.0);
+    let share = left.1 / (left.1 - right.1);
+    let share = if share.is_finite() {
+        share.clamp(0.02, 0.98)
+    } else {
+        0.25
+    };
+    (f64::from(left.0) + share * width) as f32
+}
+
+/// Where on [0, ∞) a function falls most, to within a tenth of its slope.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+fn ray_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> f64 {
+    // A loss that is nowhere negative falls no longer than this at its first slope
+    let mut reach = (value / slope.abs()).clamp(1e-30, 1e30);
+    for _ in 0..60 {
+        let (v, s) = at(reach as f32);
+        if v > value || s >= 0.0 || s.is_nan() {
+            break;
+        }
+        reach *= 4.0;
+    }
+    let found = segment_minimum(value, slope * reach, |alpha| {
+        let (v, s) = at((f64::from(alpha) * reach) as f32);
+        (v, s * reach)
+    });
+    f64::from(found.alpha) * reach
+}

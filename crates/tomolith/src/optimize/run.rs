@@ -1,0 +1,379 @@
+//! The loop around an optimiser: stopping, history, observers, the best patterns, checkpoints.
+
+use super::checkpoint::{Checkpoints, Contents, Saved};
+use super::{Counters, Optimizer, Position, Problem};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// `[stop]` of a job: when to stop. A loss of zero always stops.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Stop {
+    /// Largest number of steps (default 40)
+    pub iterations: usize,
+    /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
+    pub projected_gradient: f64,
+    /// Stop after this many seconds, above 0; no limit when it is not given
+    pub seconds: Option<f64>,
+}
+
+impl Default for Stop {
+    fn default() -> Self {
+        Stop {
+            iterations: 40,
+            projected_gradient: 0.0,
+            seconds: None,
+        }
+    }
+}
+
+impl Stop {
+    /// Refuses numbers out of range.
+    ///
+    /// # Errors
+    /// [`Error::Config`] naming the key.
+    pub fn validate(&self) -> Result<()> {
+        let refuse = |key: &str, value: f64, accepted: &str| {
+            Err(Error::config(
+                format!("stop.{key}"),
+                format!("found {value}"),
+                accepted,
+            ))
+        };
+        if !(self.projected_gradient.is_finite() && self.projected_gradient >= 0.0) {
+            return refuse(
+                "projected_gradient",
+                self.projected_gradient,
+                "a finite number, 0 or above",
+            );
+        }
+        match self.seconds {
+            Some(s) if !(s.is_finite() && s > 0.0) => {
+                refuse("seconds", s, "a finite number above 0")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Why a run stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StopReason {
+    /// All iterations are done.
+    Iterations,
+    /// The loss is zero.
+    ZeroLoss,
+    /// The projected gradient is small enough.
+    ProjectedGradient,
+    /// No better point was found: as good as f32 gets.
+    NoProgress,
+    /// An observer asked for it (a metric reached its goal).
+    Observer,
+    /// The time is over.
+    WallTime,
+    /// The user asked for it.
+    Cancelled,
+}
+
+/// A row of the history; row 0 is the start.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Row {
+    /// Steps done.
+    pub iteration: usize,
+    /// Loss after the step.
+    pub loss: f64,
+    /// Norm of the projected gradient before the step (None in row 0).
+    pub projected_gradient: Option<f64>,
+    /// Length of the step (None in row 0).
+    pub step: Option<f64>,
+    /// Forward calls so far.
+    pub forward: u64,
+    /// Adjoint calls so far.
+    pub adjoint: u64,
+    /// Seconds so far, those before a resume included.
+    pub seconds: f64,
+}
+
+/// What observers see after each step, and once at the start.
+pub struct StepReport<'a, F> {
+    /// The newest row of the history.
+    pub row: &'a Row,
+    /// Lowest loss so far.
+    pub best_loss: f64,
+    /// The patterns.
+    pub patterns: &'a F,
+    /// Their dose.
+    pub dose: &'a F,
+    /// Model calls and where the time went.
+    pub counters: &'a Counters,
+}
+
+/// Watches a run: progress, history files, metrics that stop it.
+pub trait Observer<F> {
+    /// Called at the start and after every step; `Break` ends the run.
+    fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()>;
+}
+
+impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
+    fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()> {
+        self(report)
+    }
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Loss of the patterns that were kept, the best.
+    pub loss: f64,
+    /// Why it stopped.
+    pub reason: StopReason,
+    /// A row per step, and one for the start.
+    pub history: Vec<Row>,
+    /// Model calls and where the time went.
+    pub counters: Counters,
+}
+
+/// Runs an optimiser from `x` until something stops it; `x` is left at the best patterns found, also after an error.
+///
+/// With checkpoints, a checkpoint of the same job in their folder is resumed first (`x` is then overwritten).
+///
+/// # Errors
+/// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
+/// A cancelled run is no error.
+pub fn run<F: Field>(
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    stop: &Stop,
+    checkpoints: Option<&mut Checkpoints>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<Outcome> {
+    stop.validate()?;
+    let Some(mut state) = begin(problem, optimizer, x, checkpoints.as_deref())? else {
+        let history = Vec::new();
+        return Ok(Outcome {
+            loss: f64::NAN,
+            reason: StopReason::Cancelled,
+            history,
+            counters: problem.counters,
+        });
+    };
+    let mut checkpoints = checkpoints;
+    let result = loop {
+        if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
+            break Ok(reason);
+        }
+        match state.step(problem, optimizer, x) {
+            Ok(()) => {}
+            Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
+            Err(error) => break Err(error),
+        }
+        if let Some(checkpoints) = checkpoints.as_deref_mut().filter(|c| c.is_due()) {
+            checkpoints.write(state.saved(problem, optimizer, x))?;
+        }
+    };
+    // A cancelled step may have lost the position; the last whole checkpoint stays
+    if let (Some(checkpoints), Ok(reason)) = (checkpoints, &result)
+        && *reason != StopReason::Cancelled
+    {
+        checkpoints.write(state.saved(problem, optimizer, x))?;
+    }
+    if let Some(best) = state.best.take() {
+        *x = best;
+    }
+    Ok(Outcome {
+        loss: state.best_loss,
+        reason: result?,
+        history: state.history,
+        counters: problem.counters,
+    })
+}
+
+/// A run between two steps.
+struct State<F> {
+    at: Position<F>,
+    history: Vec<Row>,
+    best_loss: f64,
+    /// The best patterns, when they are not the present ones.
+    best: Option<F>,
+    begin: Instant,
+    /// Seconds before a resume.
+    before_s: f64,
+}
+
+/// Resumes, or starts anew; None when cancelled before the first loss.
+fn begin<F: Field>(
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    checkpoints: Option<&Checkpoints>,
+) -> Result<Option<State<F>>> {
+    let begin = Instant::now();
+    let checkpoint = checkpoints.map(Checkpoints::open).transpose()?.flatten();
+    if let Some(mut checkpoint) = checkpoint {
+        checkpoint.read_field("patterns", x)?;
+        if checkpoint.contents() == Contents::All {
+            let mut dose = problem.model().new_dose()?;
+            checkpoint.read_field("dose", &mut dose)?;
+            let at = problem.place_at(dose)?;
+            optimizer.restore(&mut checkpoint, problem, x)?;
+            problem.counters = checkpoint.counters();
+            let mut best = None;
+            if checkpoint.has("best") {
+                let mut field = x.zeros_like();
+                checkpoint.read_field("best", &mut field)?;
+                best = Some(field);
+            }
+            let history = checkpoint.history().to_vec();
+            let before_s = history.last().map_or(0.0, |row| row.seconds);
+            let best_loss = checkpoint.best_loss();
+            return Ok(Some(State {
+                at,
+                history,
+                best_loss,
+                best,
+                begin,
+                before_s,
+            }));
+        }
+        if checkpoint.has("best") {
+            checkpoint.read_field("best", x)?;
+        }
+    }
+    let at = match problem.place(x) {
+        Err(Error::Cancelled) => return Ok(None),
+        other => other?,
+    };
+    if !at.loss.is_finite() {
+        return Err(Error::NonFinite {
+            what: "the loss".to_owned(),
+            value: at.loss,
+            iteration: 0,
+        });
+    }
+    let best_loss = at.loss;
+    let mut state = State {
+        at,
+        history: Vec::new(),
+        best_loss,
+        best: None,
+        begin,
+        before_s: 0.0,
+    };
+    state.record(problem, 0, None);
+    Ok(Some(state))
+}
+
+impl<F: Field> State<F> {
+    fn record(&mut self, problem: &Problem<F>, iteration: usize, step: Option<super::Step>) {
+        self.history.push(Row {
+            iteration,
+            loss: self.at.loss,
+            projected_gradient: step.map(|s| s.projected_gradient),
+            step: step.map(|s| s.length),
+            forward: problem.counters.forward,
+            adjoint: problem.counters.adjoint,
+            seconds: self.before_s + self.begin.elapsed().as_secs_f64(),
+        });
+    }
+
+    /// Asked before every step; tells the observers.
+    fn reason_to_stop(
+        &self,
+        problem: &Problem<F>,
+        x: &F,
+        stop: &Stop,
+        observers: &mut [&mut dyn Observer<F>],
+    ) -> Option<StopReason> {
+        let row = self.history.last()?;
+        let report = StepReport {
+            row,
+            best_loss: self.best_loss,
+            patterns: x,
+            dose: &self.at.dose,
+            counters: &problem.counters,
+        };
+        let mut broken = false;
+        for observer in observers.iter_mut() {
+            broken |= observer.on_step(&report).is_break();
+        }
+        let first = self.history.iter().find_map(|row| row.projected_gradient);
+        let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
+        if problem.is_cancelled() {
+            Some(StopReason::Cancelled)
+        } else if row.loss == 0.0 {
+            Some(StopReason::ZeroLoss)
+        } else if row.projected_gradient.is_some_and(small) {
+            Some(StopReason::ProjectedGradient)
+        } else if row.step == Some(0.0) {
+            Some(StopReason::NoProgress)
+        } else if broken {
+            Some(StopReason::Observer)
+        } else if row.iteration >= stop.iterations {
+            Some(StopReason::Iterations)
+        } else if stop.seconds.is_some_and(|limit| row.seconds >= limit) {
+            Some(StopReason::WallTime)
+        } else {
+            None
+        }
+    }
+
+    /// One step, its row, and the best patterns.
+    fn step(
+        &mut self,
+        problem: &mut Problem<F>,
+        optimizer: &mut dyn Optimizer<F>,
+        x: &mut F,
+    ) -> Result<()> {
+        let iteration = self.history.last().map_or(0, |row| row.iteration) + 1;
+        // A method that may raise the loss could lose its best patterns by the step
+        let keep = !optimizer.is_monotone() && self.best.is_none();
+        let kept = keep.then(|| x.clone());
+        let step = optimizer.step(problem, x, &mut self.at);
+        let loss = self.at.loss;
+        if keep && !(step.is_ok() && loss <= self.best_loss) {
+            self.best = kept;
+        }
+        let step = step?;
+        for (what, value) in [
+            ("the loss", loss),
+            ("the gradient", step.projected_gradient),
+        ] {
+            if !value.is_finite() {
+                return Err(Error::NonFinite {
+                    what: what.to_owned(),
+                    value,
+                    iteration,
+                });
+            }
+        }
+        if loss <= self.best_loss {
+            self.best_loss = loss;
+            self.best = None;
+        }
+        self.record(problem, iteration, Some(step));
+        Ok(())
+    }
+
+    fn saved<'a>(
+        &'a self,
+        problem: &Problem<F>,
+        optimizer: &'a dyn Optimizer<F>,
+        x: &'a F,
+    ) -> Saved<'a, F> {
+        Saved {
+            patterns: x,
+            best: self.best.as_ref(),
+            best_loss: self.best_loss,
+            dose: &self.at.dose,
+            memory: optimizer.memory(),
+            counters: problem.counters,
+            history: &self.history,
+        }
+    }
+}
