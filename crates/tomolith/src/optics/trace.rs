@@ -398,7 +398,8 @@ mod tests {
             refractive_index: 1.54,
         };
         let matched = IndexMatched { radius_mm: 7.5 };
-        let cases: [(&dyn Vial, f64, f64, [(f64, f64); 4]); 3] = [
+        type Case<'a> = (&'a dyn Vial, f64, f64, [(f64, f64); 4]);
+        let cases: [Case<'_>; 3] = [
             (
                 &matched,
                 1.49,

@@ -295,7 +295,7 @@ mod avx512 {
             ),
         );
         let direction = if chain.upward { -1.0 } else { 1.0 };
-        for i in 0..chain.count - 2 {
+        for (i, &energy) in energy.iter().enumerate().take(chain.count - 2) {
             let column = (chain.column as i32 + c.step * i as i32) as u32;
             if !keep(column) {
                 continue;
@@ -310,7 +310,7 @@ mod avx512 {
                 ramp(),
                 _mm512_set1_ps(direction * c.per_row[at]),
             ));
-            let deposit = _mm512_mul_ps(_mm512_set1_ps(energy[i]), decay);
+            let deposit = _mm512_mul_ps(_mm512_set1_ps(energy), decay);
             let density = _mm512_div_ps(deposit, _mm512_sub_ps(right, left));
             let left = _mm512_max_ps(left, _mm512_setzero_ps());
             let right = _mm512_min_ps(right, across);

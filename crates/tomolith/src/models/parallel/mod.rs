@@ -1,7 +1,7 @@
 //! The `parallel` dose model: collimated light through geometry that does not change along z.
 //!
 //! # Model
-//! Light of pixel column u enters the vial, is refracted and weakened at its walls ([`Tracer`]), and runs along straight
+//! Light of pixel column u enters the vial, is refracted and weakened at its walls ([`Tracer`](crate::optics::trace::Tracer)), and runs along straight
 //! lines through resin that absorbs it. The geometry of one slice serves all heights, so the inner loop walks along z.
 //!
 //! # Equation
@@ -16,7 +16,7 @@
 //! legs in a double tube).
 //!
 //! # Discretisation
-//! `kernel = "distance-driven"`: see [`strips`] and [`tiles`]. Along z pixels are boxes and the overlap with a voxel is
+//! `kernel = "distance-driven"`: see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
 //! exact. A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
 //! voxel falls with the square of the pitch.
 //!
@@ -55,8 +55,10 @@
 //! ```
 
 mod chains;
+mod gather;
 mod heights;
 pub mod kernel;
+mod plan;
 mod strips;
 mod tiles;
 
@@ -67,16 +69,14 @@ use crate::models::layout::PixelRun;
 use crate::models::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
 use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
-use crate::optics::trace::Tracer;
 use crate::optics::vial::Vial;
-use chains::{Avx512, Chain, Taps};
-use heights::Heights;
-use kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
+use gather::Gatherer;
+use kernel::{Block, Isa, MAX_BLOCK};
+use plan::{KernelPath, LightPlan};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, OnceLock, PoisonError};
-use strips::{Beam, Major};
-use tiles::{Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
+use tiles::{TILE, Tile, TileEntries};
 
 /// One light: its pixels and what the resin does at its wavelength.
 #[derive(Clone, Debug)]
@@ -120,38 +120,6 @@ pub struct Parallel {
     /// Lanes of pixels, kept between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
-}
-
-/// Which kernels run.
-#[derive(Clone, Copy, Debug)]
-struct KernelPath {
-    isa: Isa,
-    /// Chains as vectors, where the machine can.
-    wide: Option<Avx512>,
-}
-
-impl KernelPath {
-    fn of(isa: Isa) -> Self {
-        KernelPath {
-            isa,
-            wide: Avx512::detect().filter(|_| isa == Isa::Avx512),
-        }
-    }
-}
-
-/// What is known of one light before any pattern.
-struct LightPlan {
-    beams: Vec<Beam>,
-    /// Beams of each frame.
-    of_frame: Vec<Range<usize>>,
-    /// How tiles and beams meet: `[tile][beam]`.
-    meetings: Vec<Meeting>,
-    heights: Heights,
-    deposit: Deposit,
-    /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
-    lit: Vec<(u16, u16)>,
-    columns: usize,
-    first_frame: usize,
 }
 
 /// Frames whose entries are sorted together: more need more cache, fewer more passes over the dose.
@@ -358,8 +326,7 @@ impl Parallel {
                             frame,
                             (index, tile, nx),
                             &blocks,
-                            cotangent,
-                            own,
+                            (cotangent, own),
                             entries,
                         );
                     }
@@ -384,8 +351,8 @@ fn check(light: &Light) -> Result<()> {
         ));
     }
     let resin = &light.resin;
-    if !resin.pure_radon && !(resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite())
-    {
+    let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
+    if !(resin.pure_radon || absorbs) {
         return Err(Error::config(
             "resin.absorption_per_mm",
             format!("found {}", resin.absorption_per_mm),
@@ -393,205 +360,6 @@ fn check(light: &Light) -> Result<()> {
         ));
     }
     Ok(())
-}
-
-impl LightPlan {
-    fn new(
-        vial: &dyn Vial,
-        light: &Light,
-        layout: &PatternLayout,
-        grid: &VolumeGrid,
-        tiles: &[Tile],
-        first_frame: usize,
-    ) -> Self {
-        let tracer = Tracer::new(
-            vial,
-            light.resin,
-            light.surrounding_index,
-            light.polarisation,
-        );
-        let resin = light.resin;
-        let deposit = Deposit {
-            attenuation: resin.attenuation_per_mm,
-            active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
-            pure_radon: resin.pure_radon,
-        };
-        let beams = strips::beams(
-            &tracer,
-            vial.is_round(),
-            &light.pixels,
-            light.sub_angles.max(1),
-            grid,
-            &deposit,
-        );
-        let frames = light.pixels.frames();
-        let mut of_frame = vec![0..0; frames];
-        for (i, beam) in beams.iter().enumerate() {
-            let range = &mut of_frame[beam.frame as usize];
-            *range = if range.start == range.end {
-                i..i + 1
-            } else {
-                range.start..i + 1
-            };
-        }
-        let meetings = tiles
-            .par_iter()
-            .flat_map_iter(|tile| beams.iter().map(|beam| tiles::meeting(beam, tile)))
-            .collect();
-        let heights = Heights::new(&light.pixels, grid, KernelPath::of(Isa::in_use()).wide);
-        let lit = layout
-            .runs
-            .iter()
-            .map(|&run| {
-                let (first, end) = heights.lanes_of(run);
-                ((first / LANES) as u16, end.div_ceil(LANES) as u16)
-            })
-            .collect();
-        LightPlan {
-            beams,
-            of_frame,
-            meetings,
-            heights,
-            deposit,
-            lit,
-            columns: light.pixels.columns,
-            first_frame,
-        }
-    }
-
-    /// Frames in groups.
-    fn groups(&self, frames: Range<usize>) -> impl Iterator<Item = Range<usize>> + use<> {
-        let end = frames.end;
-        frames
-            .step_by(GROUP)
-            .map(move |first| first..(first + GROUP).min(end))
-    }
-
-    fn is_lit(&self, slot: usize) -> bool {
-        self.lit[slot].1 > self.lit[slot].0
-    }
-
-    fn is_lit_in(&self, slot: usize, block: Block) -> bool {
-        let (first, end) = self.lit[slot];
-        (first as usize) < block.first + block.count && (end as usize) > block.first
-    }
-
-    /// Rows of pixels → lanes, of some frames.
-    fn expand(
-        &self,
-        layout: &PatternLayout,
-        frames: Range<usize>,
-        x: &[f32],
-        lanes: &mut [f32],
-        row: usize,
-    ) {
-        let per_frame = self.columns * row;
-        lanes[frames.start * per_frame..frames.end * per_frame]
-            .par_chunks_mut(per_frame)
-            .zip(
-                layout.runs[frames.start * self.columns..frames.end * self.columns]
-                    .par_chunks(self.columns),
-            )
-            .for_each_init(
-                || vec![0.0; self.heights.buffer()],
-                |buffer, (lanes, runs)| {
-                    for (lanes, run) in lanes.chunks_mut(row).zip(runs) {
-                        if run.count > 0 {
-                            let values = &x[run.offset..][..run.count as usize];
-                            self.heights.expand(values, *run, lanes, buffer);
-                        } else {
-                            lanes.fill(0.0);
-                        }
-                    }
-                },
-            );
-    }
-
-    /// Lanes → rows of pixels, of all frames. `grad` is the whole field.
-    fn collect(&self, layout: &PatternLayout, lanes: &[f32], grad: &mut [f32], row: usize) {
-        let mut pieces = Vec::with_capacity(self.of_frame.len());
-        let mut rest = &mut grad[layout.range()];
-        for runs in layout.runs.chunks(self.columns) {
-            let len = runs.iter().map(|r| r.count as usize).sum();
-            let (piece, tail) = rest.split_at_mut(len);
-            pieces.push(piece);
-            rest = tail;
-        }
-        pieces
-            .into_par_iter()
-            .zip(lanes.par_chunks(self.columns * row))
-            .zip(layout.runs.par_chunks(self.columns))
-            .for_each_init(
-                || {
-                    [
-                        vec![0.0; self.heights.buffer()],
-                        vec![0.0; self.heights.buffer()],
-                    ]
-                },
-                |[buffer, rows], ((mut piece, lanes), runs)| {
-                    for (lanes, run) in lanes.chunks(row).zip(runs) {
-                        let (values, tail) = piece.split_at_mut(run.count as usize);
-                        if run.count > 0 {
-                            self.heights.collect(lanes, *run, values, buffer, rows);
-                        }
-                        piece = tail;
-                    }
-                },
-            );
-    }
-
-    /// Adds to the lanes of one frame what the cotangent of one tile gives.
-    fn collect_tile(
-        &self,
-        path: KernelPath,
-        frame: usize,
-        (index, tile, nx): (usize, &Tile, usize),
-        blocks: &[Block],
-        cotangent: &[f32],
-        lanes: &mut [f32],
-        found: &mut TileEntries,
-    ) {
-        found.clear();
-        let place = (tile, Slots::within_plane(tile, nx));
-        for i in self.of_frame[frame].clone() {
-            self.enumerate(
-                path,
-                i,
-                self.meetings[index * self.beams.len() + i],
-                place,
-                found,
-            );
-        }
-        let first_slot = frame * self.columns;
-        for &block in blocks {
-            for run in &found.runs {
-                if self.is_lit_in(first_slot + run.column as usize, block) {
-                    let from = (run.column as usize * block.row + block.first) * LANES;
-                    let out = &mut lanes[from..from + block.count * LANES];
-                    accumulate(path.isa, out, cotangent, found.of(run), block);
-                }
-            }
-        }
-    }
-
-    /// Everything that a beam lights in a tile.
-    fn enumerate(
-        &self,
-        path: KernelPath,
-        beam: usize,
-        meeting: Meeting,
-        (tile, slots): (&Tile, Slots),
-        found: &mut TileEntries,
-    ) {
-        let beam = &self.beams[beam];
-        let (first, end) = (meeting.first as usize, meeting.end as usize);
-        let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
-        let local = Local::new(tile, beam.major, slots);
-        if let Some(wide) = path.wide.filter(|_| meeting.chain) {
-            return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
-        }
-        found.add(&beam.strips[first..end], &local, &self.deposit, keep);
-    }
 }
 
 /// The dose, cut into tiles: for each tile its rows of voxels.
@@ -608,194 +376,6 @@ fn tile_rows(dose: &mut [f32], row: usize, nx: usize) -> Vec<Vec<&mut [f32]>> {
         }
     }
     tiles
-}
-
-/// What a group of frames brings to a tile: chains as taps, all else as entries sorted by voxel.
-#[derive(Default)]
-struct Gatherer {
-    chains: Vec<Taps>,
-    /// How many of `chains` are in use.
-    chain_count: usize,
-    loose: Sorter,
-}
-
-impl Gatherer {
-    /// Enumerates what a group of frames lights in a tile.
-    fn load(
-        &mut self,
-        path: KernelPath,
-        plan: &LightPlan,
-        frames: Range<usize>,
-        index: usize,
-        tile: &Tile,
-    ) {
-        self.chain_count = 0;
-        self.loose.found.clear();
-        for frame in frames {
-            for i in plan.of_frame[frame].clone() {
-                let meeting = plan.meetings[index * plan.beams.len() + i];
-                if let Some(wide) = path.wide.filter(|_| meeting.chain) {
-                    self.load_chain(wide, plan, i, meeting, tile);
-                } else if meeting.end > meeting.first {
-                    self.loose.load(path, plan, i, meeting, tile);
-                }
-            }
-        }
-        self.loose.sort();
-    }
-
-    fn load_chain(
-        &mut self,
-        wide: Avx512,
-        plan: &LightPlan,
-        beam: usize,
-        meeting: Meeting,
-        tile: &Tile,
-    ) {
-        if self.chains.len() == self.chain_count {
-            self.chains.push(Taps::default());
-        }
-        let taps = &mut self.chains[self.chain_count];
-        self.chain_count += 1;
-        let beam = &plan.beams[beam];
-        let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
-        let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(
-            taps,
-            &chain,
-            &local,
-            beam.major == Major::X,
-            beam.frame * plan.columns as u32,
-        );
-    }
-
-    /// Adds one block of lanes to the voxels of a tile.
-    fn add_block(
-        &mut self,
-        path: KernelPath,
-        plan: &LightPlan,
-        block: Block,
-        source: &[f32],
-        rows: &mut [&mut [f32]],
-    ) {
-        if let Some(wide) = path.wide {
-            let used = self.chains[..self.chain_count].iter();
-            let lit: Vec<&Taps> = used
-                .filter(|taps| taps.slots().any(|slot| plan.is_lit_in(slot, block)))
-                .collect();
-            if !lit.is_empty() {
-                wide.gather_tile(rows, source, &lit, block);
-            }
-        }
-        self.loose.add_block(path, plan, block, source, rows);
-    }
-}
-
-/// Entries of a group of frames, sorted by voxel.
-#[derive(Default)]
-struct Sorter {
-    /// By strip; a run's column is its slot: frame and column of the light.
-    found: TileEntries,
-    /// By voxel: slots and weights.
-    slots: Vec<u32>,
-    weights: Vec<f32>,
-    /// First entry of each voxel.
-    starts: Vec<u32>,
-    /// Entries that are lit in the block at hand.
-    kept_slots: Vec<u32>,
-    kept_weights: Vec<f32>,
-}
-
-impl Sorter {
-    /// Enumerates what a beam lights in a tile.
-    fn load(
-        &mut self,
-        path: KernelPath,
-        plan: &LightPlan,
-        beam: usize,
-        meeting: Meeting,
-        tile: &Tile,
-    ) {
-        let before = self.found.runs.len();
-        plan.enumerate(
-            path,
-            beam,
-            meeting,
-            (tile, Slots::WITHIN_TILE),
-            &mut self.found,
-        );
-        let first = plan.beams[beam].frame * plan.columns as u32;
-        for run in &mut self.found.runs[before..] {
-            run.column += first;
-        }
-    }
-
-    /// Counting sort; within a voxel the order of frames and columns is kept, so sums are reproducible.
-    fn sort(&mut self) {
-        self.starts.clear();
-        self.starts.resize(TILE * TILE + 2, 0);
-        for &voxel in &self.found.slots {
-            self.starts[voxel as usize + 2] += 1;
-        }
-        for i in 2..self.starts.len() {
-            self.starts[i] += self.starts[i - 1];
-        }
-        self.slots.resize(self.found.slots.len(), 0);
-        self.weights.resize(self.found.slots.len(), 0.0);
-        for run in &self.found.runs {
-            let of_run = self.found.of(run);
-            for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
-                let next = &mut self.starts[voxel as usize + 1];
-                self.slots[*next as usize] = run.column;
-                self.weights[*next as usize] = weight;
-                *next += 1;
-            }
-        }
-    }
-
-    /// Adds one block of lanes to the voxels of a tile.
-    fn add_block(
-        &mut self,
-        path: KernelPath,
-        plan: &LightPlan,
-        block: Block,
-        source: &[f32],
-        rows: &mut [&mut [f32]],
-    ) {
-        let slots = self.found.runs.iter().map(|run| run.column as usize);
-        let dark = slots.filter(|&slot| !plan.is_lit_in(slot, block)).count();
-        if dark == self.found.runs.len() {
-            return;
-        }
-        for (y, line) in rows.iter_mut().enumerate() {
-            for (x, voxel) in line.chunks_exact_mut(block.row * LANES).enumerate() {
-                let v = y * TILE + x;
-                let own = self.starts[v] as usize..self.starts[v + 1] as usize;
-                let mut entries = Entries {
-                    slots: &self.slots[own.clone()],
-                    weights: &self.weights[own],
-                };
-                if dark > 0 {
-                    self.kept_slots.clear();
-                    self.kept_weights.clear();
-                    for (&slot, &weight) in entries.slots.iter().zip(entries.weights) {
-                        if plan.is_lit_in(slot as usize, block) {
-                            self.kept_slots.push(slot);
-                            self.kept_weights.push(weight);
-                        }
-                    }
-                    entries = Entries {
-                        slots: &self.kept_slots,
-                        weights: &self.kept_weights,
-                    };
-                }
-                if !entries.slots.is_empty() {
-                    let out = &mut voxel[block.first * LANES..][..block.count * LANES];
-                    accumulate(path.isa, out, source, entries, block);
-                }
-            }
-        }
-    }
 }
 
 impl LinearOperator for Parallel {
@@ -881,44 +461,6 @@ impl Parallel {
                     .sum::<u64>()
             })
             .sum()
-    }
-}
-
-impl LightPlan {
-    fn updates_in(
-        &self,
-        frame: usize,
-        index: usize,
-        tile: &Tile,
-        nz: usize,
-        entries: &mut TileEntries,
-    ) -> u64 {
-        let mut total = 0;
-        for i in self.of_frame[frame].clone() {
-            entries.clear();
-            let meeting = self.meetings[index * self.beams.len() + i];
-            self.enumerate(
-                KernelPath::of(Isa::in_use()),
-                i,
-                meeting,
-                (tile, Slots::WITHIN_TILE),
-                entries,
-            );
-            let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
-            for run in &entries.runs {
-                let lit = self.lit[frame * self.columns + run.column as usize];
-                for &voxel in entries.of(run).slots {
-                    let seen = &mut lanes[voxel as usize];
-                    *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
-                }
-            }
-            total += lanes
-                .iter()
-                .filter(|l| l.1 > l.0)
-                .map(|l| (l.1 as usize * LANES).min(nz) as u64 - (l.0 as usize * LANES) as u64)
-                .sum::<u64>();
-        }
-        total
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::check;
+use crate::optics::trace::Tracer;
 use crate::optics::vial::{
     cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
 };
