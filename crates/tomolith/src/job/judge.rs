@@ -24,6 +24,10 @@ pub(crate) struct Judged {
     pub(crate) optimisation: Option<Evaluation>,
     /// Dose of the headline, averaged to the optimisation's voxels.
     pub(crate) dose: Volume<f32>,
+    /// The target on the finer grid.
+    pub(crate) fine: Voxels,
+    /// Response of the headline on the finer grid.
+    pub(crate) response: Volume<f32>,
 }
 
 /// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from.
@@ -44,7 +48,9 @@ pub(crate) fn judge(
         Some(raw) => {
             let lights = scene.optics.lights.clone();
             let dose = dose(scene, lights, &scene.grid, raw, cancel)?;
-            Some(measure(scene, voxels, dose, raw)?.with_sub_angles(scene.spec.light[0].sub_angles))
+            let response = scene.responses(dose)?;
+            let evaluation = measure(scene, voxels, &response, raw)?;
+            Some(evaluation.with_sub_angles(scene.spec.light[0].sub_angles))
         }
     };
     let sub_angles = scene.spec.evaluate.sub_angles;
@@ -55,23 +61,14 @@ pub(crate) fn judge(
     );
     progress.event(&Event::Note { text });
     let fine = scene.voxels(&grid)?;
-    let still = dose(scene, scene.optics.lights_turning(1), &grid, shown, cancel)?;
-    let standing = measure(scene, &fine, still, shown)?;
-    let turning = dose(
-        scene,
-        scene.optics.lights_turning(sub_angles),
-        &grid,
-        shown,
-        cancel,
-    )?;
+    let response = scene.responses(dose(scene, scene.optics.lights_turning(1), &grid, shown, cancel)?)?;
+    let standing = measure(scene, &fine, &response, shown)?;
+    drop(response);
+    let turning = dose(scene, scene.optics.lights_turning(sub_angles), &grid, shown, cancel)?;
     let mean = averaged(&turning, &scene.grid);
-    let evaluation = measure(scene, &fine, turning, shown)?.with_sub_angles(sub_angles);
-    Ok(Judged {
-        evaluation,
-        standing,
-        optimisation,
-        dose: mean,
-    })
+    let response = scene.responses(turning)?;
+    let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
+    Ok(Judged { evaluation, standing, optimisation, dose: mean, fine, response })
 }
 
 /// Dose of patterns on a grid.
@@ -121,15 +118,9 @@ fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
         .collect()
 }
 
-/// The numbers of a dose.
-fn measure(
-    scene: &Scene,
-    voxels: &Voxels,
-    dose: Volume<f32>,
-    patterns: &[Patterns],
-) -> Result<Evaluation> {
-    let response = scene.responses(dose)?;
-    let mut print = Print::new(&voxels.labels, &response)?
+/// The numbers of a print.
+fn measure(scene: &Scene, voxels: &Voxels, response: &Volume<f32>, patterns: &[Patterns]) -> Result<Evaluation> {
+    let mut print = Print::new(&voxels.labels, response)?
         .with_inside(&voxels.target.inside)?
         .with_patterns(PatternStats::of(patterns));
     if let Some(threshold) = scene.spec.evaluate.threshold {

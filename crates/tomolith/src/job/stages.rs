@@ -2,19 +2,20 @@
 
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
-use super::judge::{Judged, judge};
-use super::optimise::{Optimised, optimise};
+use super::judge::judge;
+use super::optimise::optimise;
 use super::outcome::{Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::write::{self, Written};
+use super::write::{self, Done, Written};
 use crate::error::{Error, Result};
 use crate::exposure::quantise;
 use crate::grid::Patterns;
 use crate::io::npy::read_patterns;
 use crate::metrics::Evaluation;
 use crate::models::Run;
+use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
 
@@ -29,99 +30,75 @@ const OVERHEAD: f64 = 0.25;
 /// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used;
 /// [`Error::NonFinite`] and [`Error::Cancelled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
-    let begin = Instant::now();
-    progress.event(&Event::Stage {
-        name: "reading the job".to_owned(),
-    });
+    let mut clock = Clock::new(progress);
+    clock.stage("reading the job");
     let scene = Scene::new(job)?;
-    let folder = open(job, &scene, progress)?;
-    let voxels = voxels(job, &scene, progress)?;
-    progress.event(&Event::Stage {
-        name: "optimising".to_owned(),
-    });
+    let folder = open(job, &scene, clock.progress)?;
+    clock.stage("sampling the target");
+    let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
+    clock.stage("optimising");
     let optimised =
-        optimise(&scene, &voxels, &folder, resume, progress, cancel).map_err(|e| job.locate(e))?;
-    progress.event(&Event::Stage {
-        name: "evaluating the written patterns".to_owned(),
-    });
-    let quantised: Vec<_> = optimised
-        .raw
-        .iter()
-        .map(|raw| quantise(raw, scene.spec.evaluate.bit_depth))
-        .collect::<Result<_>>()?;
-    let shown: Vec<Patterns> = quantised
-        .iter()
-        .map(crate::exposure::Quantised::patterns)
-        .collect();
-    let judged = judge(
-        &scene,
-        &voxels,
-        &shown,
-        Some(&optimised.raw),
-        progress,
-        cancel,
-    )?;
-    progress.event(&Event::Stage {
-        name: "writing".to_owned(),
-    });
-    let patterns = Written {
-        quantised,
-        shown,
-        raw: Some(optimised.raw.clone()),
-    };
-    write::all(
-        job,
-        &scene,
-        &voxels,
-        &patterns,
-        &judged,
-        Some(&optimised),
-        &folder,
-        progress,
-    )?;
-    let summary = summary(&scene, folder.path(), &judged, Some(&optimised), begin);
-    folder.publish()?;
-    Ok(summary)
+        optimise(&scene, &voxels, &folder, resume, clock.progress, cancel).map_err(|e| job.locate(e))?;
+    clock.stage("evaluating the written patterns");
+    let patterns = Written::quantised(optimised.raw.clone(), scene.spec.evaluate.bit_depth)?;
+    let judged = judge(&scene, &voxels, &patterns.shown, patterns.raw.as_deref(), clock.progress, cancel)?;
+    let done = Done { job, scene, voxels, patterns, judged, optimised: Some(optimised), warnings };
+    finish(done, folder, clock)
 }
 
 /// Simulates patterns of an earlier run under a job; everything but the optimisation.
 ///
 /// # Errors
 /// As [`run`]; [`Error::Shape`] and [`Error::Format`] for patterns that do not fit the job's lights.
-pub fn simulate(
-    job: &Job,
-    patterns: &Path,
-    progress: &mut dyn Progress,
-    cancel: &Run,
-) -> Result<Summary> {
-    let begin = Instant::now();
-    progress.event(&Event::Stage {
-        name: "reading the job and the patterns".to_owned(),
-    });
+pub fn simulate(job: &Job, patterns: &Path, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
+    let mut clock = Clock::new(progress);
+    clock.stage("reading the job and the patterns");
     let scene = Scene::new(job)?;
     let patterns = read(&scene, patterns)?;
-    let folder = open(job, &scene, progress)?;
-    let voxels = voxels(job, &scene, progress)?;
-    progress.event(&Event::Stage {
-        name: "simulating the patterns".to_owned(),
-    });
-    let judged = judge(
-        &scene,
-        &voxels,
-        &patterns.shown,
-        patterns.raw.as_deref(),
-        progress,
-        cancel,
-    )?;
-    progress.event(&Event::Stage {
-        name: "writing".to_owned(),
-    });
-    write::all(
-        job, &scene, &voxels, &patterns, &judged, None, &folder, progress,
-    )?;
-    let summary = summary(&scene, folder.path(), &judged, None, begin);
+    let folder = open(job, &scene, clock.progress)?;
+    clock.stage("sampling the target");
+    let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
+    clock.stage("evaluating the patterns");
+    let judged = judge(&scene, &voxels, &patterns.shown, patterns.raw.as_deref(), clock.progress, cancel)?;
+    let done = Done { job, scene, voxels, patterns, judged, optimised: None, warnings };
+    finish(done, folder, clock)
+}
+
+/// Writes everything, and makes it visible at once.
+fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
+    clock.stage("writing");
+    let timings = clock.timings();
+    write::all(&done, &folder, timings, clock.progress)?;
+    let summary = summary(&done, folder.path(), clock.begin);
     folder.publish()?;
     Ok(summary)
+}
+
+/// Tells the stages, and keeps how long they took.
+struct Clock<'p> {
+    begin: Instant,
+    stages: Vec<(&'static str, Instant)>,
+    progress: &'p mut dyn Progress,
+}
+
+impl<'p> Clock<'p> {
+    fn new(progress: &'p mut dyn Progress) -> Self {
+        Clock { begin: Instant::now(), stages: Vec::new(), progress }
+    }
+
+    fn stage(&mut self, name: &'static str) {
+        self.stages.push((name, Instant::now()));
+        self.progress.event(&Event::Stage { name: name.to_owned() });
+    }
+
+    /// The stages that are over.
+    fn timings(&self) -> Vec<Timing> {
+        let ends = self.stages.iter().skip(1).map(|(_, begin)| *begin);
+        let pairs = self.stages.iter().zip(ends);
+        pairs
+            .map(|((name, begin), end)| Timing { name: (*name).to_owned(), seconds: (end - *begin).as_secs_f64() })
+            .collect()
+    }
 }
 
 /// Validates a job and says what it will cost, without running it.
@@ -190,18 +167,16 @@ fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFold
     RunFolder::open(&job.folder(), &job.resolved().to_toml()?)
 }
 
-fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<Voxels> {
-    progress.event(&Event::Stage {
-        name: "sampling the target".to_owned(),
-    });
+/// The voxels, and everything that people should be warned of.
+fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxels, Vec<String>)> {
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
-    let warnings = scene
-        .optics
-        .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey);
-    for text in warnings.map_err(|e| job.locate(e))? {
+    let (inside, labels) = (&voxels.target.inside, &voxels.labels);
+    let found = scene.optics.warnings(inside, labels, voxels.target.grey).map_err(|e| job.locate(e))?;
+    for text in found.iter().cloned() {
         progress.event(&Event::Warning { text });
     }
-    Ok(voxels)
+    let warnings = scene.warnings.iter().chain(&scene.notes).cloned().chain(found).collect();
+    Ok((voxels, warnings))
 }
 
 /// Patterns of a file, one set per light of the job.
@@ -252,23 +227,16 @@ fn read(scene: &Scene, path: &Path) -> Result<Written> {
     })
 }
 
-fn summary(
-    scene: &Scene,
-    folder: &Path,
-    judged: &Judged,
-    optimised: Option<&Optimised>,
-    begin: Instant,
-) -> Summary {
+fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
+    let optimised = done.optimised.as_ref();
     Summary {
         folder: folder.to_owned(),
-        iterations: optimised
-            .and_then(|o| o.outcome.history.last())
-            .map(|row| row.iteration),
+        iterations: optimised.and_then(|o| o.outcome.history.last()).map(|row| row.iteration),
         stopped: optimised.map(|o| o.outcome.reason),
-        evaluation: quality(&judged.evaluation),
-        standing: quality(&judged.standing),
-        optimisation: judged.optimisation.as_ref().map(quality),
-        required_iou: scene.spec.evaluate.require_iou,
+        evaluation: quality(&done.judged.evaluation),
+        standing: quality(&done.judged.standing),
+        optimisation: done.judged.optimisation.as_ref().map(quality),
+        required_iou: done.scene.spec.evaluate.require_iou,
         seconds: begin.elapsed().as_secs_f64(),
     }
 }

@@ -125,3 +125,18 @@ pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
 
 /// Every optimiser.
 pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[lbfgs::KIND, gradient::KIND];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+    use crate::kind::tests_of_rows::example;
+
+    #[test]
+    fn every_row_passes_the_check() {
+        for row in OPTIMIZERS {
+            check::optimizer(&|| (row.build)(&example(row)))
+                .unwrap_or_else(|e| panic!("{}: {e}", row.name));
+        }
+    }
+}
