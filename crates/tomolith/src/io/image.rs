@@ -275,4 +275,36 @@ mod tests {
         );
         assert!(parse_grey(b"II*\0\x08\0\0\0", "tif", Path::new("a.tif")).is_err());
     }
+
+    #[test]
+    fn mutated_bytes_end_in_an_image_or_an_error() {
+        use crate::io::fuzz::{self, Random, mutate};
+        let mut tiff = Cursor::new(Vec::new());
+        tiff::encoder::TiffEncoder::new(&mut tiff)
+            .unwrap()
+            .write_image::<tiff::encoder::colortype::Gray16>(3, 2, &[1, 2, 3, 4, 5, 6])
+            .unwrap();
+        let png = png_of(
+            png::ColorType::Grayscale,
+            png::BitDepth::Eight,
+            3,
+            &[0, 51, 255],
+        );
+        let start = std::time::Instant::now();
+        let (mut round, mut read) = (0, 0);
+        while start.elapsed() < fuzz::time() / 2 {
+            let mut random = Random(round);
+            let (extension, whole) = [("png", &png), ("tif", tiff.get_ref())][random.below(2)];
+            let mut bytes = whole.clone();
+            mutate(&mut bytes, &mut random);
+            let result =
+                std::panic::catch_unwind(|| parse_grey(&bytes, extension, Path::new("image")));
+            match result {
+                Ok(image) => read += u64::from(image.is_ok()),
+                Err(_) => panic!("{extension}, round {round}: the reader panicked"),
+            }
+            round += 1;
+        }
+        assert!(read > 0 && read < round, "{read} of {round} could be read");
+    }
 }

@@ -356,6 +356,7 @@ pub(crate) mod samples {
 mod tests {
     use super::samples::cuboid;
     use super::*;
+    use crate::io::fuzz::{self, Random, mutate};
     use std::fmt::Write as _;
     use std::io::Write as _;
     use std::time::{Duration, Instant};
@@ -527,6 +528,21 @@ mod tests {
     }
 
     #[test]
+    fn stl_oddities_of_other_programs_are_read() {
+        let text = String::from_utf8(stl_text(&part())).unwrap();
+        let capitals = text
+            .to_ascii_uppercase()
+            .replace("NORMAL 0 0 0", "NORMAL NAN NAN NAN");
+        assert_eq!(
+            parse(capitals.as_bytes(), "stl").unwrap(),
+            parse(text.as_bytes(), "stl").unwrap()
+        );
+        // Bytes after the last triangle
+        let longer = [stl_binary(&part()), vec![0; 7]].concat();
+        assert_eq!(parse(&longer, "stl").unwrap().triangles.len(), 12);
+    }
+
+    #[test]
     fn ply_polygons_are_cut_into_fans() {
         let text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double z\n\
             element face 5\nproperty list uchar uint vertex_index\nend_header\n\
@@ -637,78 +653,13 @@ mod tests {
         assert!(write_stl_binary(folder.path().join("none/part.stl"), &mesh).is_err());
     }
 
-    /// Counter-based random numbers (SplitMix64).
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> u64 {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            z ^ (z >> 31)
-        }
-
-        fn below(&mut self, n: usize) -> usize {
-            (self.next() % n.max(1) as u64) as usize
-        }
-    }
-
-    /// A few changes: bytes, cuts, repetitions, and numbers that break careless readers.
-    fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
-        const WORDS: [&[u8]; 12] = [
-            b"\xff\xff\xff\xff",
-            b"\0\0\0\0",
-            b"\xff\xff\xff\x7f",
-            b"-1",
-            b"99999999999999999999",
-            b"nan",
-            b"1e999",
-            b"0",
-            b"\n",
-            b"<",
-            b"/",
-            b"-9223372036854775808",
-        ];
-        for _ in 0..1 + random.below(4) {
-            let at = random.below(bytes.len() + 1);
-            match random.below(6) {
-                0 if at < bytes.len() => bytes[at] = random.next() as u8,
-                1 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
-                2 => bytes.truncate(at),
-                3 => {
-                    let end = (at + random.below(64)).min(bytes.len());
-                    let piece = bytes[at..end].to_vec();
-                    let to = random.below(bytes.len() + 1);
-                    bytes.splice(to..to, piece);
-                }
-                4 => {
-                    let end = (at + random.below(16)).min(bytes.len());
-                    bytes.drain(at..end);
-                }
-                _ => {
-                    let word = WORDS[random.below(WORDS.len())];
-                    let end = if random.below(2) == 0 {
-                        at
-                    } else {
-                        (at + word.len()).min(bytes.len())
-                    };
-                    bytes.splice(at..end, word.iter().copied());
-                }
-            }
-        }
-    }
-
     #[test]
     fn mutated_bytes_end_in_a_mesh_or_an_error() {
-        let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS")
-            .ok()
-            .and_then(|s| s.parse().ok())
-            .unwrap_or(2);
         let samples = samples();
         let text = plain_model();
         let start = Instant::now();
         let (mut round, mut read) = (0u64, 0u64);
-        while start.elapsed() < Duration::from_secs(seconds) {
+        while start.elapsed() < fuzz::time() {
             let mut random = Random(round);
             let which = random.below(samples.len() + 1);
             let (kind, extension, bytes) = match samples.get(which) {

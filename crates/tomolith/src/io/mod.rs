@@ -5,6 +5,8 @@
 
 pub mod csv;
 pub mod frames;
+#[cfg(test)]
+pub(crate) mod fuzz;
 pub mod image;
 pub mod mesh;
 pub mod mp4;

@@ -270,7 +270,7 @@ fn agree(mesh: &mut Mesh, edges: &Edges) -> usize {
                 let other = other as usize;
                 if turned[other].is_none() {
                     // Together when they agree already, apart when not
-                    turned[other] = turned[t].map(|t| t != !agree);
+                    turned[other] = turned[t].map(|t| t == agree);
                     patch.push(other);
                 }
             }

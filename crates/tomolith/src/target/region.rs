@@ -56,7 +56,8 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
                 ((e + 2.0 * margin) / pitch_mm - 1e-9).ceil()
             };
             let [x, y, z] = extent.map(count);
-            if !(x.max(y).max(z) <= MOST_VOXELS) {
+            let fits = [x, y, z].iter().all(|n| *n <= MOST_VOXELS);
+            if !fits {
                 return Err(Error::config(
                     "pitch_mm",
                     format!("{pitch_mm} mm makes a grid of {x} × {y} × {z} voxels"),

@@ -18,7 +18,8 @@ pub struct MeshShape {
 }
 
 impl MeshShape {
-    /// Places and examines a mesh; `path` names it in errors, `section` the job's table.
+    /// Places and examines a mesh; `path` names it in errors, `section` the job's table. Its triangles must share vertices
+    /// where they meet, as those of files do ([`Mesh::welded`]).
     ///
     /// # Errors
     /// [`Error::Config`](crate::Error::Config) for a bad placement, [`Error::Mesh`](crate::Error::Mesh) when the mesh

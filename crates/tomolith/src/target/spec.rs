@@ -1,4 +1,7 @@
 //! The table `[target]` of a job → a shape → voxels.
+//!
+//! [`build`] is the only place where the table becomes a shape. Several bodies with roles, `[[target.body]]`, will be a
+//! further field here, each body with the keys of today's table.
 
 use super::phantom::Phantom;
 use super::placing::Placement;

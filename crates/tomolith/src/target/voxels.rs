@@ -22,8 +22,9 @@ use rayon::prelude::*;
 /// Slices that share one search for their triangles.
 const SLICES: usize = 8;
 
-/// How far the sum of a voxel may leave [0, 1] before its row counts as overlapped.
-const TOLERANCE: f64 = 1e-6;
+/// How far the sum of a voxel may leave [0, 1], or a line run through an overlap (in voxels), before the row counts as
+/// overlapped: shells that touch up to the rounding of their files do not.
+const TOLERANCE: f64 = 1e-3;
 
 /// Inside fraction of every voxel of `grid`, for a closed mesh in mm.
 ///
@@ -257,7 +258,7 @@ impl Sums {
 
     /// Sums along the rows, writes the fractions and clears.
     fn finish(&mut self, slice: &mut [f32], overlapped: &mut [bool]) {
-        for row in 0..self.ny {
+        for (row, overlapped) in overlapped.iter_mut().enumerate() {
             if !std::mem::take(&mut self.touched[row]) {
                 continue;
             }
@@ -270,7 +271,7 @@ impl Sums {
             {
                 sum += std::mem::take(difference);
                 *value = sum.clamp(0.0, 1.0) as f32;
-                overlapped[row] |= !(-TOLERANCE..=1.0 + TOLERANCE).contains(&sum);
+                *overlapped |= !(-TOLERANCE..=1.0 + TOLERANCE).contains(&sum);
             }
         }
     }

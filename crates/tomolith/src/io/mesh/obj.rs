@@ -28,7 +28,7 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     for model in &models {
         let corner = |i: u32| {
             let at = 3 * i as usize;
-            std::array::from_fn(|axis| f64::from(model.mesh.positions[at + axis]))
+            std::array::from_fn(|axis| model.mesh.positions[at + axis])
         };
         for triangle in model.mesh.indices.chunks_exact(3) {
             sink([0, 1, 2].map(|i| corner(triangle[i])))?;

@@ -10,7 +10,12 @@ const TRIANGLE: usize = 50;
 
 /// Reads either kind. The length decides: a binary file may begin with the word `solid` too.
 pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let is_text = bytes.trim_ascii_start().starts_with(b"solid");
+    let start = bytes.trim_ascii_start();
+    let named = start
+        .get(..5)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    // The count and the coordinates of a binary file are full of zero bytes, a text has none
+    let is_text = named && !bytes[..bytes.len().min(1024)].contains(&0);
     if binary_length(bytes) == Some(bytes.len()) || !is_text {
         parse_binary(bytes, path, sink)
     } else {
@@ -50,11 +55,12 @@ fn parse_binary(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     send(&mut Cursor::new(blank), path, sink)
 }
 
-/// ASCII files may hold several solids, one after the other; the reader takes one.
+/// ASCII files may hold several solids, one after the other, in capitals too; the reader takes one, in small letters.
+/// Normals are left out: they follow from the corners, and some programs write NaN for those of slivers.
 fn parse_text(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     let mut block = Vec::new();
     for line in bytes.split_inclusive(|&b| b == b'\n') {
-        let words = line.trim_ascii();
+        let words = &*line.trim_ascii().to_ascii_lowercase();
         if block.is_empty() {
             match words {
                 b"" => continue,
@@ -69,7 +75,12 @@ fn parse_text(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
             }
             continue;
         }
-        block.extend_from_slice(words);
+        let is_facet = words.starts_with(b"facet");
+        block.extend_from_slice(if is_facet {
+            b"facet normal 0 0 0"
+        } else {
+            words
+        });
         block.push(b'\n');
         if words.starts_with(b"endsolid") {
             send(&mut Cursor::new(std::mem::take(&mut block)), path, sink)?;
