@@ -118,14 +118,9 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         return String::new();
     }
     let high = data.evaluation.histogram.range[1];
-    let at = middle_of_part(data.labels);
     let mut out = String::new();
-    for axis in 0..3 {
-        let slice = Slice {
-            grid,
-            axis,
-            at: at[axis],
-        };
+    for (axis, at) in middle_of_part(data.labels).into_iter().enumerate() {
+        let slice = Slice { grid, axis, at };
         let pictures = [
             (
                 "Target",

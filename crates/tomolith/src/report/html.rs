@@ -48,10 +48,10 @@ pub fn report_html(data: &ReportData<'_>) -> String {
     ] {
         page.push_str(&part);
     }
-    let _ = write!(
+    let _ = writeln!(
         page,
         "</main><footer>{}{} · Numbers are predictions of a model, not measurements. \
-         Doses are relative unless the job says otherwise.</footer></body></html>\n",
+         Doses are relative unless the job says otherwise.</footer></body></html>",
         escape(data.program),
         if data.created.is_empty() {
             String::new()
