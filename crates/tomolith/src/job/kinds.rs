@@ -34,7 +34,11 @@ pub fn families() -> Vec<Family> {
         family("vial", "What stands around the resin", VIALS),
         family("objective", "What is minimised", OBJECTIVES),
         family("optimizer", "How it is minimised", OPTIMIZERS),
-        family("response", "What the material does with the dose", RESPONSES),
+        family(
+            "response",
+            "What the material does with the dose",
+            RESPONSES,
+        ),
         family("target.phantom", "Parts by formula", PHANTOMS),
     ]
 }

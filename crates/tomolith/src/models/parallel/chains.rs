@@ -11,6 +11,8 @@
 
 use super::kernel::Block;
 use super::strips::{Beam, Columns};
+#[cfg(doc)]
+use super::tiles::NARROWEST_IN_CHAIN;
 use super::tiles::{Local, TILE, TileEntries};
 use crate::field::LANES;
 
@@ -18,7 +20,7 @@ use crate::field::LANES;
 #[derive(Clone, Copy)]
 pub(super) struct Chain<'a> {
     pub(super) columns: &'a Columns,
-    /// First strip, and number of strips including two spare ones.
+    /// First strip, and number of strips.
     pub(super) first: usize,
     pub(super) count: usize,
     pub(super) upward: bool,
@@ -31,7 +33,7 @@ impl<'a> Chain<'a> {
         Chain {
             columns: &beam.columns,
             first,
-            count: end - first + 2,
+            count: end - first,
             upward: beam.strips[first].upward,
             column: beam.strips[first].column,
         }
@@ -115,7 +117,7 @@ impl Avx512 {
     }
 
     /// Adds to every voxel of a tile what the chosen chains bring, over the lanes of the block. `rows[y]` holds the
-    /// whole rows of lanes of the tile's voxels (·, y).
+    /// whole rows of lanes of the tile's voxels (·, y); `source` has [`GUARD`] rows before slot 0 and behind the last.
     ///
     /// # Panics
     /// When a tap lies outside `source`.
@@ -138,21 +140,27 @@ impl Avx512 {
     }
 }
 
-/// For each voxel of a tile: the strip of a chain that covers its lower edge, and the weights of it and the next two.
+/// Rows of lanes before the first and behind the last slot: taps of no weight may reach beyond a chain.
+pub(super) const GUARD: usize = MOST_TAPS;
+
+/// Strips that cover a voxel at most: the narrowest of a chain are [`NARROWEST_IN_CHAIN`] wide.
+const MOST_TAPS: usize = 5;
+
+/// For each voxel of a tile: the first strip of a chain that covers some of it, and the weights of it and the next.
 #[derive(Clone)]
 pub(super) struct Taps {
     /// Slot of the first strip, and what to add for the next one.
     slot: u32,
     step: i32,
-    /// Strips, the spare ones included.
+    /// Strips.
     count: u32,
-    /// Whether a third strip may cover a voxel.
-    three: bool,
+    /// Strips that cover a voxel, at most.
+    taps: usize,
     /// Position of voxel (x, y) in the arrays is `x·per_x + y·per_y`.
     per_x: usize,
     per_y: usize,
     strip: [u8; TILE * TILE],
-    weight: [[f32; TILE * TILE]; 3],
+    weight: [[f32; TILE * TILE]; MOST_TAPS],
 }
 
 impl Default for Taps {
@@ -161,11 +169,11 @@ impl Default for Taps {
             slot: 0,
             step: 0,
             count: 0,
-            three: false,
+            taps: 0,
             per_x: 1,
             per_y: TILE,
             strip: [0; TILE * TILE],
-            weight: [[0.0; TILE * TILE]; 3],
+            weight: [[0.0; TILE * TILE]; MOST_TAPS],
         }
     }
 }
@@ -174,7 +182,7 @@ impl Taps {
     /// Slots of the strips that light the tile.
     pub(super) fn slots(&self) -> impl Iterator<Item = usize> + use<> {
         let (slot, step) = (i64::from(self.slot), i64::from(self.step));
-        (0..i64::from(self.count) - 2).map(move |i| (slot + step * i) as usize)
+        (0..i64::from(self.count)).map(move |i| (slot + step * i) as usize)
     }
 }
 
@@ -182,7 +190,7 @@ impl Taps {
 mod avx512 {
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
-    use super::{Chain, LANES, Taps};
+    use super::{Chain, GUARD, LANES, MOST_TAPS, Taps};
     use std::arch::x86_64::*;
 
     /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
@@ -277,9 +285,10 @@ mod avx512 {
         out: &mut TileEntries,
     ) {
         let c = chain.columns;
-        let mut energy = [0.0f32; 32];
-        store(&mut energy, 0, first_row(chain, local, chain.first));
-        store(&mut energy, 16, first_row(chain, local, chain.first + 16));
+        let mut energy = [0.0f32; MOST_IN_CHAIN + 1];
+        for at in (0..chain.count).step_by(16) {
+            store(&mut energy, at, first_row(chain, local, chain.first + at));
+        }
         let middle = _mm512_add_ps(ramp(), _mm512_set1_ps(local.origin[0] + 0.5));
         let rows: __mmask16 = if local.rows == 16 {
             0xffff
@@ -295,7 +304,7 @@ mod avx512 {
             ),
         );
         let direction = if chain.upward { -1.0 } else { 1.0 };
-        for (i, &energy) in energy.iter().enumerate().take(chain.count - 2) {
+        for (i, &energy) in energy.iter().enumerate().take(chain.count) {
             let column = (chain.column as i32 + c.step * i as i32) as u32;
             if !keep(column) {
                 continue;
@@ -369,21 +378,26 @@ mod avx512 {
             self.slot = slot + chain.column;
             self.step = c.step;
             self.count = chain.count as u32;
+            self.taps = 0;
             (self.per_x, self.per_y) = if along_x { (TILE, 1) } else { (1, TILE) };
-            let halves = [chain.first, chain.first + 16];
-            let mut energy = halves.map(|at| first_row(chain, local, at));
-            let sign = if chain.upward { -1.0 } else { 1.0 };
-            let ratio =
-                halves.map(|at| exp16(_mm512_mul_ps(load(&c.per_row, at), _mm512_set1_ps(sign))));
-            let slope = halves.map(|at| load(&c.slope, at));
-            let offset = halves
-                .map(|at| _mm512_sub_ps(load(&c.offset, at), _mm512_set1_ps(local.origin[1])));
-            let beyond = {
-                let end = _mm512_set1_ps(chain.count as f32);
-                let number = [ramp(), _mm512_add_ps(ramp(), _mm512_set1_ps(16.0))];
-                number.map(|n| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(n, end))
-            };
-            self.three = false;
+            // Two registers hold 32 edges, four 64
+            if chain.count < 32 {
+                self.find_among::<2>(chain, local);
+            } else {
+                self.find_among::<4>(chain, local);
+            }
+        }
+
+        #[target_feature(enable = "avx512f")]
+        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local) {
+            let c = chain.columns;
+            let parts: [usize; H] = std::array::from_fn(|h| chain.first + 16 * h);
+            let sign = _mm512_set1_ps(if chain.upward { -1.0 } else { 1.0 });
+            let mut energy = parts.map(|at| first_row(chain, local, at));
+            let ratio = parts.map(|at| exp16(_mm512_mul_ps(load(&c.per_row, at), sign)));
+            let slope = parts.map(|at| load(&c.slope, at));
+            let corner = _mm512_set1_ps(local.origin[1]);
+            let offset = parts.map(|at| _mm512_sub_ps(load(&c.offset, at), corner));
             let inside: __mmask16 = if local.across == 16 {
                 0xffff
             } else {
@@ -391,13 +405,11 @@ mod avx512 {
             };
             for row in 0..local.rows {
                 let middle = _mm512_set1_ps(local.origin[0] + row as f32 + 0.5);
-                let far = _mm512_set1_ps(1e9);
-                let edge: [__m512; 2] = std::array::from_fn(|h| {
-                    _mm512_mask_mov_ps(_mm512_fmadd_ps(slope[h], middle, offset[h]), beyond[h], far)
-                });
-                let next = [shift(edge[0], edge[1]), shift(edge[1], far)];
-                let density: [__m512; 2] = std::array::from_fn(|h| {
-                    _mm512_div_ps(energy[h], _mm512_sub_ps(next[h], edge[h]))
+                let edge: [__m512; H] =
+                    std::array::from_fn(|h| _mm512_fmadd_ps(slope[h], middle, offset[h]));
+                let density: [__m512; H] = std::array::from_fn(|h| {
+                    let next = shift(edge[h], edge[(h + 1).min(H - 1)]);
+                    _mm512_div_ps(energy[h], _mm512_sub_ps(next, edge[h]))
                 });
                 self.find_row(row, edge, density, chain.count, inside);
                 energy = std::array::from_fn(|h| _mm512_mul_ps(energy[h], ratio[h]));
@@ -405,34 +417,31 @@ mod avx512 {
         }
 
         #[target_feature(enable = "avx512f")]
-        fn find_row(
+        fn find_row<const H: usize>(
             &mut self,
             row: usize,
-            edge: [__m512; 2],
-            density: [__m512; 2],
+            edge: [__m512; H],
+            density: [__m512; H],
             count: usize,
             inside: __mmask16,
         ) {
-            let one = _mm512_set1_epi32(1);
-            let look =
-                |table: [__m512; 2], i: __m512i| _mm512_permutex2var_ps(table[0], i, table[1]);
+            let int = |i: usize| _mm512_set1_epi32(i as i32);
+            let one = int(1);
+            let last = int(count - 1);
             let low = ramp();
             let high = _mm512_add_ps(low, _mm512_set1_ps(1.0));
             // Edges are nearly evenly spaced: guess the strip, then step up or down until it fits
-            let (begin, end) = (
-                look(edge, _mm512_setzero_si512()),
-                look(edge, _mm512_set1_epi32(count as i32)),
-            );
+            let (begin, end) = (look(edge, int(0)), look(edge, int(count)));
             let per_voxel = _mm512_div_ps(_mm512_set1_ps(count as f32), _mm512_sub_ps(end, begin));
-            let mut strip =
-                _mm512_cvttps_epi32(_mm512_mul_ps(_mm512_sub_ps(low, begin), per_voxel));
+            let guess = _mm512_cvttps_epi32(_mm512_mul_ps(_mm512_sub_ps(low, begin), per_voxel));
+            let mut strip = _mm512_max_epi32(_mm512_min_epi32(guess, last), int(0));
             for _ in 0..MOST_IN_CHAIN {
-                let above = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(
-                    inside,
-                    look(edge, _mm512_add_epi32(strip, one)),
-                    low,
-                );
-                let below = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(inside, look(edge, strip), low);
+                let not_last = _mm512_mask_cmplt_epi32_mask(inside, strip, last);
+                let not_first = _mm512_mask_cmpgt_epi32_mask(inside, strip, int(0));
+                let upper = look(edge, _mm512_add_epi32(strip, one));
+                let above = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(not_last, upper, low);
+                let below =
+                    _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(not_first, look(edge, strip), low);
                 if above | below == 0 {
                     break;
                 }
@@ -440,18 +449,25 @@ mod avx512 {
                 strip = _mm512_mask_sub_epi32(strip, below, strip, one);
             }
             let at = row * TILE;
-            let mut from = low;
+            let mut from = _mm512_max_ps(low, look(edge, strip));
             let mut current = strip;
-            for tap in 0..3 {
+            for tap in 0..MOST_TAPS {
+                let exists = _mm512_mask_cmple_epi32_mask(inside, current, last);
                 let following = _mm512_add_epi32(current, one);
                 let upper = look(edge, following);
                 let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
-                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(inside, cover, _mm512_setzero_ps());
+                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(exists, cover, _mm512_setzero_ps());
+                if lit != 0 && tap >= self.taps {
+                    // Rows before this one had no such tap
+                    for weights in &mut self.weight[self.taps..=tap] {
+                        weights[..at].fill(0.0);
+                    }
+                    self.taps = tap + 1;
+                } else if lit == 0 && tap >= self.taps {
+                    break;
+                }
                 let weight = _mm512_maskz_mul_ps(lit, cover, look(density, current));
                 store(&mut self.weight[tap], at, weight);
-                if tap == 2 {
-                    self.three |= lit != 0;
-                }
                 from = upper;
                 current = following;
             }
@@ -460,6 +476,18 @@ mod avx512 {
             // SAFETY: sixteen bytes.
             unsafe { _mm_storeu_si128(to.as_mut_ptr().cast(), narrow) };
         }
+    }
+
+    /// Entries `i` (below 16·H) of a table in registers.
+    #[target_feature(enable = "avx512f")]
+    fn look<const H: usize>(table: [__m512; H], i: __m512i) -> __m512 {
+        let low = _mm512_permutex2var_ps(table[0], i, table[1]);
+        if H == 2 {
+            return low;
+        }
+        let high = _mm512_permutex2var_ps(table[H - 2], i, table[H - 1]);
+        let upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
+        _mm512_mask_mov_ps(low, upper, high)
     }
 
     /// Values one place further up, `last`'s lowest coming in at the top.
@@ -483,9 +511,11 @@ mod avx512 {
         let available = source.len() / stride;
         assert!(block.first + block.count <= block.row);
         for taps in chains {
-            let last = i64::from(taps.slot) + i64::from(taps.step) * (i64::from(taps.count) - 1);
+            let first = (taps.slot as usize + GUARD) as i64;
+            let last = first + i64::from(taps.step) * (i64::from(taps.count) - 1);
+            let (low, high) = (first.min(last), first.max(last));
             assert!(
-                (taps.slot as usize) < available && (0..available as i64).contains(&last),
+                low >= GUARD as i64 && high as usize + GUARD < available,
                 "tap outside the source"
             );
         }
@@ -527,9 +557,10 @@ mod avx512 {
                 let at = x * taps.per_x + y * taps.per_y;
                 let strip = *taps.strip.get_unchecked(at) as isize;
                 let hop = taps.step as isize * stride as isize;
-                let mut from = base.add(taps.slot as usize * stride).offset(strip * hop);
-                let count = if taps.three { 3 } else { 2 };
-                for weight in &taps.weight[..count] {
+                let mut from = base
+                    .add((taps.slot as usize + GUARD) * stride)
+                    .offset(strip * hop);
+                for weight in taps.weight.get_unchecked(..taps.taps) {
                     let weight = _mm512_set1_ps(*weight.get_unchecked(at));
                     for (v, sum) in sums.iter_mut().enumerate() {
                         *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);

@@ -1,6 +1,6 @@
 //! The dose of a tile: what a group of frames brings to its voxels, gathered voxel by voxel.
 
-use super::chains::{Avx512, Chain, Taps};
+use super::chains::{Avx512, Chain, GUARD, Taps};
 use super::kernel::{Block, Entries, accumulate};
 use super::plan::{KernelPath, LightPlan};
 use super::strips::Major;
@@ -67,7 +67,7 @@ impl Gatherer {
         );
     }
 
-    /// Adds one block of lanes to the voxels of a tile.
+    /// Adds one block of lanes to the voxels of a tile; `source` has [`GUARD`] rows before slot 0.
     pub(super) fn add_block(
         &mut self,
         path: KernelPath,
@@ -85,7 +85,13 @@ impl Gatherer {
                 wide.gather_tile(rows, source, &lit, block);
             }
         }
-        self.loose.add_block(path, plan, block, source, rows);
+        self.loose.add_block(
+            path,
+            plan,
+            block,
+            &source[GUARD * block.row * LANES..],
+            rows,
+        );
     }
 }
 

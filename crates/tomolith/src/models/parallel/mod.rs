@@ -70,6 +70,7 @@ use crate::models::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZC
 use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
 use crate::optics::vial::Vial;
+use chains::GUARD;
 use gather::Gatherer;
 use kernel::{Block, Isa, MAX_BLOCK};
 use plan::{KernelPath, LightPlan};
@@ -258,12 +259,12 @@ impl Parallel {
     ) -> Result<()> {
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
-        let mut lanes = self.borrow_scratch(plan.lit.len() * row);
+        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
             frames.clone(),
             x,
-            lanes.as_mut_slice(),
+            &mut lanes.as_mut_slice()[GUARD * row..],
             row,
         );
         let [_, _, nx] = self.outputs[0].grid.shape;
@@ -301,14 +302,14 @@ impl Parallel {
     ) -> Result<()> {
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
-        let mut lanes = self.borrow_scratch(plan.lit.len() * row);
+        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         let frames = plan.of_frame.len();
         // Few long chunks read the dose less often; the result does not depend on their length
         let chunk = frames.div_ceil(4 * rayon::current_num_threads()).max(1);
         let blocks = self.blocks();
         let nx = self.outputs[0].grid.shape[2];
-        lanes
-            .as_mut_slice()
+        let used = GUARD * row..(plan.lit.len() + GUARD) * row;
+        lanes.as_mut_slice()[used.clone()]
             .par_chunks_mut(chunk * plan.columns * row)
             .enumerate()
             .for_each_init(TileEntries::default, |entries, (i, lanes)| {
@@ -332,7 +333,7 @@ impl Parallel {
                     }
                 }
             });
-        plan.collect(&self.patterns[light], lanes.as_slice(), grad, row);
+        plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
         self.return_scratch(lanes);
         if run.is_cancelled() {
             Err(Error::Cancelled)

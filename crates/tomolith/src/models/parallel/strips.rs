@@ -92,7 +92,7 @@ pub(super) struct Columns {
 }
 
 /// Entries behind the last strip in [`Columns`].
-pub(super) const PADDING: usize = 33;
+pub(super) const PADDING: usize = 65;
 
 /// Strips of every frame of one light; each frame is the mean of `sub_angles` positions within its arc.
 pub(super) fn beams(
@@ -280,11 +280,14 @@ impl Beam {
 
     /// Whether strips `first..end` are neighbours of one column each, that share edges and travel the same way.
     pub(super) fn is_chain(&self, first: usize, end: usize) -> bool {
-        self.strips[first..end].windows(2).all(|pair| {
-            pair[0].edges[1] == pair[1].edges[0]
-                && pair[0].upward == pair[1].upward
-                && pair[1].column as i32 - pair[0].column as i32 == self.columns.step
-        })
+        let [offset, slope] = self.strips[end - 1].edges[1];
+        let closed = self.columns.offset[end] == offset && self.columns.slope[end] == slope;
+        closed
+            && self.strips[first..end].windows(2).all(|pair| {
+                pair[0].edges[1] == pair[1].edges[0]
+                    && pair[0].upward == pair[1].upward
+                    && pair[1].column as i32 - pair[0].column as i32 == self.columns.step
+            })
     }
 }
 

@@ -166,7 +166,7 @@ pub(super) struct Meeting {
     /// Strips that may light the tile, half-open.
     pub(super) first: u16,
     pub(super) end: u16,
-    /// Whether they form a chain that covers the tile, with two spare strips behind it and no resin wall in the tile.
+    /// Whether they form a chain, with no resin wall within the tile.
     pub(super) chain: bool,
 }
 
@@ -180,13 +180,9 @@ pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
         return Meeting::default();
     };
     let end = last + 1;
-    // A chain begins one strip early, so that rounding at the tile's edge never leaves it uncovered
-    let early = first.saturating_sub(1);
-    let chain = end - early + 2 <= MOST_IN_CHAIN
-        && end + 2 <= beam.strips.len()
-        && beam.is_chain(early, end + 2)
-        && local.is_covered_by(&beam.strips[early..end + 2]);
-    let first = if chain { early } else { first };
+    let chain = end - first <= MOST_IN_CHAIN
+        && beam.is_chain(first, end)
+        && local.is_plain(&beam.strips[first..end]);
     Meeting {
         first: first as u16,
         end: end as u16,
@@ -194,30 +190,24 @@ pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
     }
 }
 
-/// Strips of a chain at most, the two spare ones included.
-pub(super) const MOST_IN_CHAIN: usize = 31;
-/// Narrowest strip of a chain, in voxels: then at most three strips cover a voxel.
-const NARROWEST_IN_CHAIN: f32 = 0.5;
-
-/// A chain reaches this far beyond a tile, in voxels: more than rounding can move an edge.
-const MARGIN: f32 = 1e-2;
+/// Strips of a chain at most: their edges fill four registers of sixteen.
+pub(super) const MOST_IN_CHAIN: usize = 63;
+/// Narrowest strip of a chain, in voxels: then at most five cover a voxel.
+pub(super) const NARROWEST_IN_CHAIN: f32 = 0.25;
 
 impl Local {
-    /// Whether these strips, in growing order, leave no part of the tile dark and have no resin wall within it.
-    fn is_covered_by(&self, strips: &[Strip]) -> bool {
+    /// Whether these strips, in growing order, stay wide enough and meet no resin wall within the tile.
+    fn is_plain(&self, strips: &[Strip]) -> bool {
         let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
-        let (low, high) = (self.origin[1], self.origin[1] + self.across as f32);
-        let spans = strips
-            .iter()
-            .all(|s| s.span[0] <= first && s.span[1] >= last);
-        [first, last].into_iter().all(|t| {
-            let at = |edge: [f32; 2]| edge[0] + edge[1] * t;
-            let wide = strips
-                .iter()
-                .all(|s| at(s.edges[1]) - at(s.edges[0]) >= NARROWEST_IN_CHAIN);
-            let ends = [strips[0].edges[0], strips[strips.len() - 1].edges[1]].map(at);
-            wide && ends[0] <= low - MARGIN && ends[1] >= high + MARGIN
-        }) && spans
+        strips.iter().all(|strip| {
+            let width = |t: f32| {
+                let [low, high] = strip.edges.map(|[offset, slope]| offset + slope * t);
+                high - low
+            };
+            strip.span[0] <= first
+                && strip.span[1] >= last
+                && width(first).min(width(last)) >= NARROWEST_IN_CHAIN
+        })
     }
 }
 
