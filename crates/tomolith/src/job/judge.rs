@@ -61,14 +61,33 @@ pub(crate) fn judge(
     );
     progress.event(&Event::Note { text });
     let fine = scene.voxels(&grid)?;
-    let response = scene.responses(dose(scene, scene.optics.lights_turning(1), &grid, shown, cancel)?)?;
+    let response = scene.responses(dose(
+        scene,
+        scene.optics.lights_turning(1),
+        &grid,
+        shown,
+        cancel,
+    )?)?;
     let standing = measure(scene, &fine, &response, shown)?;
     drop(response);
-    let turning = dose(scene, scene.optics.lights_turning(sub_angles), &grid, shown, cancel)?;
+    let turning = dose(
+        scene,
+        scene.optics.lights_turning(sub_angles),
+        &grid,
+        shown,
+        cancel,
+    )?;
     let mean = averaged(&turning, &scene.grid);
     let response = scene.responses(turning)?;
     let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
-    Ok(Judged { evaluation, standing, optimisation, dose: mean, fine, response })
+    Ok(Judged {
+        evaluation,
+        standing,
+        optimisation,
+        dose: mean,
+        fine,
+        response,
+    })
 }
 
 /// Dose of patterns on a grid.
@@ -119,7 +138,12 @@ fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
 }
 
 /// The numbers of a print.
-fn measure(scene: &Scene, voxels: &Voxels, response: &Volume<f32>, patterns: &[Patterns]) -> Result<Evaluation> {
+fn measure(
+    scene: &Scene,
+    voxels: &Voxels,
+    response: &Volume<f32>,
+    patterns: &[Patterns],
+) -> Result<Evaluation> {
     let mut print = Print::new(&voxels.labels, response)?
         .with_inside(&voxels.target.inside)?
         .with_patterns(PatternStats::of(patterns));

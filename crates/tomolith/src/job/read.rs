@@ -111,7 +111,10 @@ impl Job {
     #[must_use]
     pub fn toy(mut self) -> Self {
         let spec = &mut self.spec;
-        spec.grid.pitch_mm.iter_mut().for_each(|pitch| pitch.0 *= TOY);
+        spec.grid
+            .pitch_mm
+            .iter_mut()
+            .for_each(|pitch| pitch.0 *= TOY);
         for count in spec.grid.shape.iter_mut().flatten() {
             *count = count.div_ceil(TOY as usize).max(TOY_EDGE);
         }

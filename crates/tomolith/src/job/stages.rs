@@ -37,12 +37,27 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     clock.stage("sampling the target");
     let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
     clock.stage("optimising");
-    let optimised =
-        optimise(&scene, &voxels, &folder, resume, clock.progress, cancel).map_err(|e| job.locate(e))?;
+    let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
+        .map_err(|e| job.locate(e))?;
     clock.stage("evaluating the written patterns");
     let patterns = Written::quantised(optimised.raw.clone(), scene.spec.evaluate.bit_depth)?;
-    let judged = judge(&scene, &voxels, &patterns.shown, patterns.raw.as_deref(), clock.progress, cancel)?;
-    let done = Done { job, scene, voxels, patterns, judged, optimised: Some(optimised), warnings };
+    let judged = judge(
+        &scene,
+        &voxels,
+        &patterns.shown,
+        patterns.raw.as_deref(),
+        clock.progress,
+        cancel,
+    )?;
+    let done = Done {
+        job,
+        scene,
+        voxels,
+        patterns,
+        judged,
+        optimised: Some(optimised),
+        warnings,
+    };
     finish(done, folder, clock)
 }
 
@@ -50,7 +65,12 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
 ///
 /// # Errors
 /// As [`run`]; [`Error::Shape`] and [`Error::Format`] for patterns that do not fit the job's lights.
-pub fn simulate(job: &Job, patterns: &Path, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
+pub fn simulate(
+    job: &Job,
+    patterns: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
     let mut clock = Clock::new(progress);
     clock.stage("reading the job and the patterns");
     let scene = Scene::new(job)?;
@@ -59,8 +79,23 @@ pub fn simulate(job: &Job, patterns: &Path, progress: &mut dyn Progress, cancel:
     clock.stage("sampling the target");
     let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
     clock.stage("evaluating the patterns");
-    let judged = judge(&scene, &voxels, &patterns.shown, patterns.raw.as_deref(), clock.progress, cancel)?;
-    let done = Done { job, scene, voxels, patterns, judged, optimised: None, warnings };
+    let judged = judge(
+        &scene,
+        &voxels,
+        &patterns.shown,
+        patterns.raw.as_deref(),
+        clock.progress,
+        cancel,
+    )?;
+    let done = Done {
+        job,
+        scene,
+        voxels,
+        patterns,
+        judged,
+        optimised: None,
+        warnings,
+    };
     finish(done, folder, clock)
 }
 
@@ -83,12 +118,18 @@ struct Clock<'p> {
 
 impl<'p> Clock<'p> {
     fn new(progress: &'p mut dyn Progress) -> Self {
-        Clock { begin: Instant::now(), stages: Vec::new(), progress }
+        Clock {
+            begin: Instant::now(),
+            stages: Vec::new(),
+            progress,
+        }
     }
 
     fn stage(&mut self, name: &'static str) {
         self.stages.push((name, Instant::now()));
-        self.progress.event(&Event::Stage { name: name.to_owned() });
+        self.progress.event(&Event::Stage {
+            name: name.to_owned(),
+        });
     }
 
     /// The stages that are over.
@@ -96,7 +137,10 @@ impl<'p> Clock<'p> {
         let ends = self.stages.iter().skip(1).map(|(_, begin)| *begin);
         let pairs = self.stages.iter().zip(ends);
         pairs
-            .map(|((name, begin), end)| Timing { name: (*name).to_owned(), seconds: (end - *begin).as_secs_f64() })
+            .map(|((name, begin), end)| Timing {
+                name: (*name).to_owned(),
+                seconds: (end - *begin).as_secs_f64(),
+            })
             .collect()
     }
 }
@@ -147,7 +191,8 @@ fn seconds(scene: &Scene, extent: &Extent, updates_per_s: f64, lit: f64) -> f64 
     let fine = extent.refine.pow(3) as f64 * (1 + evaluate.sub_angles) as f64;
     let calls = CALLS_PER_ITERATION * scene.spec.stop.iterations as f64 + fine + 1.0;
     let limit = scene.spec.stop.wall_s.unwrap_or(f64::INFINITY);
-    (calls * call / updates_per_s).min(limit + fine * call / updates_per_s) * (1.0 + OVERHEAD)
+    let model = (calls * call / updates_per_s).min(limit + fine * call / updates_per_s);
+    model * (1.0 + OVERHEAD) + extent.measure_s()
 }
 
 /// Takes the run folder, and tells what is known so far.
@@ -171,11 +216,20 @@ fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFold
 fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxels, Vec<String>)> {
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
     let (inside, labels) = (&voxels.target.inside, &voxels.labels);
-    let found = scene.optics.warnings(inside, labels, voxels.target.grey).map_err(|e| job.locate(e))?;
+    let found = scene
+        .optics
+        .warnings(inside, labels, voxels.target.grey)
+        .map_err(|e| job.locate(e))?;
     for text in found.iter().cloned() {
         progress.event(&Event::Warning { text });
     }
-    let warnings = scene.warnings.iter().chain(&scene.notes).cloned().chain(found).collect();
+    let warnings = scene
+        .warnings
+        .iter()
+        .chain(&scene.notes)
+        .cloned()
+        .chain(found)
+        .collect();
     Ok((voxels, warnings))
 }
 
@@ -231,7 +285,9 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
     let optimised = done.optimised.as_ref();
     Summary {
         folder: folder.to_owned(),
-        iterations: optimised.and_then(|o| o.outcome.history.last()).map(|row| row.iteration),
+        iterations: optimised
+            .and_then(|o| o.outcome.history.last())
+            .map(|row| row.iteration),
         stopped: optimised.map(|o| o.outcome.reason),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),

@@ -6,8 +6,8 @@ use super::optimise::Optimised;
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use crate::error::Result;
 use super::spec::JobSpec;
+use crate::error::Result;
 use crate::exposure::{Quantised, frame_rate, movie_name, quantise};
 use crate::grid::Patterns;
 use crate::io::csv::{HistoryRow, write_history};
@@ -36,9 +36,16 @@ impl Written {
     /// # Errors
     /// As [`quantise`].
     pub(crate) fn quantised(raw: Vec<Patterns>, bits: u32) -> Result<Self> {
-        let quantised = raw.iter().map(|raw| quantise(raw, bits)).collect::<Result<Vec<_>>>()?;
+        let quantised = raw
+            .iter()
+            .map(|raw| quantise(raw, bits))
+            .collect::<Result<Vec<_>>>()?;
         let shown = quantised.iter().map(Quantised::patterns).collect();
-        Ok(Written { quantised, shown, raw: Some(raw) })
+        Ok(Written {
+            quantised,
+            shown,
+            raw: Some(raw),
+        })
     }
 }
 
@@ -64,7 +71,13 @@ pub(crate) fn all(
     timings: Vec<Timing>,
     progress: &mut dyn Progress,
 ) -> Result<()> {
-    let Done { scene, voxels, patterns, judged, .. } = done;
+    let Done {
+        scene,
+        voxels,
+        patterns,
+        judged,
+        ..
+    } = done;
     let new = folder.new_files();
     let pairs: Vec<PatternPair<'_>> = patterns
         .shown
@@ -77,16 +90,24 @@ pub(crate) fn all(
         })
         .collect();
     write_patterns(&new.join("patterns.npz"), &pairs)?;
-    let sets: Vec<FrameSet<'_>> =
-        patterns.quantised.iter().enumerate().map(|(i, levels)| levels.frames(scene.light_name(i))).collect();
+    let sets: Vec<FrameSet<'_>> = patterns
+        .quantised
+        .iter()
+        .enumerate()
+        .map(|(i, levels)| levels.frames(scene.light_name(i)))
+        .collect();
     write_frames(&new.join("frames"), &sets)?;
     let movies = movies(scene, &sets, &new, progress)?;
     write_volume(&new.join("dose.npy"), &judged.dose)?;
-    write_vti(&new.join("dose.vti"), &scene.grid, &[
-        ("dose", VtiValues::F32(&judged.dose.values)),
-        ("target", VtiValues::F32(&voxels.target.inside.values)),
-        ("label", VtiValues::U8(&voxels.labels.values)),
-    ])?;
+    write_vti(
+        &new.join("dose.vti"),
+        &scene.grid,
+        &[
+            ("dose", VtiValues::F32(&judged.dose.values)),
+            ("target", VtiValues::F32(&voxels.target.inside.values)),
+            ("label", VtiValues::U8(&voxels.labels.values)),
+        ],
+    )?;
     print(scene, voxels, judged, &new.join("print.stl"))?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
@@ -103,7 +124,14 @@ fn report(
     movies: Vec<MovieReport>,
     timings: Vec<Timing>,
 ) -> Result<()> {
-    let Done { job, scene, patterns, judged, optimised, .. } = done;
+    let Done {
+        job,
+        scene,
+        patterns,
+        judged,
+        optimised,
+        ..
+    } = done;
     let resolved = job.resolved();
     let lights = patterns
         .shown
@@ -152,8 +180,17 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> 
     let [nz, ny, nx] = scene.grid.shape;
     let mut facts = vec![
         ("Vial", kind(&spec.vial.kind)),
-        ("Resin", format!("n {}, μ {} per mm", spec.resin.refractive_index, spec.resin.absorption_per_mm)),
-        ("Grid", format!("{nx} × {ny} × {nz} voxels of {:.4} mm", scene.grid.pitch_mm)),
+        (
+            "Resin",
+            format!(
+                "n {}, μ {} per mm",
+                spec.resin.refractive_index, spec.resin.absorption_per_mm
+            ),
+        ),
+        (
+            "Grid",
+            format!("{nx} × {ny} × {nz} voxels of {:.4} mm", scene.grid.pitch_mm),
+        ),
         ("Frames", scene.extent.frames.to_string()),
     ];
     if let Some(optimised) = optimised {
@@ -162,36 +199,71 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> 
         let speed = calls as f64 * optimised.updates as f64 / seconds / 1e9;
         facts.push(("Optimiser", kind(&spec.optimizer)));
         facts.push(("Model", optimised.model.clone()));
-        facts.push(("Speed", format!("{speed:.1} G voxel-angle updates per second")));
+        facts.push((
+            "Speed",
+            format!("{speed:.1} G voxel-angle updates per second"),
+        ));
     }
-    facts.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
+    facts
+        .into_iter()
+        .map(|(name, text)| (name.to_owned(), text))
+        .collect()
 }
 
 /// Thresholds of the first objective, where it has any.
 fn window(spec: &JobSpec) -> Option<[f64; 2]> {
     let objective = spec.objectives().ok()?.swap_remove(0).value;
-    let parameters = objective.as_object()?.values().find_map(|v| v.as_object())?;
+    let parameters = objective
+        .as_object()?
+        .values()
+        .find_map(|v| v.as_object())?;
     let get = |key: &str| parameters.get(key)?.as_f64();
-    Some([get("lower").or_else(|| get("d_l"))?, get("upper").or_else(|| get("d_h"))?])
+    Some([
+        get("lower").or_else(|| get("d_l"))?,
+        get("upper").or_else(|| get("d_h"))?,
+    ])
 }
 
 /// Date and time, UTC.
 fn date(now: std::time::SystemTime) -> String {
-    let seconds = now.duration_since(std::time::UNIX_EPOCH).map_or(0, |d| d.as_secs());
+    let seconds = now
+        .duration_since(std::time::UNIX_EPOCH)
+        .map_or(0, |d| d.as_secs());
     let (mut days, minutes) = (seconds / 86_400, seconds % 86_400 / 60);
-    let is_leap = |year: u64| year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let is_leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
     let mut year = 1970;
     while days >= 365 + u64::from(is_leap(year)) {
         days -= 365 + u64::from(is_leap(year));
         year += 1;
     }
-    let lengths = [31, 28 + u64::from(is_leap(year)), 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    let lengths = [
+        31,
+        28 + u64::from(is_leap(year)),
+        31,
+        30,
+        31,
+        30,
+        31,
+        31,
+        30,
+        31,
+        30,
+        31,
+    ];
     let mut month = 0;
     while days >= lengths[month] {
         days -= lengths[month];
         month += 1;
     }
-    format!("{year}-{:02}-{:02} {:02}:{:02} UTC", month + 1, days + 1, minutes / 60, minutes % 60)
+    format!(
+        "{year}-{:02}-{:02} {:02}:{:02} UTC",
+        month + 1,
+        days + 1,
+        minutes / 60,
+        minutes % 60
+    )
 }
 
 /// A movie per light, read back; lights whose frames make no movie (a list of angles) have none.
@@ -220,7 +292,10 @@ fn movies(
             set,
             frame_rate(scene.spec.output.rpm, set.grid.frames(), arc)?,
         )?;
-        checks.push(MovieReport { check: check_movie(&path, set)?, file: name });
+        checks.push(MovieReport {
+            check: check_movie(&path, set)?,
+            file: name,
+        });
     }
     Ok(checks)
 }
