@@ -61,6 +61,19 @@ impl SmallModel {
         &self.outputs[0]
     }
 
+    /// The matrix of one slice, `(pixel, weight)` per voxel, pixels frame by frame; and the number of pixels.
+    #[cfg(test)]
+    pub(crate) fn matrix(&self) -> (Vec<Vec<(usize, f64)>>, usize) {
+        let [_, ny, nx] = self.layout().grid.shape;
+        let mut matrix = vec![Vec::new(); ny * nx];
+        for (frame, entries) in self.entries.iter().enumerate() {
+            for &(voxel, column, weight) in entries {
+                matrix[voxel].push((frame * nx + column, f64::from(weight)));
+            }
+        }
+        (matrix, self.entries.len() * nx)
+    }
+
     /// A ring with three notches, and its labels within the inscribed circle.
     pub(crate) fn ring(&self) -> (Target, Volume<u8>) {
         let grid = self.layout().grid.clone();

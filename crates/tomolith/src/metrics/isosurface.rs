@@ -557,8 +557,8 @@ mod tests {
             })
             .to_vec();
         for pair in errors.windows(2) {
-            for i in 0..2 {
-                let order = (pair[0][i] / pair[1][i]).log2();
+            for (coarse, fine) in pair[0].iter().zip(pair[1]) {
+                let order = (coarse / fine).log2();
                 assert!((1.7..2.4).contains(&order), "order {order} of {errors:?}");
             }
         }
@@ -578,11 +578,25 @@ mod tests {
             })
             .collect();
         let volume = Volume { grid, values };
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("noise.stl");
         for level in [0.2, 0.5, 0.9] {
             let surface = isosurface(&volume, level);
             assert!(surface.triangles.len() > 1000);
             assert_closed(&surface);
             assert!(surface.volume_mm3() > 0.0);
+            // A file has no shared corners: it must be closed after equal corners are welded
+            crate::io::stl::write_stl(&path, "noise", &surface.corners, &surface.triangles)
+                .unwrap();
+            let read = stl_io::read_stl(&mut std::fs::File::open(&path).unwrap()).unwrap();
+            assert_eq!(read.vertices.len(), surface.corners.len());
+            let corners = read.vertices.iter().map(|v| v.0).collect();
+            let triangles = read
+                .faces
+                .iter()
+                .map(|f| f.vertices.map(|i| i as u32))
+                .collect();
+            assert_closed(&Surface { corners, triangles });
         }
         let full = isosurface(&volume, -1.0);
         assert_closed(&full);

@@ -36,10 +36,8 @@ impl Aabb {
     };
 
     fn add(&mut self, p: Point) {
-        for i in 0..3 {
-            self.low[i] = self.low[i].min(p[i]);
-            self.high[i] = self.high[i].max(p[i]);
-        }
+        self.low = std::array::from_fn(|i| self.low[i].min(p[i]));
+        self.high = std::array::from_fn(|i| self.high[i].max(p[i]));
     }
 
     fn joined(mut self, other: Aabb) -> Aabb {
@@ -101,7 +99,8 @@ impl TriangleTree {
 
     fn leaf(&self, leaf: usize) -> &[[Point; 3]] {
         let n = self.triangles.len();
-        &self.triangles[leaf * n >> self.levels..(leaf + 1) * n >> self.levels]
+        let cut = |i: usize| (i * n) >> self.levels;
+        &self.triangles[cut(leaf)..cut(leaf + 1)]
     }
 
     /// Distance from `p` to the nearest triangle, infinite when there is none. `bound` is a distance that is known not

@@ -85,7 +85,7 @@ struct Bucket {
 
 impl Bucket {
     /// Voxels in this bucket and higher ones.
-    fn from_here(&self) -> Counts {
+    fn up_from_here(&self) -> Counts {
         [
             self.above[0] + self.counts[0],
             self.above[1] + self.counts[1],
@@ -216,7 +216,7 @@ impl<'a> Scan<'a> {
                 found: vec![response.len()],
             });
         }
-        let parts: Vec<(Vec<[u32; 2]>, Vec<[Sums; 2]>)> = shares(labels.len())
+        let parts: Vec<Share> = shares(labels.len())
             .into_par_iter()
             .map(|share| count_share(&labels[share.clone()], &response[share]))
             .collect();
@@ -236,14 +236,10 @@ impl<'a> Scan<'a> {
             settled: OnceLock::new(),
         };
         // Only tops between the smallest and the largest value can be filled
-        let tops = scan
-            .spread
-            .iter()
-            .flatten()
-            .map(|s| [s.min, s.max].map(|v| (key(v) >> FINE_BITS) as usize));
-        let range = tops.fold(COARSE..0, |r, [low, high]| {
-            r.start.min(low)..r.end.max(high + 1)
-        });
+        let top = |value: f32| (key(value) >> FINE_BITS) as usize;
+        let lowest = scan.spread.iter().flatten().map(|s| top(s.min)).min();
+        let highest = scan.spread.iter().flatten().map(|s| top(s.max)).max();
+        let range = lowest.unwrap_or(0)..highest.map_or(0, |h| h + 1);
         let mut above = [0, 0];
         for top in range.rev() {
             let mut counts = [0, 0];
@@ -344,19 +340,19 @@ impl<'a> Scan<'a> {
         let mut pieces = Vec::new();
         let mut end = start;
         for (i, bucket) in self.buckets.iter().enumerate() {
-            pieces.push(exact(end, bucket.start(), bucket.from_here()));
+            pieces.push(exact(end, bucket.start(), bucket.up_from_here()));
             end = bucket.end();
             let Some(values) = opened.get(&i) else {
                 pieces.push(Piece {
                     from: bucket.start().max(start),
                     to: end,
-                    low: self.iou([bucket.above[0], bucket.from_here()[1]]),
-                    high: self.iou([bucket.from_here()[0], bucket.above[1]]),
+                    low: self.iou([bucket.above[0], bucket.up_from_here()[1]]),
+                    high: self.iou([bucket.up_from_here()[0], bucket.above[1]]),
                     closed: Some(i),
                 });
                 continue;
             };
-            let mut above = bucket.from_here();
+            let mut above = bucket.up_from_here();
             let mut from = bucket.start();
             for &(value, counts) in values {
                 pieces.push(exact(from, f64::from(value), above));
@@ -517,7 +513,7 @@ impl<'a> Scan<'a> {
                 Some(bucket) if bucket.start() <= wanted => {
                     [bucket.end(), self.iou(bucket.above).value()]
                 }
-                Some(bucket) => [wanted, self.iou(bucket.from_here()).value()],
+                Some(bucket) => [wanted, self.iou(bucket.up_from_here()).value()],
                 None => [wanted, 0.0],
             };
             if curve.last().is_none_or(|p| p[0] < point[0]) {
@@ -556,7 +552,9 @@ fn shares(len: usize) -> Vec<Range<usize>> {
 }
 
 /// Buckets of a share, and sums of each of its blocks.
-fn count_share(labels: &[u8], response: &[f32]) -> (Vec<[u32; 2]>, Vec<[Sums; 2]>) {
+type Share = (Vec<[u32; 2]>, Vec<[Sums; 2]>);
+
+fn count_share(labels: &[u8], response: &[f32]) -> Share {
     let mut table = vec![[0u32; 2]; COARSE];
     let sums = labels
         .chunks(BLOCK)

@@ -132,10 +132,10 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
             fields
                 .step
                 .project_step(x, &fields.gradient, self.length as f32, problem.bounds());
-        let projected_gradient = if self.length > 0.0 {
-            sums.square.sqrt() / self.length
-        } else {
+        let projected_gradient = if self.length == 0.0 {
             0.0
+        } else {
+            sums.square.sqrt() / self.length
         };
         let length = if sums.square == 0.0 {
             0.0

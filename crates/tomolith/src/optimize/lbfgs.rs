@@ -346,3 +346,224 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::small::SmallModel;
+    use crate::field::HostField;
+    use crate::kind::{Kind, Section};
+    use crate::models::{DoseModel, Run};
+    use crate::objective::{OBJECTIVES, Objective, ObjectiveInput};
+    use crate::optimize::gradient::{self, Gradient};
+    use crate::optimize::{Limits, Outcome, Stop, run};
+    use crate::response::Identity;
+    use std::sync::Arc;
+
+    fn objective(
+        model: &SmallModel,
+        name: &str,
+        json: serde_json::Value,
+    ) -> Box<dyn Objective<HostField>> {
+        let (target, labels) = model.ring();
+        let input = ObjectiveInput {
+            layout: model.layout(),
+            labels: &labels,
+            target: &target,
+            response: Arc::new(Identity),
+        };
+        let row: &Kind<_> = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
+        (row.build)(&Section::new("objective", json), &input).unwrap()
+    }
+
+    fn solve(
+        model: &SmallModel,
+        objective: &dyn Objective<HostField>,
+        optimizer: &mut dyn Optimizer<HostField>,
+        stop: &Stop,
+    ) -> (HostField, Outcome) {
+        let flag = Run::new();
+        let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
+        let mut x = model.new_patterns().unwrap();
+        x.fill(0.5);
+        let outcome = run(&mut problem, optimizer, &mut x, stop, None, &mut []).unwrap();
+        (x, outcome)
+    }
+
+    /// The optimum of Σ w(Ax − b)², x ≥ 0, by projected gradient steps in f64 on the written-down matrix: least loss, dose, share
+    /// of dark pixels, and the projected gradient's norm relative to that at the start.
+    fn plain_optimum(
+        matrix: &[Vec<(usize, f64)>],
+        pixels: usize,
+        wanted: &[f64],
+        weight: &[f64],
+    ) -> (f64, Vec<f64>, f64, f64) {
+        let forward = |x: &[f64]| -> Vec<f64> {
+            let row = |row: &Vec<(usize, f64)>| row.iter().map(|&(j, a)| a * x[j]).sum();
+            matrix.iter().map(row).collect()
+        };
+        let gradient = |dose: &[f64]| -> Vec<f64> {
+            let mut g = vec![0.0; pixels];
+            for (i, row) in matrix.iter().enumerate() {
+                let r = 2.0 * weight[i] * (dose[i] - wanted[i]);
+                row.iter().for_each(|&(j, a)| g[j] += a * r);
+            }
+            g
+        };
+        // Largest row sum times largest column sum bounds the square of a matrix's norm
+        let rows: f64 = matrix
+            .iter()
+            .map(|row| row.iter().map(|e| e.1).sum())
+            .fold(0.0, f64::max);
+        let mut columns = vec![0.0f64; pixels];
+        for (row, weight) in matrix.iter().zip(weight) {
+            row.iter().for_each(|&(j, a)| columns[j] += a * weight);
+        }
+        let t = 1.0 / (2.0 * rows * columns.iter().fold(0.0, |a, &b| f64::max(a, b)));
+        let norm = |x: &[f64], g: &[f64]| {
+            let square: f64 = x
+                .iter()
+                .zip(g)
+                .map(|(x, g)| ((x - t * g).max(0.0) - x).powi(2))
+                .sum();
+            square.sqrt() / t
+        };
+        let mut x = vec![0.5; pixels];
+        let first = norm(&x, &gradient(&forward(&x)));
+        for _ in 0..12_000 {
+            let g = gradient(&forward(&x));
+            x.iter_mut()
+                .zip(&g)
+                .for_each(|(x, g)| *x = (*x - t * g).max(0.0));
+        }
+        let dose = forward(&x);
+        let last = norm(&x, &gradient(&dose));
+        let loss = (0..dose.len())
+            .map(|i| weight[i] * (dose[i] - wanted[i]).powi(2))
+            .sum();
+        let dark = x.iter().filter(|&&v| v == 0.0).count() as f64 / pixels as f64;
+        (loss, dose, dark, last / first)
+    }
+
+    #[test]
+    fn agrees_with_a_plain_optimum_at_which_most_pixels_are_dark() {
+        let model = SmallModel::new(16, 48, 1);
+        let objective = objective(&model, "l2", serde_json::json!({"void_weight": 5.0}));
+        let (target, labels) = model.ring();
+        let wanted: Vec<f64> = target.inside.values.iter().map(|&v| f64::from(v)).collect();
+        let weight: Vec<f64> = labels
+            .values
+            .iter()
+            .map(|&l| [0.0, 5.0, 1.0][usize::from(l)])
+            .collect();
+        let (matrix, pixels) = model.matrix();
+        let (loss, dose, dark, optimality) = plain_optimum(&matrix, pixels, &wanted, &weight);
+        println!("loss {loss}, dark {dark}, projected gradient {optimality}");
+        assert!(dark > 0.8, "only {dark} of the pixels are at the bound");
+        assert!(optimality < 1e-6, "the plain optimum is none: {optimality}");
+
+        let stop = Stop {
+            iterations: 300,
+            projected_gradient: 1e-6,
+            seconds: None,
+        };
+        let mut optimizer = Lbfgs::new(Params::default()).unwrap();
+        let (x, outcome) = solve(&model, &*objective, &mut optimizer, &stop);
+        assert!(
+            (outcome.loss - loss).abs() < 1e-5 * loss,
+            "loss {} instead of {loss}",
+            outcome.loss
+        );
+        let mut found = model.new_dose().unwrap();
+        model.dose(&x, &mut found, &Run::new()).unwrap();
+        let found = model.layout().volume_of(found.as_slice());
+        for (i, (found, expected)) in found.values.iter().zip(&dose).enumerate() {
+            assert!(
+                (f64::from(*found) - expected).abs() < 2e-3,
+                "voxel {i}: dose {found} instead of {expected}"
+            );
+        }
+        let dark =
+            x.as_slice().iter().filter(|&&v| v == 0.0).count() as f64 / x.as_slice().len() as f64;
+        assert!(dark > 0.8, "only {dark} of the pixels are at the bound");
+    }
+
+    #[test]
+    fn needs_fewer_steps_than_the_gradient_and_never_rises() {
+        let model = SmallModel::new(40, 60, 2);
+        for (name, json) in [
+            ("threshold", serde_json::json!({})),
+            ("ospw", serde_json::json!({})),
+            ("l2", serde_json::json!({})),
+            ("bclp", serde_json::json!({})),
+            ("l1", serde_json::json!({})),
+        ] {
+            let objective = objective(&model, name, json);
+            let stop = Stop {
+                iterations: 40,
+                ..Stop::default()
+            };
+            let mut lbfgs = Lbfgs::new(Params::default()).unwrap();
+            let (_, newton) = solve(&model, &*objective, &mut lbfgs, &stop);
+            let mut gradient = Gradient::new(gradient::Params::default()).unwrap();
+            let (_, plain) = solve(&model, &*objective, &mut gradient, &stop);
+            for outcome in [&newton, &plain] {
+                let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+                assert!(
+                    losses.windows(2).all(|w| w[1] <= w[0]),
+                    "{name}: {losses:?}"
+                );
+            }
+            let short = [newton.loss, plain.loss].map(|loss| loss / newton.history[0].loss);
+            println!("{name}: {short:?} after {} steps", newton.history.len() - 1);
+            assert!(
+                newton.loss <= plain.loss,
+                "{name}: {} against {}",
+                newton.loss,
+                plain.loss
+            );
+            if name == "threshold" {
+                assert_eq!(newton.loss, 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        for (params, name) in [
+            (
+                Params {
+                    memory: 0,
+                    ..Params::default()
+                },
+                "memory",
+            ),
+            (
+                Params {
+                    memory: 31,
+                    ..Params::default()
+                },
+                "memory",
+            ),
+            (
+                Params {
+                    tolerance: -1.0,
+                    ..Params::default()
+                },
+                "tolerance",
+            ),
+            (
+                Params {
+                    tolerance: f64::NAN,
+                    ..Params::default()
+                },
+                "tolerance",
+            ),
+        ] {
+            let Err(Error::Config { key, .. }) = Lbfgs::<HostField>::new(params) else {
+                panic!("{name} was accepted")
+            };
+            assert_eq!(key, name);
+        }
+    }
+}

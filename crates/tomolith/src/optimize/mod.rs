@@ -17,6 +17,7 @@ use crate::kind::{Kind, Section};
 pub use checkpoint::{Checkpoints, Contents};
 pub use problem::{Counters, Limits, Position, Problem};
 pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, run};
+pub use start::{STARTS, Start, StartInput};
 
 /// One method of solving a problem.
 ///

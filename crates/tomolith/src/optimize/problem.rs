@@ -10,7 +10,7 @@
 
 use crate::error::{Error, Result};
 use crate::field::{Bounds, Field};
-use crate::models::{DoseModel, Quantity, Run};
+use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::Objective;
 use std::time::Instant;
 
@@ -79,41 +79,13 @@ impl<'a, F: Field> Problem<'a, F> {
     ///
     /// # Errors
     /// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them.
-    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     pub fn new(
         model: &'a dyn DoseModel<Field = F>,
         objective: &'a dyn Objective<F>,
         limits: &[Limits],
         run: &'a Run,
     ) -> Result<Self> {
-        let lights = model.patterns();
-        if limits.len() != lights.len() {
-            return Err(Error::Shape {
-                what: "limits, one per light".to_owned(),
-                expected: vec![lights.len()],
-                found: vec![limits.len()],
-            });
-        }
-        let pieces = lights.iter().zip(limits).map(|(light, limits)| {
-            // Also refuses NaN
-            if !(limits.min >= 0.0 && limits.min < limits.max) {
-                return Err(Error::config(
-                    "bounds.min",
-                    format!("min {} and max {}", limits.min, limits.max),
-                    "0 ≤ min < max",
-                ));
-            }
-            let value = |energy: f64| match light.quantity {
-                Quantity::Energy => energy,
-                Quantity::Amplitude => energy.sqrt(),
-            };
-            Ok((
-                light.len(),
-                value(limits.min) as f32,
-                value(limits.max) as f32,
-            ))
-        });
-        let bounds = Bounds::of_pieces(pieces.collect::<Result<Vec<_>>>()?);
+        let bounds = bounds(model.patterns(), limits)?;
         Ok(Problem {
             model,
             objective,
@@ -350,6 +322,41 @@ impl<'a, F: Field> Problem<'a, F> {
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         result
     }
+}
+
+/// The bounds of every pixel of these lights.
+///
+/// # Errors
+/// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them than lights.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+pub(super) fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
+    if limits.len() != lights.len() {
+        return Err(Error::Shape {
+            what: "limits, one per light".to_owned(),
+            expected: vec![lights.len()],
+            found: vec![limits.len()],
+        });
+    }
+    let pieces = lights.iter().zip(limits).map(|(light, limits)| {
+        // Also refuses NaN
+        if !(limits.min >= 0.0 && limits.min < limits.max) {
+            return Err(Error::config(
+                "bounds.min",
+                format!("min {} and max {}", limits.min, limits.max),
+                "0 ≤ min < max",
+            ));
+        }
+        let value = |energy: f64| match light.quantity {
+            Quantity::Energy => energy,
+            Quantity::Amplitude => energy.sqrt(),
+        };
+        Ok((
+            light.len(),
+            value(limits.min) as f32,
+            value(limits.max) as f32,
+        ))
+    });
+    Ok(Bounds::of_pieces(pieces.collect::<Result<Vec<_>>>()?))
 }
 
 /// The slope at which a search is content, relative to that at its beginning.

@@ -377,3 +377,508 @@ impl<F: Field> State<F> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::small::SmallModel;
+    use crate::field::HostField;
+    use crate::models::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+    use crate::objective::{OBJECTIVES, Objective, ObjectiveInput};
+    use crate::optimize::checkpoint::Params;
+    use crate::optimize::gradient::{self, Gradient};
+    use crate::optimize::lbfgs::{self, Lbfgs};
+    use crate::optimize::{Limits, Memory, Recall, Step};
+    use crate::response::Identity;
+    use std::cell::Cell;
+    use std::ops::Range;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    type Observers<'a> = &'a mut [&'a mut dyn Observer<HostField>];
+
+    fn objective(model: &SmallModel, name: &str) -> Box<dyn Objective<HostField>> {
+        let (target, labels) = model.ring();
+        let response = Arc::new(Identity);
+        let input = ObjectiveInput {
+            layout: model.layout(),
+            labels: &labels,
+            target: &target,
+            response,
+        };
+        let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
+        let section = crate::kind::Section::new("objective", serde_json::json!({}));
+        (row.build)(&section, &input).unwrap()
+    }
+
+    fn newton() -> Lbfgs<HostField> {
+        Lbfgs::new(lbfgs::Params::default()).unwrap()
+    }
+
+    /// A run on the ring from uniform patterns.
+    fn go(
+        model: &dyn DoseModel<Field = HostField>,
+        objective: &dyn Objective<HostField>,
+        optimizer: &mut dyn Optimizer<HostField>,
+        stop: Stop,
+        checkpoints: Option<&mut Checkpoints>,
+        observers: Observers,
+    ) -> (HostField, Result<Outcome>) {
+        let flag = Run::new();
+        let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
+        let mut x = model.new_patterns().unwrap();
+        x.fill(0.5);
+        let outcome = run(
+            &mut problem,
+            optimizer,
+            &mut x,
+            &stop,
+            checkpoints,
+            observers,
+        );
+        (x, outcome)
+    }
+
+    fn steps(iterations: usize) -> Stop {
+        Stop {
+            iterations,
+            ..Stop::default()
+        }
+    }
+
+    #[test]
+    fn every_reason_to_stop_stops() {
+        let model = SmallModel::new(16, 24, 1);
+        let (threshold, l2) = (objective(&model, "threshold"), objective(&model, "l2"));
+        let reason = |objective: &dyn Objective<HostField>, stop: Stop| {
+            go(&model, objective, &mut newton(), stop, None, &mut [])
+                .1
+                .unwrap()
+        };
+        assert_eq!(reason(&*l2, steps(3)).reason, StopReason::Iterations);
+        assert_eq!(reason(&*l2, steps(0)).history.len(), 1);
+        let zero = reason(&*threshold, steps(500));
+        assert_eq!((zero.reason, zero.loss), (StopReason::ZeroLoss, 0.0));
+        let small = reason(
+            &*l2,
+            Stop {
+                projected_gradient: 0.01,
+                ..steps(500)
+            },
+        );
+        assert_eq!(small.reason, StopReason::ProjectedGradient);
+        let norms: Vec<f64> = small
+            .history
+            .iter()
+            .filter_map(|row| row.projected_gradient)
+            .collect();
+        assert!(norms.last().unwrap() <= &(0.01 * norms[0]));
+        assert_eq!(
+            reason(
+                &*l2,
+                Stop {
+                    seconds: Some(1e-9),
+                    ..steps(500)
+                }
+            )
+            .reason,
+            StopReason::WallTime
+        );
+        let mut third = |report: &StepReport<HostField>| match report.row.iteration {
+            3 => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        };
+        let (_, outcome) = go(
+            &model,
+            &*l2,
+            &mut newton(),
+            steps(9),
+            None,
+            &mut [&mut third],
+        );
+        let outcome = outcome.unwrap();
+        assert_eq!(
+            (outcome.reason, outcome.history.len()),
+            (StopReason::Observer, 4)
+        );
+        // One forward call at the start, one for the first length, and one of each a step
+        assert_eq!((outcome.counters.forward, outcome.counters.adjoint), (5, 3));
+        let flat = reason(&*l2, steps(5000));
+        assert_eq!(flat.reason, StopReason::NoProgress, "f32 ends somewhere");
+    }
+
+    #[test]
+    fn cancelling_keeps_the_best() {
+        let model = SmallModel::new(16, 24, 1);
+        let objective = objective(&model, "l2");
+        let flag = Run::new();
+        let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag).unwrap();
+        let mut x = DoseModel::new_patterns(&model).unwrap();
+        x.fill(0.5);
+        let mut cancel = |report: &StepReport<HostField>| {
+            if report.row.iteration == 4 {
+                flag.cancel();
+            }
+            ControlFlow::Continue(())
+        };
+        let outcome = run(
+            &mut problem,
+            &mut newton(),
+            &mut x,
+            &steps(50),
+            None,
+            &mut [&mut cancel],
+        )
+        .unwrap();
+        assert_eq!(
+            (outcome.reason, outcome.history.len()),
+            (StopReason::Cancelled, 5)
+        );
+        assert_eq!(
+            loss_of(&model, &*objective, &x),
+            (outcome.loss * 1e4).round() / 1e4
+        );
+    }
+
+    fn loss_of(model: &SmallModel, objective: &dyn Objective<HostField>, x: &HostField) -> f64 {
+        let mut dose = DoseModel::new_dose(model).unwrap();
+        model.dose(x, &mut dose, &Run::new()).unwrap();
+        let loss = objective.value(&dose);
+        // The loop's dose is a sum of steps, this one is computed at once
+        (loss * 1e4).round() / 1e4
+    }
+
+    /// A method that walks straight ahead, to raise the loss or to break it.
+    struct Straight {
+        steps: Cell<usize>,
+        losses: Vec<f64>,
+    }
+
+    impl Optimizer<HostField> for Straight {
+        fn step(
+            &mut self,
+            _: &mut Problem<HostField>,
+            x: &mut HostField,
+            at: &mut Position<HostField>,
+        ) -> Result<Step> {
+            let step = self.steps.get();
+            self.steps.set(step + 1);
+            at.loss = self.losses[step];
+            x.fill(step as f32 + 1.0);
+            Ok(Step {
+                projected_gradient: 1.0,
+                length: 1.0,
+            })
+        }
+
+        fn is_monotone(&self) -> bool {
+            false
+        }
+
+        fn memory(&self) -> Memory<'_> {
+            Memory::default()
+        }
+
+        fn restore(
+            &mut self,
+            _: &mut dyn Recall,
+            _: &Problem<HostField>,
+            _: &HostField,
+        ) -> Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
+        let model = SmallModel::new(6, 4, 1);
+        let objective = objective(&model, "l2");
+        let mut straight = Straight {
+            steps: Cell::new(0),
+            losses: vec![3.0, 2.0, 5.0, 2.5],
+        };
+        let (x, outcome) = go(&model, &*objective, &mut straight, steps(4), None, &mut []);
+        assert_eq!(outcome.unwrap().loss, 2.0);
+        assert_eq!(x.as_slice()[0], 2.0);
+        let mut straight = Straight {
+            steps: Cell::new(0),
+            losses: vec![3.0, 2.0, 5.0, f64::NAN],
+        };
+        let (x, outcome) = go(&model, &*objective, &mut straight, steps(9), None, &mut []);
+        assert!(
+            matches!(outcome, Err(Error::NonFinite { iteration: 4, .. })),
+            "{outcome:?}"
+        );
+        assert_eq!(x.as_slice()[0], 2.0);
+    }
+
+    #[test]
+    fn a_fixed_step_that_is_too_long_ends_at_the_best() {
+        let model = SmallModel::new(16, 24, 1);
+        let objective = objective(&model, "l2");
+        let params = gradient::Params { step: Some(8.0) };
+        let (x, outcome) = go(
+            &model,
+            &*objective,
+            &mut Gradient::new(params).unwrap(),
+            steps(12),
+            None,
+            &mut [],
+        );
+        let outcome = outcome.unwrap();
+        let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+        assert!(
+            losses.windows(2).any(|w| w[1] > w[0]),
+            "the step is not too long: {losses:?}"
+        );
+        assert_eq!(
+            outcome.loss,
+            losses.iter().copied().fold(f64::INFINITY, f64::min)
+        );
+        assert_eq!(
+            loss_of(&model, &*objective, &x),
+            (outcome.loss * 1e4).round() / 1e4
+        );
+    }
+
+    /// A model around another: dose of x², as for amplitudes; and adjoints that are no numbers from some call on.
+    struct Twisted {
+        inner: SmallModel,
+        squared: bool,
+        good_adjoints: u64,
+        adjoints: AtomicU64,
+    }
+
+    impl DoseModel for Twisted {
+        type Field = HostField;
+
+        fn patterns(&self) -> &[PatternLayout] {
+            DoseModel::patterns(&self.inner)
+        }
+
+        fn outputs(&self) -> &[DoseLayout] {
+            DoseModel::outputs(&self.inner)
+        }
+
+        fn new_patterns(&self) -> Result<HostField> {
+            DoseModel::new_patterns(&self.inner)
+        }
+
+        fn new_dose(&self) -> Result<HostField> {
+            DoseModel::new_dose(&self.inner)
+        }
+
+        fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+            let mut x = x.clone();
+            if self.squared {
+                x.as_mut_slice().iter_mut().for_each(|v| *v *= *v);
+            }
+            self.inner.dose(&x, dose, run)
+        }
+
+        fn pullback(
+            &self,
+            x: &HostField,
+            cotangent: &HostField,
+            grad: &mut HostField,
+            run: &Run,
+        ) -> Result<()> {
+            self.inner.pullback(x, cotangent, grad, run)?;
+            if self.squared {
+                grad.as_mut_slice()
+                    .iter_mut()
+                    .zip(x.as_slice())
+                    .for_each(|(g, x)| *g *= 2.0 * x);
+            }
+            if self.adjoints.fetch_add(1, Ordering::Relaxed) >= self.good_adjoints {
+                grad.as_mut_slice()[5] = f32::NAN;
+            }
+            Ok(())
+        }
+
+        fn dose_of(
+            &self,
+            _: Range<usize>,
+            _: &HostField,
+            _: &mut HostField,
+            _: &Run,
+        ) -> Result<()> {
+            Err(Error::Cancelled)
+        }
+
+        fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
+            Ok(None)
+        }
+
+        fn z_coupling(&self) -> ZCoupling {
+            ZCoupling::None
+        }
+
+        fn is_linear(&self) -> bool {
+            !self.squared
+        }
+
+        fn updates(&self) -> u64 {
+            0
+        }
+
+        fn describe(&self) -> String {
+            "a twisted model".to_owned()
+        }
+    }
+
+    #[test]
+    fn a_gradient_that_is_no_number_stops_the_run_and_keeps_what_was_good() {
+        for optimizer in [
+            &mut newton() as &mut dyn Optimizer<_>,
+            &mut Gradient::new(gradient::Params::default()).unwrap(),
+        ] {
+            let inner = SmallModel::new(16, 24, 1);
+            let objective = objective(&inner, "l2");
+            let model = Twisted {
+                inner,
+                squared: false,
+                good_adjoints: 3,
+                adjoints: AtomicU64::new(0),
+            };
+            let (x, outcome) = go(&model, &*objective, optimizer, steps(9), None, &mut []);
+            assert!(
+                matches!(&outcome, Err(Error::NonFinite { what, iteration: 4, .. }) if what == "the gradient"),
+                "{outcome:?}"
+            );
+            assert!(x.as_slice().iter().all(|v| v.is_finite() && *v >= 0.0));
+            assert!(
+                loss_of(&model.inner, &*objective, &x)
+                    < 0.5
+                        * loss_of(
+                            &model.inner,
+                            &*objective,
+                            &HostField::from_slice(&vec![0.5; x.len()])
+                        )
+            );
+        }
+    }
+
+    #[test]
+    fn a_model_that_is_not_linear_is_searched_by_its_own_calls() {
+        for optimizer in [
+            &mut newton() as &mut dyn Optimizer<_>,
+            &mut Gradient::new(gradient::Params::default()).unwrap(),
+        ] {
+            let inner = SmallModel::new(16, 24, 1);
+            let objective = objective(&inner, "threshold");
+            let model = Twisted {
+                inner,
+                squared: true,
+                good_adjoints: u64::MAX,
+                adjoints: AtomicU64::new(0),
+            };
+            let (_, outcome) = go(&model, &*objective, optimizer, steps(60), None, &mut []);
+            let losses: Vec<f64> = outcome
+                .unwrap()
+                .history
+                .iter()
+                .map(|row| row.loss)
+                .collect();
+            assert!(losses.windows(2).all(|w| w[1] <= w[0]), "{losses:?}");
+            assert!(losses.last().unwrap() < &(1e-2 * losses[0]), "{losses:?}");
+        }
+    }
+
+    #[test]
+    fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
+        let model = SmallModel::new(10, 8, 2);
+        let objective = objective(&model, "l2");
+        let folder = tempfile::tempdir().unwrap();
+        let checkpoints =
+            |fingerprint| Checkpoints::new(folder.path(), fingerprint, &Params::default()).unwrap();
+        let resume = |fingerprint| {
+            go(
+                &model,
+                &*objective,
+                &mut newton(),
+                steps(5),
+                Some(&mut checkpoints(fingerprint)),
+                &mut [],
+            )
+            .1
+        };
+        resume(1).unwrap();
+        let refusal = resume(2).unwrap_err().to_string();
+        assert!(refusal.contains("a checkpoint of another job"), "{refusal}");
+        let other = Lbfgs::new(lbfgs::Params {
+            memory: 3,
+            ..Default::default()
+        });
+        let (_, outcome) = go(
+            &model,
+            &*objective,
+            &mut other.unwrap(),
+            steps(9),
+            Some(&mut checkpoints(1)),
+            &mut [],
+        );
+        assert!(
+            matches!(outcome, Err(Error::Unsupported { .. })),
+            "{outcome:?}"
+        );
+        let plain = Gradient::new(gradient::Params::default());
+        let (_, outcome) = go(
+            &model,
+            &*objective,
+            &mut plain.unwrap(),
+            steps(9),
+            Some(&mut checkpoints(1)),
+            &mut [],
+        );
+        assert!(
+            matches!(outcome, Err(Error::Unsupported { .. })),
+            "{outcome:?}"
+        );
+        // Cut anywhere
+        let file = checkpoints(1).file();
+        let whole = std::fs::read(&file).unwrap();
+        for length in (0..whole.len()).step_by(whole.len() / 60) {
+            std::fs::write(&file, &whole[..length]).unwrap();
+            let refusal = resume(1).unwrap_err();
+            assert!(
+                matches!(refusal, Error::Format { .. }),
+                "{length} of {} bytes: {refusal}",
+                whole.len()
+            );
+        }
+    }
+
+    #[test]
+    fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
+        let model = SmallModel::new(16, 24, 1);
+        let objective = objective(&model, "l2");
+        let folder = tempfile::tempdir().unwrap();
+        let params = Params {
+            every_s: Some(1e-9),
+            contents: Contents::Patterns,
+        };
+        let mut checkpoints = Checkpoints::new(folder.path(), 1, &params).unwrap();
+        let (x, first) = go(
+            &model,
+            &*objective,
+            &mut newton(),
+            steps(6),
+            Some(&mut checkpoints),
+            &mut [],
+        );
+        let size = std::fs::metadata(checkpoints.file()).unwrap().len();
+        assert!(size < 4 * x.len() as u64 + 8000, "{size} bytes");
+        let (_, second) = go(
+            &model,
+            &*objective,
+            &mut newton(),
+            steps(3),
+            Some(&mut checkpoints),
+            &mut [],
+        );
+        let (first, second) = (first.unwrap(), second.unwrap());
+        assert_eq!(second.history.len(), 4);
+        assert!((second.history[0].loss - first.loss).abs() < 1e-5 * first.loss);
+    }
+}
