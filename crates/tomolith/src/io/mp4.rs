@@ -19,7 +19,7 @@
 //! # How good it is
 //! [`check_movie`] reads the file back with a small reader of its own, decodes it and compares every pixel with the
 //! frames: largest and rms grey error, in levels of 0…255. Smooth patterns come out within ±2, full-contrast noise
-//! within about ±6, rms 0.5.
+//! within about ±6, rms 0.6.
 //!
 //! # Timing
 //! Times are in units of 1/90,000 s and each frame's start is rounded on its own, so rounding does not add up. A movie of a single frame lasts one unit.

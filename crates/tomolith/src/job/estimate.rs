@@ -20,8 +20,10 @@ const BYTES_PER_PIXEL: f64 = 10.0;
 const BASE_MB: f64 = 60.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
-/// Bytes of dose.npy and dose.vti per fine voxel.
-const BYTES_PER_VOXEL_ON_DISK: f64 = 8.0;
+/// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some for the surface.
+const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
+/// Measuring a print, above all the distances of surfaces: seconds per voxel of the finer grid.
+const MEASURE_S: f64 = 1.5e-7;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Frames, and voxels along an edge, of the small model that is timed.
@@ -106,9 +108,14 @@ impl Extent {
         (BASE_MB + bytes / 1e6) as u64
     }
 
+    /// Time to measure the evaluation's prints, standing still and turning, s.
+    pub(crate) fn measure_s(&self) -> f64 {
+        2.0 * (self.grid.len() * self.refine.pow(3)) as f64 * MEASURE_S
+    }
+
     /// Size of the run folder, MB.
     pub(crate) fn disk_mb(&self) -> u64 {
-        let voxels = (self.grid.len() * self.refine.pow(3)) as f64;
+        let voxels = self.grid.len() as f64;
         let checkpoint = self.active_pixels as f64 * 4.0 * (2 * self.memory + VECTORS) as f64;
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK

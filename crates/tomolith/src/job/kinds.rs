@@ -5,6 +5,7 @@ use crate::kind::{Kind, KindPage};
 use crate::objective::OBJECTIVES;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
+use crate::optimize::start::STARTS;
 use crate::response::RESPONSES;
 use crate::target::PHANTOMS;
 use serde_json::Value;
@@ -34,6 +35,7 @@ pub fn families() -> Vec<Family> {
         family("vial", "What stands around the resin", VIALS),
         family("objective", "What is minimised", OBJECTIVES),
         family("optimizer", "How it is minimised", OPTIMIZERS),
+        family("start", "Where it begins", STARTS),
         family(
             "response",
             "What the material does with the dose",

@@ -8,11 +8,11 @@ use crate::field::{BLOCK, HostField};
 use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::scan::Scan;
-use crate::models::{DoseModel, Run, planner};
+use crate::models::{Run, planner};
+use crate::optimize::start::StartInput;
 use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
 };
-use crate::target::label;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -59,14 +59,27 @@ pub(crate) fn optimise(
         min: spec.bounds.min,
         max: spec.bounds.max.unwrap_or(f64::INFINITY),
     };
-    let mut problem = Problem::new(model, &objective, &vec![limits; spec.light.len()], cancel)?;
+    let limits = vec![limits; spec.light.len()];
+    let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
         fingerprint(scene, voxels)?,
         &spec.checkpoint,
     )?;
-    let mut x = begin(scene, voxels, model, &checkpoints, resume, progress, cancel)?;
+    let mut x = if resumes(&checkpoints, resume, progress)? {
+        model.new_patterns()?
+    } else {
+        let (target, labels, response) = (&voxels.target, &voxels.labels, scene.response()?);
+        let input = StartInput {
+            model,
+            target,
+            labels,
+            response: response.as_ref(),
+            limits: &limits,
+        };
+        scene.start()?.patterns(&input, cancel)?
+    };
 
     let stop = Stop {
         iterations: spec.stop.iterations,
@@ -109,32 +122,22 @@ pub(crate) fn optimise(
     }
 }
 
-/// The patterns to begin with. A checkpoint replaces them when the run is resumed, and is removed when it is not.
-fn begin(
-    scene: &Scene,
-    voxels: &Voxels,
-    model: &dyn DoseModel<Field = HostField>,
-    checkpoints: &Checkpoints,
-    resume: bool,
-    progress: &mut dyn Progress,
-    cancel: &Run,
-) -> Result<HostField> {
+/// Whether there is a checkpoint to go on from; it is removed when the run is not to be resumed.
+fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress) -> Result<bool> {
     let file = checkpoints.file();
-    if resume {
-        match checkpoints.open()? {
-            Some(checkpoint) => {
-                let text = format!("resuming after iteration {}", checkpoint.iteration());
-                progress.event(&Event::Note { text });
-                return model.new_patterns();
-            }
-            None => progress.event(&Event::Note {
-                text: "no checkpoint to resume: starting anew".to_owned(),
-            }),
+    if !resume {
+        if file.exists() {
+            std::fs::remove_file(&file).map_err(|e| Error::io(&file, e))?;
         }
-    } else if file.exists() {
-        std::fs::remove_file(&file).map_err(|e| Error::io(&file, e))?;
+        return Ok(false);
     }
-    scene.start(model, voxels, cancel)
+    let checkpoint = checkpoints.open()?;
+    let text = match &checkpoint {
+        Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
+        None => "no checkpoint to resume: starting anew".to_owned(),
+    };
+    progress.event(&Event::Note { text });
+    Ok(checkpoint.is_some())
 }
 
 /// The best patterns of a run that did not end well.
@@ -257,36 +260,5 @@ impl Scene {
         } else {
             self.spec.light[i].name.as_deref()
         }
-    }
-
-    /// Patterns to begin with: the adjoint of the target, scaled so that the part's mean dose is 1.
-    fn start(
-        &self,
-        model: &dyn DoseModel<Field = HostField>,
-        voxels: &Voxels,
-        cancel: &Run,
-    ) -> Result<HostField> {
-        use crate::field::Field;
-        let layout = &model.outputs()[0];
-        let mask = voxels
-            .labels
-            .values
-            .iter()
-            .map(|&l| f32::from(u8::from(l == label::PART)))
-            .collect();
-        let mask = layout.field_of(&crate::grid::Volume {
-            grid: layout.grid.clone(),
-            values: mask,
-        });
-        let mut x = model.new_patterns()?;
-        let mut dose = model.new_dose()?;
-        dose.copy_from_host(&mask);
-        let part = dose.dot(&dose);
-        let mask = dose.clone();
-        model.pullback(&x.clone(), &mask, &mut x, cancel)?;
-        model.dose(&x, &mut dose, cancel)?;
-        let mean = dose.dot(&mask) / part.max(1.0);
-        x.scale((1.0 / mean) as f32);
-        Ok(x)
     }
 }

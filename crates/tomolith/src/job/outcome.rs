@@ -51,6 +51,9 @@ impl Summary {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
+            writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
+        }
         writeln!(
             f,
             "{:>28} {:>8} {:>8} {:>8} {:>10}",
@@ -162,6 +165,19 @@ impl fmt::Display for Plan {
             writeln!(f, "{:>12} {warning}", "warning")?;
         }
         Ok(())
+    }
+}
+
+/// Why an optimisation ended, in words.
+fn words(reason: StopReason) -> &'static str {
+    match reason {
+        StopReason::Iterations => "as many as were asked for",
+        StopReason::ZeroLoss => "the loss is zero",
+        StopReason::ProjectedGradient => "the projected gradient is small enough",
+        StopReason::NoProgress => "no better patterns within the precision of the numbers",
+        StopReason::Observer => "the loss or IoU that was asked for is reached",
+        StopReason::WallTime => "the time is over",
+        StopReason::Cancelled => "cancelled",
     }
 }
 

@@ -88,6 +88,9 @@ impl Job {
         };
         let mut spec = self.spec.clone();
         spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
+        for phantom in &mut spec.target.phantom {
+            *phantom = with_defaults(pages("target.phantom"), phantom);
+        }
         spec.response = with_defaults(pages("response"), &spec.response);
         spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
         spec.start = with_defaults(pages("start"), &spec.start);

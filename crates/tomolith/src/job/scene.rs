@@ -12,6 +12,7 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::models::DoseLayout;
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
+use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response};
 use crate::target::{self, Resolution, Shape, Target, default_grid, label, label_voxels};
@@ -190,6 +191,14 @@ impl Scene {
     pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
         optimizer(&self.spec)
     }
+
+    /// Where the optimiser begins.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn start(&self) -> Result<Box<dyn Start>> {
+        start(&self.spec)
+    }
 }
 
 impl Voxels {
@@ -215,6 +224,12 @@ fn response(spec: &JobSpec) -> Result<Arc<dyn Response>> {
 fn optimizer(spec: &JobSpec) -> Result<Box<dyn Optimizer<HostField>>> {
     let section = Section::new("optimizer", spec.optimizer.clone());
     let (kind, inner) = section.kind(OPTIMIZERS)?;
+    (kind.build)(&inner)
+}
+
+fn start(spec: &JobSpec) -> Result<Box<dyn Start>> {
+    let section = Section::new("start", spec.start.clone());
+    let (kind, inner) = section.kind(STARTS)?;
     (kind.build)(&inner)
 }
 
@@ -261,7 +276,8 @@ fn try_kinds(spec: &JobSpec) -> Result<()> {
             response,
         },
     )?;
-    optimizer(spec).map(drop)
+    optimizer(spec)?;
+    start(spec).map(drop)
 }
 
 /// The grid of a job: given, or round the target and cut by the resin.

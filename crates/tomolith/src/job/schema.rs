@@ -7,6 +7,7 @@
 
 use super::kinds::{Family, families};
 use super::spec::JobSpec;
+use crate::kind::KindPage;
 use serde_json::{Map, Value, json};
 
 /// The schema of a job file.
@@ -23,8 +24,9 @@ pub fn schema() -> Value {
         }
         match family.name {
             "projector" => drop(definitions.insert("ProjectorSpec".to_owned(), options)),
-            // In the target's own schema
-            "target.phantom" => {}
+            "target.phantom" => {
+                definitions["TargetSpec"]["properties"]["phantom"] = options;
+            }
             "vial" => drop(definitions.insert("VialSpec".to_owned(), options)),
             "objective" => {
                 root["properties"]["objectives"]["items"] = options.clone();
@@ -39,7 +41,7 @@ pub fn schema() -> Value {
 
 /// Exactly one kind of a family, as an externally tagged table.
 fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
-    let options: Vec<Value> = family
+    let tables = family
         .kinds
         .iter()
         .map(|page| {
@@ -58,16 +60,31 @@ fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
             }
             rename(&mut schema, &prefix);
             let mut properties = Map::new();
-            if family.name == "vial" {
-                properties.insert("surrounding_index".to_owned(), json!({ "type": "number", "default": 1.0 }));
+            match family.name {
+                "vial" => drop(properties.insert("surrounding_index".to_owned(), number(1.0))),
+                "objective" => drop(properties.insert("weight".to_owned(), number(1.0))),
+                _ => {}
             }
             properties.insert(page.name.to_owned(), schema);
             json!({
                 "type": "object", "properties": properties, "required": [page.name], "additionalProperties": false
             })
-        })
+        });
+    // A kind whose parameters all have defaults may be written as text
+    let has_defaults = |page: &&KindPage| page.schema.get("required").is_none();
+    let names: Vec<&str> = family
+        .kinds
+        .iter()
+        .filter(has_defaults)
+        .map(|page| page.name)
         .collect();
-    json!({ "oneOf": options })
+    let text = (!names.is_empty()).then(|| json!({ "type": "string", "enum": names }));
+    json!({ "oneOf": tables.chain(text).collect::<Vec<_>>() })
+}
+
+/// A number with a default.
+fn number(default: f64) -> Value {
+    json!({ "type": "number", "default": default })
 }
 
 /// References of a kind's own schema, moved to the job's definitions.

@@ -191,7 +191,8 @@ fn seconds(scene: &Scene, extent: &Extent, updates_per_s: f64, lit: f64) -> f64 
     let fine = extent.refine.pow(3) as f64 * (1 + evaluate.sub_angles) as f64;
     let calls = CALLS_PER_ITERATION * scene.spec.stop.iterations as f64 + fine + 1.0;
     let limit = scene.spec.stop.wall_s.unwrap_or(f64::INFINITY);
-    (calls * call / updates_per_s).min(limit + fine * call / updates_per_s) * (1.0 + OVERHEAD)
+    let model = (calls * call / updates_per_s).min(limit + fine * call / updates_per_s);
+    model * (1.0 + OVERHEAD) + extent.measure_s()
 }
 
 /// Takes the run folder, and tells what is known so far.

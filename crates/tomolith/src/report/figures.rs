@@ -10,6 +10,8 @@ use std::fmt::Write as _;
 
 /// Pixels of a slice's longer edge, at most.
 const SLICE_PIXELS: usize = 480;
+/// Pictures that are wider are not shown with sharp pixels.
+const SMOOTH_FROM: usize = 260;
 /// Pixels of the sinogram and of single frames, at most.
 const SINOGRAM_PIXELS: usize = 1200;
 const FRAME_PIXELS: usize = 320;
@@ -200,21 +202,23 @@ fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture 
             (sum / count / high * 253.0).clamp(0.0, 253.0) as u8
         }
     });
-    // The part's outline, one pixel wide: pixels of the void that touch a pixel of the part
+    // The part's outline: pixels of the void that are close to a pixel of the part; two wide in large pictures, which
+    // may be shown smaller than they are
     let inside = slice.picture(|voxels| {
         let (parts, all) = voxels.fold((0, 0), |(p, n), i| (p + usize::from(part(i)), n + 1));
         u8::from(2 * parts >= all)
     });
     let (w, h) = (inside.width, inside.height);
-    for i in 0..w * h {
+    let reach = if w > SMOOTH_FROM { 2 } else { 1 };
+    for i in (0..w * h).filter(|&i| inside.pixels[i] == 0) {
         let (x, y) = (i % w, i / w);
-        let near = [
-            (x > 0).then(|| i - 1),
-            (x + 1 < w).then_some(i + 1),
-            (y > 0).then(|| i.wrapping_sub(w)),
-            (y + 1 < h).then_some(i + w),
-        ];
-        if inside.pixels[i] == 0 && near.into_iter().flatten().any(|n| inside.pixels[n] == 1) {
+        let near = (1..=reach).any(|d| {
+            x >= d && inside.pixels[i - d] == 1
+                || x + d < w && inside.pixels[i + d] == 1
+                || y >= d && inside.pixels[i - d * w] == 1
+                || y + d < h && inside.pixels[i + d * w] == 1
+        });
+        if near {
             picture.pixels[i] = OUTLINE;
         }
     }
@@ -250,9 +254,10 @@ fn slice_svg(slice: &Slice<'_>, uri: &str, name: &str) -> String {
     let bar = UNITS * length / mm;
     let (x, y) = (10.0, tall + 20.0);
     format!(
-        "<svg class=\"slice\" viewBox=\"0 0 {UNITS} {:.1}\" role=\"img\" aria-label=\"{name}, {}\">\
+        "<svg class=\"slice{}\" viewBox=\"0 0 {UNITS} {:.1}\" role=\"img\" aria-label=\"{name}, {}\">\
          <image href=\"{uri}\" width=\"{UNITS}\" height=\"{tall:.2}\" preserveAspectRatio=\"none\"/>\
          <path class=\"scale\" d=\"M{x} {y:.1}h{bar:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\">{} mm</text></svg>",
+        if width > SMOOTH_FROM { "" } else { " sharp" },
         tall + 36.0,
         escape(&slice.title()),
         x + bar + 8.0,
