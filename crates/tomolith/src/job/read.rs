@@ -88,7 +88,7 @@ impl Job {
         };
         let mut spec = self.spec.clone();
         spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
-        for phantom in &mut spec.target.phantom {
+        if let Some(phantom) = &mut spec.target.phantom {
             *phantom = with_defaults(pages("target.phantom"), phantom);
         }
         spec.response = with_defaults(pages("response"), &spec.response);
