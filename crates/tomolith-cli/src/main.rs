@@ -1,2 +1,134 @@
-//! The `tomolith` command.
-fn main() {}
+//! The `tomolith` command: from a mesh to patterns that can be printed, and an honest report.
+//!
+//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 cancelled.
+
+mod arguments;
+mod help;
+mod screen;
+mod trouble;
+
+use arguments::{Arguments, Command, JobArguments, Manner, RunArguments, SimulateArguments};
+use clap::Parser;
+use screen::{Screen, say};
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::Arc;
+use tomolith::job::{self, Job};
+use tomolith::models::Run;
+use tomolith::{Error, Result};
+
+/// Ran, but the asked quality was not met.
+const NOT_MET: u8 = 1;
+/// Could not run.
+const REFUSED: u8 = 2;
+/// Cancelled by the user: 128 + SIGINT, as shells expect.
+const CANCELLED: u8 = 130;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let (manner, done) = match &arguments.command {
+        Command::Run(given) => (given.manner, run(given)),
+        Command::Simulate(given) => (given.manner, simulate(given)),
+        Command::Check(given) => (given.manner, check(given)),
+        Command::Kinds { family, name, json } => {
+            let manner = Manner {
+                json: *json,
+                ..Manner::default()
+            };
+            (
+                manner,
+                help::kinds(family.as_deref(), name.as_deref(), *json).map(|()| true),
+            )
+        }
+        Command::Schema => (Manner::default(), help::schema().map(|()| true)),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(NOT_MET),
+        Err(error) => {
+            trouble::show(&error, manner.json);
+            ExitCode::from(if matches!(error, Error::Cancelled) {
+                CANCELLED
+            } else {
+                REFUSED
+            })
+        }
+    }
+}
+
+/// `tomolith run`: whether the asked quality was met.
+fn run(given: &RunArguments) -> Result<bool> {
+    prepare(given.manner)?;
+    let job = read(&given.job, given.output.as_deref())?;
+    let cancel = cancel_on_ctrl_c();
+    let mut screen = Screen::new(given.manner);
+    let summary = job::run(&job, given.resume, &mut screen, &cancel)?;
+    screen.finish(&summary);
+    Ok(summary.is_met())
+}
+
+/// `tomolith simulate`: whether the asked quality was met.
+fn simulate(given: &SimulateArguments) -> Result<bool> {
+    prepare(given.manner)?;
+    let job = read(&given.job, given.output.as_deref())?;
+    let cancel = cancel_on_ctrl_c();
+    let mut screen = Screen::new(given.manner);
+    let summary = job::simulate(&job, &given.patterns, &mut screen, &cancel)?;
+    screen.finish(&summary);
+    Ok(summary.is_met())
+}
+
+/// `tomolith check`: always met when it ends without an error.
+fn check(given: &arguments::CheckArguments) -> Result<bool> {
+    prepare(given.manner)?;
+    let job = read(&given.job, None)?;
+    let cancel = cancel_on_ctrl_c();
+    let plan = job::check(&job, &cancel)?;
+    if given.manner.json {
+        say(&serde_json::to_string(&plan).unwrap_or_default());
+    } else if !given.manner.quiet {
+        say(plan.to_string().trim_end());
+    }
+    Ok(true)
+}
+
+fn read(given: &JobArguments, output: Option<&Path>) -> Result<Job> {
+    let mut job = Job::read(&given.job, &given.set)?;
+    if given.toy {
+        job = job.toy();
+    }
+    if let Some(folder) = output {
+        job.spec.output.folder = Some(folder.to_owned());
+    }
+    Ok(job)
+}
+
+fn prepare(manner: Manner) -> Result<()> {
+    let Some(threads) = manner.threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.get())
+        .build_global()
+        .map_err(|e| {
+            Error::config(
+                "--threads",
+                e.to_string(),
+                "a number of threads this machine can start",
+            )
+        })
+}
+
+/// The first Ctrl-C asks the run to stop cleanly, the second ends the process.
+fn cancel_on_ctrl_c() -> Arc<Run> {
+    let run = Arc::new(Run::new());
+    let asked = Arc::clone(&run);
+    // Without a handler Ctrl-C still ends the process, only less cleanly
+    let _ = ctrlc::set_handler(move || {
+        if asked.is_cancelled() {
+            std::process::exit(i32::from(CANCELLED));
+        }
+        asked.cancel();
+    });
+    run
+}

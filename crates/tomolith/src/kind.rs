@@ -33,11 +33,9 @@ impl Section {
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
         serde_path_to_error::deserialize(self.value.clone()).map_err(|e| {
             let inner = e.path().to_string();
-            config_error(
-                &self.path,
-                if inner == "." { "" } else { &inner },
-                &e.into_inner().to_string(),
-            )
+            let inner = if inner == "." { "" } else { &inner };
+            let in_table = value_at(&self.value, e.path()).is_none_or(Value::is_object);
+            config_error(&self.path, inner, in_table, &e.inner().to_string())
         })
     }
 
@@ -95,8 +93,20 @@ impl Section {
     }
 }
 
+/// The value a path leads to; None when it ends before.
+fn value_at<'v>(root: &'v Value, path: &serde_path_to_error::Path) -> Option<&'v Value> {
+    use serde_path_to_error::Segment;
+    path.iter().try_fold(root, |value, segment| match segment {
+        Segment::Map { key } | Segment::Enum { variant: key } => value.get(key),
+        Segment::Seq { index } => value.get(index),
+        Segment::Unknown => None,
+    })
+}
+
 /// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
-fn config_error(path: &str, inner: &str, message: &str) -> Error {
+///
+/// `in_table`: the value at fault is a table, so that an unknown name is a key in it and not the value itself.
+fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error {
     let mut key = match (path.is_empty(), inner.is_empty()) {
         (_, true) => path.to_owned(),
         (true, _) => inner.to_owned(),
@@ -106,7 +116,7 @@ fn config_error(path: &str, inner: &str, message: &str) -> Error {
     let ticked: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     if message.starts_with("unknown field") || message.starts_with("unknown variant") {
         let (word, names) = ticked.split_first().map_or(("", &[][..]), |(w, n)| (*w, n));
-        if message.starts_with("unknown field") && !key.ends_with(word) {
+        if in_table && key.rsplit('.').next() != Some(word) {
             key = if key.is_empty() {
                 word.to_owned()
             } else {
@@ -133,13 +143,33 @@ fn config_error(path: &str, inner: &str, message: &str) -> Error {
             "a value (see `tomolith kinds` and `tomolith schema`)",
         );
     }
-    let (found, accepted) = message
-        .split_once(", expected ")
-        .unwrap_or((message, "see `tomolith schema`"));
-    let (found, accepted) = found
-        .split_once("; accepted: ")
-        .unwrap_or((found, accepted));
+    let (found, accepted) = match message.split_once(", expected ") {
+        Some((found, expected)) => (found, in_words(expected)),
+        None => match message.split_once("; accepted: ") {
+            Some((found, accepted)) => (found, accepted.to_owned()),
+            None => (message, "see `tomolith schema`".to_owned()),
+        },
+    };
     Error::config(key, found, accepted)
+}
+
+/// What serde expects, without the names of Rust's types.
+fn in_words(expected: &str) -> String {
+    let words = match expected {
+        "usize" | "u64" | "u32" | "u16" | "u8" => "a whole number, 0 or more",
+        "i64" | "i32" => "a whole number",
+        "f64" | "f32" => "a number",
+        "a string" | "str" | "path string" => "text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        "a map" => "a table",
+        other if other.starts_with("struct ") => "a table",
+        other if other.starts_with("an array of length ") => {
+            return other.replace("an array of length ", "a list of ");
+        }
+        other => other,
+    };
+    words.to_owned()
 }
 
 /// A row of a family's table.

@@ -1,1 +1,18 @@
 //! Formats in and out.
+//!
+//! *What must it do, and who does it.* One file a format. Whatever is written appears whole or not at all: every
+//! writer goes through [`whole`].
+
+pub mod csv;
+pub mod frames;
+#[cfg(test)]
+pub(crate) mod fuzz;
+pub mod image;
+pub mod mesh;
+pub mod mp4;
+pub mod npy;
+pub mod stl;
+pub mod vti;
+pub mod whole;
+
+pub use whole::{write_folder_whole, write_whole};

@@ -1,1 +1,198 @@
 //! Job file → objects → the whole run.
+//!
+//! | step | file |
+//! |---|---|
+//! | text → values that know their lines | [`document`] |
+//! | values → typed tables | [`spec`] |
+//! | every range and every pair that must fit | [`validate`] |
+//! | every row of every family's table | [`kinds`], [`schema`] |
+//! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
+
+mod build;
+pub mod document;
+mod estimate;
+pub mod folder;
+mod judge;
+pub mod kinds;
+mod optimise;
+pub mod outcome;
+pub mod progress;
+pub mod read;
+pub mod resources;
+mod scene;
+pub mod schema;
+pub mod spec;
+mod stages;
+pub mod validate;
+mod write;
+
+pub use document::Document;
+pub use folder::RunFolder;
+pub use outcome::{Plan, Quality, Summary};
+pub use progress::{Event, Progress, Silent};
+pub use read::Job;
+pub use spec::*;
+pub use stages::{check, run, simulate};
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    /// A job that names nearly every key.
+    pub(crate) const FULL: &str = r#"
+[target]
+phantom = "gear"
+size_mm = 5.0
+
+[grid]
+pitch_mm = 0.05
+region = "cylinder"
+
+[resin]
+refractive_index = 1.4849
+absorption_per_mm = 0.054
+attenuation_per_mm = 0.06
+
+[vial]
+surrounding_index = 1.0
+[vial.cylinder]
+inner_radius_mm = 7.6
+outer_radius_mm = "0.83 cm"
+refractive_index = 1.58
+
+[[light]]
+name = "violet"
+wavelength_nm = 405
+pixels = [128, 64]
+angles = { count = 180, start_deg = 10.0, arc_deg = 360.0 }
+sub_angles = 1
+rotation = "counterclockwise"
+polarisation = "s"
+projector.collimated = { pixel_pitch_mm = "50 um" }
+
+[objective.threshold]
+lower = 0.85
+upper = 0.95
+
+[optimizer.lbfgs]
+memory = 10
+
+[start.fbp]
+
+[bounds]
+min = 0.0
+max = 3.0
+
+[stop]
+iterations = 40
+wall_s = 100.0
+
+[checkpoint]
+every_s = 10.0
+contents = "all"
+
+[evaluate]
+bit_depth = 8
+
+[output]
+folder = "out/part"
+"#;
+
+    fn read(text: &str) -> Result<JobSpec, Error> {
+        JobSpec::from_document(&Document::toml("a.toml", text)?)
+    }
+
+    #[test]
+    fn lengths_take_units_and_defaults_are_filled_in() {
+        let spec = read(FULL).unwrap();
+        assert_eq!(spec.light[0].projector.pixel_pitch_mm(), 0.05);
+        assert_eq!(spec.light[0].angles.count(), 180);
+        assert_eq!(
+            (
+                spec.evaluate.sub_angles,
+                spec.evaluate.refine,
+                spec.output.rpm
+            ),
+            (4, 2, 10.0)
+        );
+        assert_eq!(spec.grid.region, Region::Cylinder);
+    }
+
+    #[test]
+    fn a_resolved_job_reads_back_as_itself() {
+        let text = read(FULL).unwrap().to_toml().unwrap();
+        assert!(text.contains("refine = 2"), "{text}");
+        assert_eq!(read(&text).unwrap().to_toml().unwrap(), text);
+    }
+
+    #[test]
+    fn slips_are_named_with_key_line_and_neighbour() {
+        for (from, to, mark, expected) in [
+            (
+                "iterations = 40",
+                "iteratons = 40",
+                "iteratons",
+                ["stop.iteratons", "did you mean `iterations`?"],
+            ),
+            (
+                "[resin]",
+                "[resn]",
+                "[resn",
+                ["resn", "did you mean `resin`?"],
+            ),
+            (
+                "count = 180",
+                "cuont = 180",
+                "cuont",
+                ["light[0].angles.cuont", "did you mean `count`?"],
+            ),
+            (
+                "\"s\"",
+                "\"q\"",
+                "\"q\"",
+                ["light[0].polarisation", "unpolarised, s, p"],
+            ),
+            (
+                "0.95",
+                "0.95\n[printer]\nrpm = 3",
+                "[printer",
+                ["printer", "not built yet"],
+            ),
+            (
+                "iterations = 40",
+                "iterations = -1",
+                "= -1",
+                ["stop.iterations", "a whole number, 0 or more"],
+            ),
+            (
+                "\"50 um\"",
+                "\"50 kg\"",
+                "50 kg",
+                ["pixel_pitch_mm", "unknown unit of length `kg`"],
+            ),
+            (
+                "[128, 64]",
+                "[128]",
+                "[128]",
+                ["light[0].pixels", "a list of 2"],
+            ),
+            (
+                "collimated",
+                "colimated",
+                "colimated",
+                ["projector.colimated", "did you mean `collimated`?"],
+            ),
+        ] {
+            let text = FULL.replacen(from, to, 1);
+            let line = 1 + text[..text.find(mark).unwrap()].matches('\n').count();
+            let message = read(&text).unwrap_err().to_string();
+            for part in expected
+                .into_iter()
+                .chain([format!("(a.toml, line {line})").as_str()])
+            {
+                assert!(message.contains(part), "{part} is not in: {message}");
+            }
+        }
+    }
+}

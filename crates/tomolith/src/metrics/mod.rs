@@ -1,1 +1,82 @@
 //! Metrics: one number of the report a file.
+//!
+//! *What must it do, and who does it.* A [`Metric`] turns a predicted [`Print`] into one number, or into none where it
+//! is not defined (no part, no print): never into a number that is not finite. The table [`METRICS`] holds them all, in
+//! the order of the report; `report.json` uses their names. [`evaluation`] applies the table.
+
+use print::Print;
+
+pub mod best_threshold;
+pub mod cv;
+pub mod eta;
+pub mod evaluation;
+pub mod gamma;
+pub mod hausdorff_mm;
+pub mod iou;
+pub mod ipdr;
+pub mod isosurface;
+pub mod nearest;
+pub mod over_mm3;
+pub mod print;
+pub mod pw;
+pub mod scan;
+pub mod surface;
+pub mod surface_mean_mm;
+pub mod surface_p95_mm;
+pub mod under_mm3;
+pub mod ver;
+
+pub use evaluation::{Evaluation, Measures, evaluate};
+
+/// A number, or none where it is not defined.
+pub type Measure = Option<f64>;
+
+/// One number of the report.
+pub trait Metric: Send + Sync {
+    /// Measures a print.
+    fn measure(&self, print: &Print<'_>) -> Measure;
+}
+
+/// Which way a number is better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Better {
+    /// The larger, the better.
+    Higher,
+    /// The smaller, the better.
+    Lower,
+    /// Neither.
+    Neutral,
+}
+
+/// A row of [`METRICS`].
+pub struct MetricKind {
+    /// Its name in `report.json`.
+    pub name: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+    /// One sentence in plain words.
+    pub summary: &'static str,
+    /// Its unit, empty for a plain number.
+    pub unit: &'static str,
+    /// Which way it is better.
+    pub better: Better,
+    /// The metric.
+    pub metric: &'static dyn Metric,
+}
+
+/// Every metric, in the order of the report.
+pub static METRICS: &[MetricKind] = &[
+    iou::KIND,
+    best_threshold::KIND,
+    ver::KIND,
+    pw::KIND,
+    ipdr::KIND,
+    gamma::KIND,
+    eta::KIND,
+    cv::KIND,
+    over_mm3::KIND,
+    under_mm3::KIND,
+    surface_mean_mm::KIND,
+    surface_p95_mm::KIND,
+    hausdorff_mm::KIND,
+];

@@ -1,1 +1,337 @@
-//! Run folder → report.json, report.html, figures.
+//! What a run has found: `report.json` for programs, `report.html` for people.
+//!
+//! *What must it do, and who does it.* [`ReportData`] is everything a report shows, put together by whoever ran the job;
+//! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
+//! dark, and fits a desk and a telephone.
+
+mod figures;
+pub mod html;
+pub mod json;
+pub mod number;
+mod picture;
+mod plot;
+
+use crate::error::{Error, Result};
+use crate::grid::{Patterns, Volume};
+use crate::io::csv::HistoryRow;
+use crate::io::mp4::MovieCheck;
+use crate::io::write_whole;
+use crate::metrics::Evaluation;
+use std::io::Write;
+use std::path::Path;
+
+/// The patterns of one light.
+#[derive(Clone, Copy, Debug)]
+pub struct LightReport<'a> {
+    /// Its name; may be empty when there is only one.
+    pub name: &'a str,
+    /// What the projector shows: quantised, as pattern values.
+    pub patterns: &'a Patterns,
+    /// Bit depth.
+    pub bits: u32,
+    /// The pattern value of the highest level.
+    pub full_scale: f32,
+    /// Wavelength, when known.
+    pub wavelength_nm: Option<f64>,
+}
+
+/// A movie that was written, and what a decoder made of it.
+#[derive(Clone, Debug)]
+pub struct MovieReport {
+    /// File name in the run folder.
+    pub file: String,
+    /// What a decoder makes of it.
+    pub check: MovieCheck,
+}
+
+/// Wall time of a part of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timing {
+    /// What took the time.
+    pub name: String,
+    /// How long, s.
+    pub seconds: f64,
+}
+
+/// Everything a report shows.
+pub struct ReportData<'a> {
+    /// Name of the part.
+    pub part: &'a str,
+    /// Program and version.
+    pub program: &'a str,
+    /// Date and time, as text; may be empty.
+    pub created: &'a str,
+    /// Short facts for the head of the page: `("Vial", "cylinder, 7.6 mm")`.
+    pub facts: Vec<(String, String)>,
+    /// The patterns of each light.
+    pub lights: Vec<LightReport<'a>>,
+    /// Labels of the evaluation's voxels ([`crate::target::label`]).
+    pub labels: &'a Volume<u8>,
+    /// Response of the same voxels, vial turning.
+    pub response: &'a Volume<f32>,
+    /// Inside fraction of the same voxels.
+    pub inside: Option<&'a Volume<f32>>,
+    /// Thresholds of the objective `[lower, upper]`, where it has any: void below, part above.
+    pub window: Option<[f64; 2]>,
+    /// The headline: finer grid, written patterns, vial turning.
+    pub evaluation: &'a Evaluation,
+    /// The same with the vial standing still during each frame.
+    pub standing: Option<&'a Evaluation>,
+    /// On the optimisation's grid.
+    pub optimisation: Option<&'a Evaluation>,
+    /// Numbers with other authors' signs or normalisations.
+    pub published: serde_json::Map<String, serde_json::Value>,
+    /// What happened in the optimisation.
+    pub history: &'a [HistoryRow],
+    /// Movies.
+    pub movies: Vec<MovieReport>,
+    /// The resolved job.
+    pub job_text: &'a str,
+    /// What people should know, one sentence each.
+    pub warnings: Vec<String>,
+    /// Where the time went.
+    pub timings: Vec<Timing>,
+}
+
+impl ReportData<'_> {
+    /// Whether volumes belong together.
+    fn check(&self) -> Result<()> {
+        let expected = self.labels.grid.len();
+        let lengths = [
+            ("labels", self.labels.values.len()),
+            ("response", self.response.values.len()),
+            (
+                "inside fraction",
+                self.inside.map_or(expected, |v| v.values.len()),
+            ),
+        ];
+        for (what, found) in lengths {
+            if found != expected {
+                return Err(Error::Shape {
+                    what: format!("{what} of the report"),
+                    expected: self.labels.grid.shape.to_vec(),
+                    found: vec![found],
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Writes `report.json`; see [`json`].
+///
+/// # Errors
+/// [`Error::Io`].
+pub fn write_json(path: &Path, data: &ReportData<'_>) -> Result<()> {
+    let value = json::report_json(data);
+    write_whole(path, |file| {
+        serde_json::to_writer_pretty(&mut *file, &value).map_err(std::io::Error::from)?;
+        Ok(file.write_all(b"\n")?)
+    })
+}
+
+/// Writes `report.html`; see [`html`].
+///
+/// # Errors
+/// [`Error::Io`], or [`Error::Shape`] when the volumes do not belong together.
+pub fn write_html(path: &Path, data: &ReportData<'_>) -> Result<()> {
+    data.check()?;
+    let page = html::report_html(data);
+    write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{PatternGrid, VolumeGrid};
+    use crate::metrics::evaluate;
+    use crate::metrics::print::{PatternStats, Print};
+    use crate::target::label::{OUTSIDE, PART, VOID};
+
+    /// A disc in a blurred dose, with everything a report can hold.
+    struct Sample {
+        labels: Volume<u8>,
+        response: Volume<f32>,
+        patterns: Patterns,
+        history: Vec<HistoryRow>,
+    }
+
+    impl Sample {
+        fn new() -> Self {
+            let grid = VolumeGrid::centered([6, 20, 22], 0.1);
+            let radius = |i: usize| (grid.x(i % 22).powi(2) + grid.y(i / 22 % 20).powi(2)).sqrt();
+            let label = |i: usize| match radius(i) {
+                r if r > 1.0 => OUTSIDE,
+                r if r > 0.5 => VOID,
+                _ => PART,
+            };
+            let labels = (0..grid.len()).map(label).collect();
+            let response = (0..grid.len()).map(|i| (1.3 - radius(i)) as f32).collect();
+            let mut patterns = Patterns::dark(PatternGrid::full_turn(9, 0.0, 4, 6, 0.1));
+            patterns
+                .values
+                .iter_mut()
+                .enumerate()
+                .for_each(|(i, v)| *v = (i % 7) as f32);
+            let row = |i: usize| HistoryRow {
+                iteration: i,
+                loss: 10.0 / (1 + i) as f64,
+                projected_gradient: 1.0,
+                step: 1.0,
+                forward_calls: 2 * i,
+                adjoint_calls: i,
+                seconds: i as f64,
+            };
+            Sample {
+                labels: Volume {
+                    grid: grid.clone(),
+                    values: labels,
+                },
+                response: Volume {
+                    grid,
+                    values: response,
+                },
+                patterns,
+                history: (0..5).map(row).collect(),
+            }
+        }
+
+        fn evaluation(&self) -> Evaluation {
+            let stats = PatternStats::of([&self.patterns]);
+            evaluate(
+                &Print::new(&self.labels, &self.response)
+                    .unwrap()
+                    .with_patterns(stats),
+            )
+        }
+
+        fn data<'a>(&'a self, evaluation: &'a Evaluation) -> ReportData<'a> {
+            ReportData {
+                part: "disc <script>alert(1)</script>",
+                program: "Tomolith",
+                created: "",
+                facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
+                lights: vec![LightReport {
+                    name: "",
+                    patterns: &self.patterns,
+                    bits: 8,
+                    full_scale: 6.0,
+                    wavelength_nm: None,
+                }],
+                labels: &self.labels,
+                response: &self.response,
+                inside: None,
+                window: Some([0.7, 0.9]),
+                evaluation,
+                standing: Some(evaluation),
+                optimisation: None,
+                published: serde_json::Map::new(),
+                history: &self.history,
+                movies: Vec::new(),
+                job_text: "a = \"</pre><b>\"",
+                warnings: vec!["x < y".to_owned()],
+                timings: vec![Timing {
+                    name: "all".to_owned(),
+                    seconds: 2.0,
+                }],
+            }
+        }
+    }
+
+    #[test]
+    fn json_holds_the_numbers_and_no_others_change_between_runs() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.json");
+        write_json(&path, &sample.data(&evaluation)).unwrap();
+        let json: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+        assert_eq!(json["schema"], "tomolith.report/1");
+        for (name, value) in &evaluation.measures.0 {
+            assert_eq!(json["evaluation"][name].as_f64(), *value, "{name}");
+            assert_eq!(
+                json["evaluation"]["standing_still"][name].as_f64(),
+                *value,
+                "{name}"
+            );
+        }
+        assert!((json["evaluation"]["iou"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+        assert_eq!(json["optimisation"], serde_json::Value::Null);
+        assert_eq!(json["published"], serde_json::json!({}));
+        assert_eq!(json["history"]["forward_calls"], 8);
+        assert_eq!(json["run"]["timings_s"]["all"], 2.0);
+        let mut other = sample.data(&evaluation);
+        (other.created, other.timings[0].seconds) = ("tomorrow", 9.0);
+        let mut other = json::report_json(&other);
+        assert_ne!(other, json);
+        other["run"] = json["run"].clone();
+        assert_eq!(other, json);
+    }
+
+    #[test]
+    fn the_page_is_whole_and_nothing_gets_out_of_its_text() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.html");
+        write_html(&path, &sample.data(&evaluation)).unwrap();
+        let page = std::fs::read_to_string(&path).unwrap();
+        assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
+        for bad in [
+            "<script",
+            "alert(1)</h1>",
+            "</pre><b>",
+            "x < y",
+            "NaN",
+            "inf",
+            "http:",
+            "https:",
+            "src=\"/",
+        ] {
+            assert!(!page.contains(bad), "{bad}");
+        }
+        assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
+        // Nine slices, a sinogram, eight frames
+        assert_eq!(page.matches("data:image/png;base64,").count(), 18);
+        for tag in ["section", "figure", "svg", "table", "div", "details"] {
+            assert_eq!(
+                page.matches(&format!("<{tag}")).count(),
+                page.matches(&format!("</{tag}>")).count(),
+                "{tag}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_empty_print_still_has_a_page() {
+        let mut sample = Sample::new();
+        sample.response.values.fill(0.0);
+        sample.history.clear();
+        let evaluation = sample.evaluation();
+        let page = html::report_html(&sample.data(&evaluation));
+        assert!(page.contains("No threshold prints any of the part."));
+        assert!(!page.contains("NaN") && !page.contains("inf"));
+        let json = json::report_json(&sample.data(&evaluation));
+        assert_eq!(
+            (
+                &json["evaluation"]["iou"],
+                &json["evaluation"]["hausdorff_mm"]
+            ),
+            (&serde_json::json!(0.0), &serde_json::Value::Null)
+        );
+    }
+
+    #[test]
+    fn volumes_that_do_not_belong_together_are_refused() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let small = Volume::filled(VolumeGrid::centered([1, 1, 1], 1.0), 0.0f32);
+        data.inside = Some(&small);
+        assert!(matches!(
+            write_html(Path::new("r.html"), &data),
+            Err(Error::Shape { .. })
+        ));
+    }
+}

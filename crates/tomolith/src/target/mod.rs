@@ -2,6 +2,43 @@
 //!
 //! *What must it do, and who does it.* A [`Target`] is an inside fraction per voxel (1 part, 0 void, between at the
 //! surface), or grey values to be reproduced. It can be asked for again on a finer grid: evaluation does that.
+//!
+//! | kind of shape | file |
+//! |---|---|
+//! | mesh: STL, OBJ, PLY, 3MF | [`MeshShape`], examined by [`diagnosis`], voxelised exactly |
+//! | part by formula | [`phantom`] with its table [`PHANTOMS`] |
+//! | grey image, drawn along z | [`GreyImage`] |
+//!
+//! [`TargetSpec`] is the job's table `[target]`, [`build`] makes a shape of it, [`default_grid`] puts a grid round the
+//! shape and [`voxelise`] fills it:
+//!
+//! ```
+//! use tomolith::target::{Resolution, TargetSpec, build, default_grid, voxelise};
+//! let spec: TargetSpec = toml::from_str("phantom = \"sphere\"\nsize_mm = 2.0").unwrap();
+//! let shape = build(&spec, std::path::Path::new("."), "target").unwrap();
+//! let grid = default_grid(shape.bounds_mm(), Resolution::Pitch(0.1)).unwrap();
+//! let target = voxelise(&*shape, &spec.name(), &grid).unwrap();
+//! let volume: f32 = target.inside.values.iter().sum::<f32>() * 0.1f32.powi(3);
+//! assert!((volume / 4.18879 - 1.0).abs() < 1e-3); // 4/3·π, radius 1
+//! ```
+
+pub mod diagnosis;
+mod image;
+mod lines;
+pub mod phantom;
+mod placing;
+mod region;
+mod solid;
+mod spec;
+mod voxels;
+
+pub use diagnosis::Diagnosis;
+pub use image::GreyImage;
+pub use phantom::PHANTOMS;
+pub use placing::{Map, Placement};
+pub use region::{Resolution, default_grid};
+pub use solid::MeshShape;
+pub use spec::{TargetSpec, build, voxelise};
 
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};

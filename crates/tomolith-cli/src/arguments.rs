@@ -1,0 +1,108 @@
+//! What can be typed.
+
+use clap::{Args, Parser, Subcommand};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  tomolith run examples/01-gear.toml                patterns and report in out/01-gear
+  tomolith run gear.toml --set stop.iterations=10   change one key for this run
+  tomolith check gear.toml                          is it sound, and what will it cost?
+  tomolith simulate gear.toml --patterns old.npz    what do these patterns print?
+  tomolith kinds vial                               every vial with its parameters
+  tomolith schema > job.schema.json                 for editors that complete TOML
+
+Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 cancelled";
+
+/// Computes light patterns for tomographic volumetric printing, and predicts what they print.
+#[derive(Debug, Parser)]
+#[command(name = "tomolith", version, after_help = EXAMPLES, arg_required_else_help = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run a job: target → patterns → predicted print → report
+    Run(RunArguments),
+    /// Simulate patterns of an earlier run (or of another program) under a job
+    Simulate(SimulateArguments),
+    /// Check a job without running it: plan, memory, time, warnings
+    Check(CheckArguments),
+    /// List what a job can choose from: vials, objectives, optimisers, … with their parameters
+    Kinds {
+        /// Only this family, for example `vial`
+        family: Option<String>,
+        /// Only this kind, for example `cylinder`
+        name: Option<String>,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print the JSON Schema of a job file
+    Schema,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct JobArguments {
+    /// Job file, TOML or JSON
+    pub(crate) job: PathBuf,
+    /// Quick trial: a third of the resolution, few angles, few iterations; what it prints is poor
+    #[arg(long)]
+    pub(crate) toy: bool,
+    /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<String>,
+}
+
+/// How the command speaks and works.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub(crate) struct Manner {
+    /// Say nothing but errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+    /// One JSON object per line on standard output, errors included
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Threads to use; all cores when left out. Results do not depend on it
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZeroUsize>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    #[command(flatten)]
+    pub(crate) job: JobArguments,
+    /// Run folder, in place of `output.folder`
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Go on from the checkpoint in the run folder
+    #[arg(long)]
+    pub(crate) resume: bool,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArguments {
+    #[command(flatten)]
+    pub(crate) job: JobArguments,
+    /// The patterns: `patterns.npz` of a run folder
+    #[arg(long, value_name = "NPZ")]
+    pub(crate) patterns: PathBuf,
+    /// Run folder, in place of `output.folder`
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    pub(crate) job: JobArguments,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}

@@ -1,0 +1,354 @@
+//! Whole runs of the command, on a job that takes a moment.
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+const JOB: &str = r#"[target]
+phantom = "gear"
+size_mm = 2.0
+
+[grid]
+pitch_mm = 0.1
+
+[resin]
+refractive_index = 1.5
+absorption_per_mm = 0.05
+
+[vial.cylinder]
+inner_radius_mm = 3.0
+outer_radius_mm = 3.5
+refractive_index = 1.5
+
+[[light]]
+pixels = [48, 24]
+angles = 30
+projector.collimated = { pixel_pitch_mm = 0.1 }
+
+[objective.threshold]
+
+[stop]
+iterations = 6
+"#;
+
+struct Bench {
+    temp: tempfile::TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let bench = Bench {
+            temp: tempfile::tempdir().unwrap(),
+        };
+        fs::write(bench.path("job.toml"), JOB).unwrap();
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn command(&self, line: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
+        command.current_dir(self.temp.path()).args(line.split(' '));
+        command
+    }
+
+    fn tomolith(&self, line: &str) -> Output {
+        self.command(line).output().unwrap()
+    }
+
+    /// Runs a command that must end with this exit code; its standard output.
+    fn expect(&self, code: i32, line: &str) -> String {
+        let output = self.tomolith(line);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    }
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+/// Content of every file of a run folder that must not depend on when and how it was made.
+fn bits(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let names = [
+        "patterns.npz",
+        "dose.npy",
+        "dose.vti",
+        "print.stl",
+        "frames/frame_0007.png",
+        "gear_10rpm.mp4",
+    ];
+    names
+        .iter()
+        .map(|name| (name.to_string(), fs::read(folder.join(name)).unwrap()))
+        .collect()
+}
+
+#[test]
+fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
+    let bench = Bench::new();
+    let said = bench.expect(0, "run job.toml");
+    assert!(said.contains("written, turning"), "{said}");
+    let run = bench.path("out/job");
+    for name in ["job.toml", "history.csv", "report.json", "report.html"] {
+        assert!(run.join(name).metadata().unwrap().len() > 100, "{name}");
+    }
+    assert!(!run.join(".new").exists() && !run.join(".lock").exists());
+    let report = json(&run.join("report.json"));
+    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.99);
+    assert!(report["evaluation"]["iou"].as_f64().unwrap() > 0.7);
+    assert_eq!(report["evaluation"]["sub_angles"], 4);
+    assert_eq!(report["evaluation"]["standing_still"]["sub_angles"], 1);
+
+    bench.expect(
+        0,
+        "simulate job.toml --patterns out/job/patterns.npz --output again",
+    );
+    let again = json(&bench.path("again/report.json"));
+    for section in ["evaluation", "optimisation", "lights", "movies"] {
+        assert_eq!(again[section], report[section], "{section}");
+    }
+    assert_eq!(bits(&bench.path("again")), bits(&run));
+
+    // The resolved job runs identically, from another folder, and only there
+    fs::create_dir(bench.path("elsewhere")).unwrap();
+    fs::copy(run.join("job.toml"), bench.path("elsewhere/resolved.toml")).unwrap();
+    bench.expect(
+        0,
+        "run elsewhere/resolved.toml --output resolved --threads 1",
+    );
+    assert_eq!(bits(&bench.path("resolved")), bits(&run));
+}
+
+#[test]
+fn a_job_in_json_is_the_same_job() {
+    let bench = Bench::new();
+    let table: Value = toml::from_str(JOB).unwrap();
+    fs::write(bench.path("j.json"), table.to_string()).unwrap();
+    bench.expect(0, "run job.toml --output a --quiet");
+    bench.expect(0, "run j.json --output b --quiet");
+    assert_eq!(bits(&bench.path("a")), bits(&bench.path("b")));
+    // Overrides are the same as changes of the text
+    fs::write(
+        bench.path("c.toml"),
+        JOB.replace("iterations = 6", "iterations = 3"),
+    )
+    .unwrap();
+    bench.expect(0, "run c.toml --output c --quiet");
+    bench.expect(0, "run job.toml --output d --quiet --set stop.iterations=3");
+    assert_eq!(bits(&bench.path("c")), bits(&bench.path("d")));
+    assert_ne!(bits(&bench.path("c")), bits(&bench.path("a")));
+}
+
+#[test]
+fn a_quality_that_is_not_met_ends_with_one() {
+    let bench = Bench::new();
+    let said = bench.expect(1, "run job.toml --set evaluate.require_iou=1.0");
+    assert!(said.contains("NOT met"), "{said}");
+    assert!(bench.path("out/job/report.html").exists());
+    bench.expect(0, "run job.toml --set evaluate.require_iou=0.5");
+}
+
+#[test]
+fn json_lines_and_silence_are_kept() {
+    let bench = Bench::new();
+    let lines = bench.expect(0, "run job.toml --json");
+    let events: Vec<Value> = lines
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let of = |name: &str| events.iter().filter(|e| e["event"] == name).count();
+    assert!(of("stage") >= 4 && of("iteration") >= 2, "{lines}");
+    assert_eq!(events.last().unwrap()["event"], "done");
+    let losses: Vec<f64> = events.iter().filter_map(|e| e["loss"].as_f64()).collect();
+    assert!(
+        losses.windows(2).all(|pair| pair[1] <= pair[0]),
+        "{losses:?}"
+    );
+    let output = bench.tomolith("run job.toml --quiet");
+    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+}
+
+/// `kill −9` at several moments: the folder resumes to the same bits.
+#[test]
+#[cfg(unix)]
+fn a_killed_run_resumes_to_the_same_bits() {
+    let bench = Bench::new();
+    let job = "run job.toml --quiet --set stop.iterations=60 --set objective.threshold.upper=1.0 \
+               --set objective.threshold.lower=0.99 --set checkpoint.every_s=0.001";
+    bench.expect(0, &format!("{job} --output whole"));
+    let mut cut_short = 0;
+    for moment in [3, 30, 80, 150] {
+        let line = format!("{job} --output killed");
+        let _ = fs::remove_dir_all(bench.path("killed"));
+        let mut child = bench.command(&line).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(moment));
+        cut_short += usize::from(child.try_wait().unwrap().is_none());
+        child.kill().unwrap();
+        child.wait().unwrap();
+        bench.expect(0, &format!("{line} --resume"));
+        assert_eq!(
+            bits(&bench.path("killed")),
+            bits(&bench.path("whole")),
+            "killed after {moment} ms"
+        );
+    }
+    assert!(cut_short > 0, "every run was over before it was killed");
+}
+
+#[test]
+#[cfg(unix)]
+fn ctrl_c_ends_with_130_and_keeps_the_best() {
+    let bench = Bench::new();
+    // Steps too short to get anywhere
+    let line = "run job.toml --set stop.iterations=1000000 --set optimizer.gradient.step=1e-9";
+    let child = bench
+        .command(line)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(400));
+    let pid = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &pid])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let run = bench.path("out/job");
+    assert!(run.join("checkpoint/patterns.npz").exists());
+    assert!(!run.join("report.json").exists());
+}
+
+#[test]
+fn a_loss_that_is_no_number_stops_with_the_iteration() {
+    let bench = Bench::new();
+    let output =
+        bench.tomolith("run job.toml --set objective.threshold.exponent=1e6 --set bounds.min=50.0");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("at iteration 0"), "{message}");
+    assert!(bench.path("out/job/checkpoint/patterns.npz").exists());
+}
+
+#[test]
+fn several_lights_and_objectives_go_from_end_to_end() {
+    let bench = Bench::new();
+    let light = JOB[JOB.find("[[light]]").unwrap()..JOB.find("[objective").unwrap()].trim();
+    let second = light.replace(
+        "angles = 30",
+        "angles = { count = 20, start_deg = 3.0 }\nname = \"b\"\npolarisation = \"p\"",
+    );
+    let text = JOB
+        .replace(light, &format!("{light}\nname = \"a\"\n\n{second}"))
+        .replace(
+            "[objective.threshold]",
+            "[[objectives]]\nthreshold = {}\n[[objectives]]\nweight = 0.5\nl2 = {}",
+        );
+    fs::write(bench.path("two.toml"), text).unwrap();
+    bench.expect(0, "run two.toml");
+    let run = bench.path("out/two");
+    for name in [
+        "frames/a/frame_0029.png",
+        "frames/b/frame_0019.png",
+        "gear_a_10rpm.mp4",
+        "gear_b_10rpm.mp4",
+    ] {
+        assert!(run.join(name).exists(), "{name}");
+    }
+    bench.expect(
+        0,
+        "simulate two.toml --patterns out/two/patterns.npz --output again",
+    );
+    let [report, again] =
+        ["out/two", "again"].map(|folder| json(&bench.path(folder).join("report.json")));
+    assert_eq!(again["evaluation"], report["evaluation"]);
+    assert_eq!(report["lights"].as_array().unwrap().len(), 2);
+    let output = bench
+        .tomolith("simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("expected shape [21, 24, 48], found [20, 24, 48]"),
+        "{message}"
+    );
+}
+
+#[test]
+fn check_tells_the_plan_and_changes_nothing() {
+    let bench = Bench::new();
+    let said = bench.expect(0, "check job.toml");
+    for part in ["gear", "parallel", "memory", "time", "30 frames"] {
+        assert!(said.contains(part), "{part} is not in {said}");
+    }
+    assert!(!bench.path("out").exists());
+    let plan: Value = serde_json::from_str(&bench.expect(0, "check job.toml --json")).unwrap();
+    assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
+    // Light of ±1 mm enters a vial of index 1.5 in air: tangent up to 0.67 mm only
+    let said = bench.expect(0, "check job.toml --set light.pixels=[20,24]");
+    assert!(said.contains("cannot be lit from all sides"), "{said}");
+}
+
+#[test]
+fn kinds_and_schema_name_every_kind() {
+    let bench = Bench::new();
+    let kinds = bench.expect(0, "kinds");
+    let schema: Value = serde_json::from_str(&bench.expect(0, "schema")).unwrap();
+    let schema = schema.to_string();
+    for family in tomolith::job::kinds::families() {
+        for page in &family.kinds {
+            assert!(
+                kinds.contains(page.name),
+                "{} is not in the list",
+                page.name
+            );
+            assert!(
+                schema.contains(&format!("\"{}\"", page.name)),
+                "{} is not in the schema",
+                page.name
+            );
+            let full = bench.expect(0, &format!("kinds {} {}", family.name, page.name));
+            for parameter in tomolith::job::kinds::parameters(page) {
+                assert!(
+                    full.contains(&parameter.name),
+                    "{}.{}",
+                    page.name,
+                    parameter.name
+                );
+                assert!(
+                    !parameter.meaning.is_empty(),
+                    "{}.{} says nothing",
+                    page.name,
+                    parameter.name
+                );
+            }
+        }
+    }
+    let output = bench.tomolith("kinds vail");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean `vial`?"));
+}
+
+#[test]
+fn every_example_is_sound() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut seen = 0;
+    for entry in fs::read_dir(examples).unwrap().map(|e| e.unwrap().path()) {
+        if entry.extension().is_some_and(|e| e == "toml") {
+            let bench = Bench::new();
+            bench.expect(0, &format!("check {} --toy", entry.display()));
+            seen += 1;
+        }
+    }
+    assert!(seen >= 6, "{seen} examples");
+}

@@ -1,0 +1,70 @@
+//! The history of an optimisation as a table: `history.csv`.
+//!
+//! One line an iteration, with a header; numbers as short as they can be read back exactly, `.` as decimal point.
+//!
+//! ```
+//! use tomolith::io::csv::{HistoryRow, history_text};
+//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: 1e-3, step: 1.0, forward_calls: 2, adjoint_calls: 2, seconds: 0.25 };
+//! assert_eq!(
+//!     history_text(&[row]),
+//!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds\n1,0.5,0.001,1,2,2,0.25\n"
+//! );
+//! ```
+
+use super::whole::write_whole;
+use crate::error::Result;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::Path;
+
+/// What is known after one iteration.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct HistoryRow {
+    /// Iteration, 0 = the start.
+    pub iteration: usize,
+    /// Loss, penalties included.
+    pub loss: f64,
+    /// Norm of the projected gradient.
+    pub projected_gradient: f64,
+    /// Step length that was taken.
+    pub step: f64,
+    /// Dose model calls so far.
+    pub forward_calls: usize,
+    /// Pull-back calls so far.
+    pub adjoint_calls: usize,
+    /// Wall time since the start, s.
+    pub seconds: f64,
+}
+
+/// The table as text.
+#[must_use]
+pub fn history_text(rows: &[HistoryRow]) -> String {
+    let mut text = String::from(
+        "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds\n",
+    );
+    for r in rows {
+        // Writing into a string cannot fail
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{},{},{}",
+            r.iteration,
+            r.loss,
+            r.projected_gradient,
+            r.step,
+            r.forward_calls,
+            r.adjoint_calls,
+            r.seconds
+        );
+    }
+    text
+}
+
+/// Writes `history.csv`.
+///
+/// # Errors
+/// [`Error::Io`](crate::Error::Io).
+pub fn write_history(path: &Path, rows: &[HistoryRow]) -> Result<()> {
+    write_whole(path, |file| {
+        Ok(file.write_all(history_text(rows).as_bytes())?)
+    })
+}

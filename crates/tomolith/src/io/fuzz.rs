@@ -1,0 +1,70 @@
+//! Damaged files for the tests of readers.
+
+use std::time::Duration;
+
+/// How long a test damages files: `TOMOLITH_FUZZ_SECONDS`, by default two seconds.
+pub(crate) fn time() -> Duration {
+    let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS").ok();
+    Duration::from_secs(seconds.and_then(|s| s.parse().ok()).unwrap_or(2))
+}
+
+/// Counter-based random numbers (SplitMix64).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        (self.next() % n.max(1) as u64) as usize
+    }
+}
+
+/// A few changes: bytes, cuts, repetitions, and numbers that break careless readers.
+pub(crate) fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
+    const WORDS: [&[u8]; 12] = [
+        b"\xff\xff\xff\xff",
+        b"\0\0\0\0",
+        b"\xff\xff\xff\x7f",
+        b"-1",
+        b"99999999999999999999",
+        b"nan",
+        b"1e999",
+        b"0",
+        b"\n",
+        b"<",
+        b"/",
+        b"-9223372036854775808",
+    ];
+    for _ in 0..1 + random.below(4) {
+        let at = random.below(bytes.len() + 1);
+        match random.below(6) {
+            0 if at < bytes.len() => bytes[at] = random.next() as u8,
+            1 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
+            2 => bytes.truncate(at),
+            3 => {
+                let end = (at + random.below(64)).min(bytes.len());
+                let piece = bytes[at..end].to_vec();
+                let to = random.below(bytes.len() + 1);
+                bytes.splice(to..to, piece);
+            }
+            4 => {
+                let end = (at + random.below(16)).min(bytes.len());
+                bytes.drain(at..end);
+            }
+            _ => {
+                let word = WORDS[random.below(WORDS.len())];
+                let end = if random.below(2) == 0 {
+                    at
+                } else {
+                    (at + word.len()).min(bytes.len())
+                };
+                bytes.splice(at..end, word.iter().copied());
+            }
+        }
+    }
+}

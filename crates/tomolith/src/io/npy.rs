@@ -1,0 +1,356 @@
+//! NumPy arrays: `.npy` volumes and the `.npz` of patterns.
+//!
+//! Volumes are f32 `[z, y, x]`, patterns f32 `[angle, row, column]`, C order, little endian. `patterns.npz` holds, for
+//! one light, `patterns` (what the projector shows, dequantised) and `patterns_raw` (before quantisation); for several
+//! lights `patterns_<light>` and `patterns_raw_<light>`. The arrays are stored, not compressed.
+//!
+//! Limits: one array of an `.npz` may hold up to 4 GiB.
+//!
+//! ```
+//! use tomolith::grid::{PatternGrid, Patterns};
+//! use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("patterns.npz");
+//! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
+//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }]).unwrap();
+//! let read = read_patterns(&path).unwrap();
+//! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
+//! ```
+
+use super::whole::{Refused, write_whole};
+use crate::error::{Error, Result};
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use ndarray::{Array3, ArrayView3};
+use ndarray_npy::{
+    NpzReader, NpzWriter, ReadNpyExt, ReadableElement, WritableElement, WriteNpyExt,
+};
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+/// The patterns of one light, to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct PatternPair<'a> {
+    /// Name of the light, when there are several.
+    pub light: Option<&'a str>,
+    /// What the projector shows: quantised, as pattern values.
+    pub shown: &'a Patterns,
+    /// Before quantisation.
+    pub raw: Option<&'a Patterns>,
+}
+
+/// The patterns of one light, read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatternArrays {
+    /// Name of the light, when there are several.
+    pub light: Option<String>,
+    /// `[frames, rows, columns]`.
+    pub shape: [usize; 3],
+    /// What the projector shows.
+    pub shown: Vec<f32>,
+    /// Before quantisation, when the file holds it.
+    pub raw: Option<Vec<f32>>,
+}
+
+fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayView3<'a, T>> {
+    ArrayView3::from_shape(shape, values).map_err(|_| Error::Shape {
+        what: path.display().to_string(),
+        expected: shape.to_vec(),
+        found: vec![values.len()],
+    })
+}
+
+fn bad(path: &Path, found: impl std::fmt::Display, accepted: &str) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found: found.to_string(),
+        accepted: accepted.to_owned(),
+    }
+}
+
+/// Writes a volume as `.npy`, `[z, y, x]`.
+///
+/// # Errors
+/// [`Error::Io`], or [`Error::Shape`] when values and grid do not fit.
+pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>) -> Result<()> {
+    let array = view(path, volume.grid.shape, &volume.values)?;
+    write_whole(path, |file| {
+        array
+            .write_npy(file)
+            .map_err(|e| Refused::Io(std::io::Error::other(e)))
+    })
+}
+
+/// Reads an `.npy` volume `[z, y, x]`: its shape and values.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no 3D array of this type.
+pub fn read_volume<T: ReadableElement>(path: &Path) -> Result<([usize; 3], Vec<T>)> {
+    let file = File::open(path).map_err(|e| Error::io(path, e))?;
+    let array = Array3::<T>::read_npy(BufReader::new(file))
+        .map_err(|e| bad(path, e, "a 3D .npy array [z, y, x] of the stated type"))?;
+    Ok(c_order(array))
+}
+
+/// Reads an `.npy` volume of f32 onto a grid.
+///
+/// # Errors
+/// As [`read_volume`], and [`Error::Shape`] when the array does not fit the grid.
+pub fn read_volume_on(path: &Path, grid: &VolumeGrid) -> Result<Volume<f32>> {
+    let (shape, values) = read_volume(path)?;
+    if shape != grid.shape {
+        return Err(Error::Shape {
+            what: path.display().to_string(),
+            expected: grid.shape.to_vec(),
+            found: shape.to_vec(),
+        });
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
+    })
+}
+
+fn c_order<T>(array: Array3<T>) -> ([usize; 3], Vec<T>) {
+    let (a, b, c) = array.dim();
+    let shape = [a, b, c];
+    if array.is_standard_layout() {
+        let (values, _) = array.into_raw_vec_and_offset();
+        return (shape, values);
+    }
+    // Fortran order: the transpose is C order with the axes reversed
+    let standard = array.reversed_axes();
+    let (values, _) = standard.into_raw_vec_and_offset();
+    let mut slots: Vec<Option<T>> = values.into_iter().map(Some).collect();
+    let mut out = Vec::with_capacity(slots.len());
+    for i in 0..a {
+        for j in 0..b {
+            for k in 0..c {
+                out.extend(slots[(k * b + j) * a + i].take());
+            }
+        }
+    }
+    (shape, out)
+}
+
+fn array_name(kind: &str, light: Option<&str>) -> String {
+    light.map_or_else(|| kind.to_owned(), |light| format!("{kind}_{light}"))
+}
+
+/// Writes `patterns.npz`; see the [module page](self).
+///
+/// # Errors
+/// [`Error::Io`] or [`Error::Shape`].
+pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
+    write_whole(path, |file| {
+        let mut npz = NpzWriter::new(file);
+        for pair in lights {
+            for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
+                let Some(patterns) = patterns else { continue };
+                let array = view(path, patterns.grid.shape(), &patterns.values)?;
+                npz.add_array(array_name(kind, pair.light), &array)
+                    .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+            }
+        }
+        npz.finish()
+            .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+        Ok(())
+    })
+}
+
+/// Reads `patterns.npz`: one entry per light, in the order of their names.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, holds no patterns, or holds
+/// values that are negative or not finite.
+pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
+    const ACCEPTED: &str = "an .npz with a 3D f32 array `patterns` [angle, row, column], or one `patterns_<light>` per light";
+    let file = File::open(path).map_err(|e| Error::io(path, e))?;
+    let mut npz = NpzReader::new(BufReader::new(file)).map_err(|e| bad(path, e, ACCEPTED))?;
+    let mut names: Vec<String> = npz
+        .names()
+        .map_err(|e| bad(path, e, ACCEPTED))?
+        .into_iter()
+        .map(|name| name.trim_end_matches(".npy").to_owned())
+        .collect();
+    names.sort();
+    let mut lights = Vec::new();
+    for name in &names {
+        let light = match name.strip_prefix("patterns") {
+            Some("") => None,
+            // A light named `raw` would be mistaken for the values before quantisation
+            Some(rest) if rest != "_raw" && !rest.starts_with("_raw_") => rest.strip_prefix('_'),
+            _ => continue,
+        };
+        let (shape, shown) = read_array(&mut npz, path, name, ACCEPTED)?;
+        let raw_name = array_name("patterns_raw", light);
+        let raw = if names.contains(&raw_name) {
+            let (raw_shape, raw) = read_array(&mut npz, path, &raw_name, ACCEPTED)?;
+            if raw_shape != shape {
+                return Err(Error::Shape {
+                    what: format!("{}: {raw_name}", path.display()),
+                    expected: shape.to_vec(),
+                    found: raw_shape.to_vec(),
+                });
+            }
+            Some(raw)
+        } else {
+            None
+        };
+        lights.push(PatternArrays {
+            light: light.map(str::to_owned),
+            shape,
+            shown,
+            raw,
+        });
+    }
+    if lights.is_empty() {
+        let found = format!("the arrays {}", names.join(", "));
+        return Err(bad(path, found, ACCEPTED));
+    }
+    Ok(lights)
+}
+
+fn read_array(
+    npz: &mut NpzReader<BufReader<File>>,
+    path: &Path,
+    name: &str,
+    accepted: &str,
+) -> Result<([usize; 3], Vec<f32>)> {
+    let array: Array3<f32> = npz
+        .by_name(name)
+        .map_err(|e| bad(path, format!("{name}: {e}"), accepted))?;
+    let (shape, values) = c_order(array);
+    if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
+        return Err(bad(
+            path,
+            format!("{name} holds {value}"),
+            "finite values ≥ 0",
+        ));
+    }
+    Ok((shape, values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::PatternGrid;
+    use ndarray::ShapeBuilder;
+
+    fn random_patterns(seed: u64, frames: usize) -> Patterns {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
+        let mut state = seed;
+        for value in &mut patterns.values {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            *value = (state >> 40) as f32 * 1e-7;
+        }
+        patterns
+    }
+
+    #[test]
+    fn a_volume_comes_back_bit_for_bit_in_c_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("dose.npy");
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let values: Vec<f32> = (0..24).map(|i| (i as f32).sqrt()).collect();
+        let volume = Volume { grid, values };
+        write_volume(&path, &volume).unwrap();
+        assert_eq!(read_volume_on(&path, &volume.grid).unwrap(), volume);
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(&bytes[..6], b"\x93NUMPY");
+        let header = String::from_utf8_lossy(&bytes[..128]);
+        assert!(
+            header.contains("'<f4'") && header.contains("'fortran_order': False"),
+            "{header}"
+        );
+        assert!(header.contains("(2, 3, 4)"), "{header}");
+        // Element [1, 2, 3] is the last one in the file
+        assert_eq!(bytes[bytes.len() - 4..], 23f32.sqrt().to_le_bytes());
+        let other = VolumeGrid::centered([4, 3, 2], 0.1);
+        assert!(matches!(
+            read_volume_on(&path, &other),
+            Err(Error::Shape { .. })
+        ));
+    }
+
+    #[test]
+    fn fortran_order_is_turned_round() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("f.npy");
+        let fortran = Array3::from_shape_fn((2, 3, 4).f(), |(i, j, k)| (i * 12 + j * 4 + k) as f32);
+        ndarray_npy::write_npy(&path, &fortran).unwrap();
+        let (shape, values) = read_volume::<f32>(&path).unwrap();
+        assert_eq!(shape, [2, 3, 4]);
+        assert_eq!(values, (0..24).map(|i| i as f32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn patterns_of_one_and_of_several_lights_come_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("patterns.npz");
+        let (a, b, c) = (
+            random_patterns(1, 3),
+            random_patterns(2, 3),
+            random_patterns(3, 2),
+        );
+        write_patterns(
+            &path,
+            &[PatternPair {
+                light: None,
+                shown: &a,
+                raw: Some(&b),
+            }],
+        )
+        .unwrap();
+        let read = read_patterns(&path).unwrap();
+        assert_eq!(read.len(), 1);
+        assert_eq!(
+            (&read[0].shown, read[0].raw.as_ref()),
+            (&a.values, Some(&b.values))
+        );
+
+        let lights = [
+            PatternPair {
+                light: Some("blue"),
+                shown: &a,
+                raw: Some(&b),
+            },
+            PatternPair {
+                light: Some("uv"),
+                shown: &c,
+                raw: None,
+            },
+        ];
+        write_patterns(&path, &lights).unwrap();
+        let read = read_patterns(&path).unwrap();
+        assert_eq!(
+            read.iter().map(|l| l.light.as_deref()).collect::<Vec<_>>(),
+            [Some("blue"), Some("uv")]
+        );
+        assert_eq!(read[1].shape, [2, 4, 5]);
+        assert_eq!((&read[1].shown, read[1].raw.as_ref()), (&c.values, None));
+    }
+
+    #[test]
+    fn what_holds_no_patterns_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        assert!(matches!(read_patterns(&path), Err(Error::Io { .. })));
+        std::fs::write(&path, b"no zip").unwrap();
+        assert!(matches!(read_patterns(&path), Err(Error::Format { .. })));
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("dose", &Array3::<f32>::zeros((1, 1, 1)))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("the arrays dose"), "{text}");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("patterns", &Array3::from_elem((1, 1, 1), f32::NAN))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("patterns holds NaN"), "{text}");
+    }
+}

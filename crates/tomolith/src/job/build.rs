@@ -1,0 +1,208 @@
+//! Tables → objects: vial, lights, and whether the target fits them.
+
+use super::spec::{JobSpec, LightSpec, Region};
+use crate::error::{Error, Result};
+use crate::grid::{PatternGrid, VolumeGrid};
+use crate::kind::Section;
+use crate::models::parallel::Light;
+use crate::optics::resin::Resin;
+use crate::optics::vial::{VIALS, Vial};
+use crate::target::{Shape, label};
+
+/// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
+const STRAY: f64 = 1e-3;
+
+/// What stands between the projectors and the resin.
+pub(crate) struct Optics {
+    /// The vial.
+    pub(crate) vial: Box<dyn Vial>,
+    /// One per light.
+    pub(crate) lights: Vec<Light>,
+}
+
+impl Optics {
+    /// The vial and the lights of a job, as the optimisation sees them.
+    pub(crate) fn new(spec: &JobSpec) -> Result<Self> {
+        let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
+        let vial = (kind.build)(&section)?;
+        let lights = spec
+            .light
+            .iter()
+            .map(|light| light_of(spec, light))
+            .collect();
+        Ok(Optics { vial, lights })
+    }
+
+    /// The same lights with frames averaged over so many angles.
+    pub(crate) fn lights_turning(&self, sub_angles: usize) -> Vec<Light> {
+        let turning = |light: &Light| Light {
+            sub_angles,
+            active: None,
+            ..light.clone()
+        };
+        self.lights.iter().map(turning).collect()
+    }
+
+    /// Whether a point (mm) of a grid counts: it is in the resin and in the region.
+    pub(crate) fn counts(
+        &self,
+        region: Region,
+        grid: &VolumeGrid,
+    ) -> impl Fn([f64; 3]) -> bool + Sync {
+        let [low, high] = grid.bounds_mm();
+        let inscribed = (0..2)
+            .map(|i| high[i].min(-low[i]))
+            .fold(f64::INFINITY, f64::min);
+        let radius = if region == Region::Cylinder {
+            inscribed
+        } else {
+            f64::INFINITY
+        };
+        move |[x, y, _]| x.hypot(y) < radius && self.vial.in_resin(x, y)
+    }
+
+    /// Distance from the axis up to which every light is tangent, mm.
+    fn reach_mm(&self) -> f64 {
+        let reach = |light: &Light| {
+            let half_field = light.pixels.columns as f64 * light.pixels.pitch_mm / 2.0;
+            let surrounding = self
+                .vial
+                .surrounding_index(light.surrounding_index, light.resin.refractive_index);
+            self.vial
+                .reach_mm(half_field, surrounding, light.resin.refractive_index)
+        };
+        self.lights.iter().map(reach).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with both sizes.
+    pub(crate) fn must_hold(&self, shape: &dyn Shape) -> Result<()> {
+        let [low, high] = shape.bounds_mm();
+        // A shape touches every face of its box, so some of it is this far from the axis
+        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
+        let resin = self.vial.resin_wall().inscribed_radius();
+        if out > resin * (1.0 + 1e-9) {
+            return Err(Error::config(
+                "target",
+                format!("reaches {out:.3} mm from the axis, but the resin ends at {resin:.3} mm"),
+                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial",
+            ));
+        }
+        for (i, light) in self.lights.iter().enumerate() {
+            let half = |pixels: usize| pixels as f64 * light.pixels.pitch_mm / 2.0;
+            let up = high[2].max(-low[2]);
+            for (name, extent, field) in [
+                ("sideways", out, half(light.pixels.columns)),
+                ("along the axis", up, half(light.pixels.rows)),
+            ] {
+                if extent > field * (1.0 + 1e-9) {
+                    return Err(Error::config(
+                        format!("light[{i}].pixels"),
+                        format!(
+                            "the field reaches {field:.3} mm {name}, the target {extent:.3} mm"
+                        ),
+                        "a field larger than the target: more pixels, a larger pitch, or a smaller target",
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is nothing to print, or part of it cannot be.
+    pub(crate) fn warnings(
+        &self,
+        inside: &crate::grid::Volume<f32>,
+        labels: &crate::grid::Volume<u8>,
+        grey: bool,
+    ) -> Result<Vec<String>> {
+        let grid = &labels.grid;
+        let [_, ny, nx] = grid.shape;
+        let reach = self.reach_mm();
+        let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
+        for (i, (&label, &inside)) in labels.values.iter().zip(&inside.values).enumerate() {
+            let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
+            if !is_part {
+                continue;
+            }
+            part += 1;
+            let (x, y) = (grid.x(i % nx), grid.y(i / nx % ny));
+            stray += u64::from(label == label::OUTSIDE);
+            let radius = x.hypot(y);
+            farthest = farthest.max(radius);
+            beyond += u64::from(radius > reach);
+        }
+        let mm3 = |voxels: u64| voxels as f64 * grid.voxel_mm3();
+        if part == 0 {
+            return Err(Error::config(
+                "target",
+                "no voxel of the grid is in the target",
+                "a target that lies in the grid and is larger than a voxel",
+            ));
+        }
+        let mut warnings = Vec::new();
+        if stray as f64 > STRAY * part as f64 {
+            return Err(Error::config(
+                "target",
+                format!(
+                    "{:.3} of {:.3} mm³ lie outside the resin or the region that counts",
+                    mm3(stray),
+                    mm3(part)
+                ),
+                "a target inside the resin: give target.size_mm or target.offset_mm, another vial or grid.region",
+            ));
+        } else if stray > 0 {
+            warnings.push(format!(
+                "{:.4} mm³ of the target lie outside the resin and will not print",
+                mm3(stray)
+            ));
+        }
+        if beyond > 0 {
+            warnings.push(format!(
+                "the target reaches {farthest:.2} mm from the axis, but light is tangent only up to {reach:.2} mm: {:.1} % of \
+                 it cannot be lit from all sides",
+                100.0 * beyond as f64 / part as f64
+            ));
+        }
+        Ok(warnings)
+    }
+}
+
+fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
+    let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
+    let [columns, rows] = light.pixels;
+    let resin = &spec.resin;
+    let absorption = if resin.pure_radon {
+        0.0
+    } else {
+        resin.absorption_per_mm
+    };
+    Light {
+        pixels: PatternGrid {
+            azimuths,
+            frame_arc,
+            rows,
+            columns,
+            pitch_mm: light.projector.pixel_pitch_mm(),
+        },
+        resin: Resin {
+            refractive_index: resin.refractive_index,
+            absorption_per_mm: absorption,
+            attenuation_per_mm: if resin.pure_radon {
+                0.0
+            } else {
+                resin.attenuation_per_mm.unwrap_or(absorption)
+            },
+            pure_radon: resin.pure_radon,
+        },
+        surrounding_index: spec.vial.surrounding_index,
+        polarisation: light.polarisation,
+        sub_angles: light.sub_angles,
+        active: None,
+    }
+}

@@ -1,0 +1,712 @@
+//! The text of a job: TOML or JSON → one tree of values that remembers where each key stands.
+//!
+//! ```
+//! use tomolith::job::Document;
+//! let mut job = Document::toml("part.toml", "[stop]\niterations = 40\n").unwrap();
+//! let wrong = tomolith::Error::config("stop.iterations", "found 40", "something else");
+//! // The key stands in the second line of the file:
+//! assert!(job.locate(wrong).to_string().ends_with("(part.toml, line 2)"));
+//! job.set("stop.iterations=10").unwrap();
+//! assert_eq!(job.root["stop"]["iterations"], 10);
+//! ```
+//!
+//! JSON has the same keys. Duplicate keys, dates and numbers that are not finite are refused in both. Key paths are
+//! dotted, elements of lists are counted from 0: `light[0].pixels[1]`.
+
+use crate::error::{Error, Place, Result};
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Deepest nesting of an override's key; far more than any job has.
+const DEEPEST: usize = 32;
+
+/// A job's text, its values, and where they stand.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The file as the user named it.
+    pub file: PathBuf,
+    /// Its content.
+    pub text: String,
+    /// All values, overrides included.
+    pub root: Value,
+    places: BTreeMap<String, Range<usize>>,
+    overrides: BTreeMap<String, String>,
+}
+
+impl Document {
+    /// Reads a file: JSON when its name ends in `.json`, TOML otherwise.
+    ///
+    /// # Errors
+    /// [`Error::Io`] when it cannot be read; [`Error::Config`] with file and line when it is no TOML or JSON.
+    pub fn read(file: &Path) -> Result<Self> {
+        let bytes = std::fs::read(file).map_err(|e| Error::io(file, e))?;
+        Self::from_bytes(file, bytes)
+    }
+
+    /// The content of a file whose name says which language it is in.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with file and line when it is no TOML or JSON in UTF-8.
+    pub fn from_bytes(file: &Path, bytes: Vec<u8>) -> Result<Self> {
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let good = e.utf8_error().valid_up_to();
+            let line = 1 + e.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
+            Error::Config {
+                key: String::new(),
+                found: "bytes that are no UTF-8 text".to_owned(),
+                accepted: "a job file in TOML or JSON, encoded in UTF-8".to_owned(),
+                nearest: None,
+                place: Some(Place {
+                    file: file.to_owned(),
+                    line,
+                    span: good..good,
+                }),
+            }
+        })?;
+        let is_json = file
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("json"));
+        if is_json {
+            Self::json(file, text)
+        } else {
+            Self::toml(file, text)
+        }
+    }
+
+    /// A job in TOML; `file` is only used in messages.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with line and span: syntax, a key twice, a date, a number that is not finite.
+    pub fn toml(file: impl Into<PathBuf>, text: impl Into<String>) -> Result<Self> {
+        let mut document = Document::empty(file.into(), text.into());
+        let text = document.text.clone();
+        let table = toml::de::DeTable::parse(&text).map_err(|e| {
+            document.syntax(e.span().unwrap_or(0..0), e.message(), "a job file in TOML")
+        })?;
+        document.root = document.toml_table(table.get_ref(), "")?;
+        Ok(document)
+    }
+
+    /// A job in JSON; `file` is only used in messages.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with line and span: syntax, a key twice.
+    pub fn json(file: impl Into<PathBuf>, text: impl Into<String>) -> Result<Self> {
+        let mut document = Document::empty(file.into(), text.into());
+        document.root = serde_json::from_str(&document.text).map_err(|e| {
+            let at = document.offset(e.line(), e.column());
+            document.syntax(at..at, &e.to_string(), "a job file in JSON")
+        })?;
+        if !document.root.is_object() {
+            return Err(document.syntax(
+                0..0,
+                "a JSON value that is no object",
+                "an object {…} with the keys of a job",
+            ));
+        }
+        let text = document.text.clone();
+        let mut walk = JsonPlaces {
+            text: &text,
+            at: 0,
+            document: &mut document,
+        };
+        walk.value("")?;
+        Ok(document)
+    }
+
+    /// Sets one key, as `--set` does: `stop.iterations=10`, `light[0].angles=360`, `output.folder=out/b`.
+    ///
+    /// The value is read as TOML, and as a plain string when it is none. A list with one element needs no index.
+    ///
+    /// # Errors
+    /// [`Error::Config`] that names the override.
+    pub fn set(&mut self, assignment: &str) -> Result<()> {
+        let refuse = |found: &str| {
+            let accepted = "KEY=VALUE with a dotted key, for example stop.iterations=10";
+            Err(Error::config(
+                format!("--set {assignment}"),
+                found,
+                accepted,
+            ))
+        };
+        let Some((key, text)) = assignment.split_once('=') else {
+            return refuse("no `=` in it");
+        };
+        let Some(steps) = steps(key.trim()) else {
+            return refuse("a key that cannot be read");
+        };
+        if steps.len() > DEEPEST {
+            return refuse("a key of too many parts");
+        }
+        let value = match self.override_value(text.trim()) {
+            Ok(value) => value,
+            Err(found) => return refuse(&found),
+        };
+        match insert(&mut self.root, &steps, value, "") {
+            Ok(path) => {
+                self.overrides.insert(path, assignment.to_owned());
+                Ok(())
+            }
+            Err(found) => refuse(&found),
+        }
+    }
+
+    /// Adds file, line and span to an [`Error::Config`] whose key (or a part of it) stands in this document; names the
+    /// override instead when that is where the value came from. Other errors pass unchanged.
+    #[must_use]
+    pub fn locate(&self, mut error: Error) -> Error {
+        let Error::Config {
+            key, found, place, ..
+        } = &mut error
+        else {
+            return error;
+        };
+        if place.is_some() {
+            return error;
+        }
+        let mut path = key.as_str();
+        loop {
+            if let Some(assignment) = self.overrides.get(path) {
+                found.push_str(&format!(" (from --set {assignment})"));
+                break;
+            }
+            if let Some(span) = self.places.get(path) {
+                *place = Some(self.place(span.clone()));
+                break;
+            }
+            if path.is_empty() {
+                *place = Some(self.place(0..0));
+                break;
+            }
+            path = parent(path);
+        }
+        error
+    }
+
+    fn empty(file: PathBuf, text: String) -> Self {
+        Document {
+            file,
+            text,
+            root: Value::Null,
+            places: BTreeMap::new(),
+            overrides: BTreeMap::new(),
+        }
+    }
+
+    fn place(&self, span: Range<usize>) -> Place {
+        let start = span.start.min(self.text.len());
+        let line = 1 + self.text.as_bytes()[..start]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count();
+        Place {
+            file: self.file.clone(),
+            line,
+            span,
+        }
+    }
+
+    fn syntax(&self, span: Range<usize>, found: &str, accepted: &str) -> Error {
+        Error::Config {
+            key: String::new(),
+            found: found.to_owned(),
+            accepted: accepted.to_owned(),
+            nearest: None,
+            place: Some(self.place(span)),
+        }
+    }
+
+    /// Byte offset of line and column (both counted from 1, as `serde_json` does).
+    fn offset(&self, line: usize, column: usize) -> usize {
+        let before: usize = self
+            .text
+            .split_inclusive('\n')
+            .take(line.saturating_sub(1))
+            .map(str::len)
+            .sum();
+        (before + column.saturating_sub(1)).min(self.text.len())
+    }
+
+    /// Remembers where `key = value` stands: the whole of it when it is on one line, the key alone otherwise.
+    fn remember(&mut self, path: &str, key: Range<usize>, value: Range<usize>) {
+        let whole = key.start.min(value.start)..key.end.max(value.end);
+        let one_line = self
+            .text
+            .get(whole.clone())
+            .is_some_and(|t| !t.contains('\n'));
+        let span = if one_line && value.start >= key.start {
+            whole
+        } else {
+            key
+        };
+        self.places.entry(path.to_owned()).or_insert(span);
+    }
+
+    fn toml_table(&mut self, table: &toml::de::DeTable<'_>, path: &str) -> Result<Value> {
+        let mut map = Map::new();
+        for (key, value) in table {
+            let inner = join(path, key.get_ref());
+            self.remember(&inner, key.span(), value.span());
+            let value = self.toml_value(value, &inner)?;
+            map.insert(key.get_ref().to_string(), value);
+        }
+        Ok(Value::Object(map))
+    }
+
+    fn toml_value(
+        &mut self,
+        value: &toml::Spanned<toml::de::DeValue<'_>>,
+        path: &str,
+    ) -> Result<Value> {
+        use toml::de::DeValue;
+        let refuse = |found: String, accepted: &str| {
+            Err(Error::Config {
+                key: path.to_owned(),
+                found,
+                accepted: accepted.to_owned(),
+                nearest: None,
+                place: Some(self.place(value.span())),
+            })
+        };
+        match value.get_ref() {
+            DeValue::String(text) => Ok(Value::String(text.to_string())),
+            DeValue::Boolean(flag) => Ok(Value::Bool(*flag)),
+            DeValue::Integer(number) => {
+                match i64::from_str_radix(number.as_str(), number.radix()) {
+                    Ok(number) => Ok(Value::from(number)),
+                    Err(_) => refuse(
+                        format!("found {}", number.as_str()),
+                        "a whole number of at most 63 bits",
+                    ),
+                }
+            }
+            DeValue::Float(number) => match number
+                .as_str()
+                .parse::<f64>()
+                .ok()
+                .and_then(serde_json::Number::from_f64)
+            {
+                Some(number) => Ok(Value::Number(number)),
+                None => refuse(format!("found {}", number.as_str()), "a finite number"),
+            },
+            DeValue::Datetime(date) => refuse(
+                format!("found the date {date}"),
+                "a number, text, a list or a table",
+            ),
+            DeValue::Array(list) => {
+                let mut values = Vec::with_capacity(list.len());
+                for (i, element) in list.iter().enumerate() {
+                    let inner = format!("{path}[{i}]");
+                    self.remember(&inner, element.span(), element.span());
+                    values.push(self.toml_value(element, &inner)?);
+                }
+                Ok(Value::Array(values))
+            }
+            DeValue::Table(table) => self.toml_table(table, path),
+        }
+    }
+
+    /// The value of an override: TOML when it is some, text otherwise.
+    fn override_value(&self, text: &str) -> Result<Value, String> {
+        let Ok(document) = Document::toml("--set", format!("value = {text}")) else {
+            // NaN and infinity are TOML, but no value of a job
+            return match toml::de::DeValue::parse(text) {
+                Ok(_) => Err(format!("`{text}` is no value of a job")),
+                Err(_) => Ok(Value::String(text.to_owned())),
+            };
+        };
+        match document.root {
+            Value::Object(mut map) if map.len() == 1 => Ok(map.remove("value").unwrap_or_default()),
+            _ => Err("more than one line".to_owned()),
+        }
+    }
+}
+
+/// `a`, `b` → `a.b`
+pub(crate) fn join(path: &str, key: &str) -> String {
+    if path.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{path}.{key}")
+    }
+}
+
+/// The path without its last key or index.
+fn parent(path: &str) -> &str {
+    &path[..path.rfind(['.', '[']).unwrap_or(0)]
+}
+
+/// One step of a key path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Step {
+    Key(String),
+    Index(usize),
+}
+
+/// `light[0].angles` and `light.0.angles` → the steps; None when it cannot be read.
+fn steps(path: &str) -> Option<Vec<Step>> {
+    let mut steps = Vec::new();
+    for part in path.split('.') {
+        let (name, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
+        match name.parse() {
+            Ok(index) => steps.push(Step::Index(index)),
+            Err(_) if name.is_empty() || name.contains(char::is_whitespace) => return None,
+            Err(_) => steps.push(Step::Key(name.to_owned())),
+        }
+        for index in indices.split_inclusive(']') {
+            let index = index.strip_prefix('[')?.strip_suffix(']')?;
+            steps.push(Step::Index(index.parse().ok()?));
+        }
+    }
+    Some(steps)
+}
+
+/// Puts `value` where the steps lead, making tables on the way; returns the path, or why not.
+fn insert(node: &mut Value, steps: &[Step], value: Value, path: &str) -> Result<String, String> {
+    let Some((step, rest)) = steps.split_first() else {
+        *node = value;
+        return Ok(path.to_owned());
+    };
+    if node.is_null() {
+        *node = Value::Object(Map::new());
+    }
+    // A kind without parameters may be written as text: `response = "identity"`
+    if let (Value::String(kind), Step::Key(key)) = (&*node, step)
+        && kind == key
+    {
+        let mut map = Map::new();
+        map.insert(key.clone(), Value::Object(Map::new()));
+        *node = Value::Object(map);
+    }
+    match (node, step) {
+        (Value::Object(map), Step::Key(key)) => {
+            let child = map.entry(key.clone()).or_insert(Value::Null);
+            insert(child, rest, value, &join(path, key))
+        }
+        (Value::Array(list), Step::Key(_)) if list.len() == 1 => {
+            insert(&mut list[0], steps, value, &format!("{path}[0]"))
+        }
+        (Value::Array(list), Step::Index(index)) => {
+            let length = list.len();
+            match list.get_mut(*index) {
+                Some(child) => insert(child, rest, value, &format!("{path}[{index}]")),
+                None => Err(format!("`{path}` has {length} elements, counted from 0")),
+            }
+        }
+        (Value::Array(list), Step::Key(_)) => Err(format!(
+            "`{path}` has {} elements: say which, as in `{path}[0]`",
+            list.len()
+        )),
+        (other, _) => Err(format!("`{path}` is {other}, not a table")),
+    }
+}
+
+/// Walks a JSON text that is known to be well-formed, to learn where its keys stand.
+struct JsonPlaces<'t> {
+    text: &'t str,
+    at: usize,
+    document: &'t mut Document,
+}
+
+impl JsonPlaces<'_> {
+    fn peek(&mut self) -> u8 {
+        let bytes = self.text.as_bytes();
+        while bytes.get(self.at).is_some_and(u8::is_ascii_whitespace) {
+            self.at += 1;
+        }
+        bytes.get(self.at).copied().unwrap_or(0)
+    }
+
+    /// Passes `,`, `:` and brackets.
+    fn pass(&mut self) {
+        self.peek();
+        self.at += 1;
+    }
+
+    fn string(&mut self) -> Range<usize> {
+        self.peek();
+        let start = self.at;
+        let mut escaped = false;
+        for byte in &self.text.as_bytes()[(start + 1).min(self.text.len())..] {
+            self.at += 1;
+            match byte {
+                b'"' if !escaped => break,
+                b'\\' => escaped = !escaped,
+                _ => escaped = false,
+            }
+        }
+        self.at += 1;
+        start..self.at.min(self.text.len())
+    }
+
+    fn value(&mut self, path: &str) -> Result<Range<usize>> {
+        let first = self.peek();
+        let start = self.at;
+        match first {
+            b'{' => self.object(path)?,
+            b'[' => self.array(path)?,
+            b'"' => {
+                self.string();
+            }
+            _ => {
+                let rest = &self.text[start..];
+                self.at += rest
+                    .find([',', '}', ']', ' ', '\n', '\r', '\t'])
+                    .unwrap_or(rest.len());
+            }
+        }
+        Ok(start..self.at)
+    }
+
+    fn object(&mut self, path: &str) -> Result<()> {
+        let mut seen = std::collections::BTreeSet::new();
+        self.pass();
+        while self.peek() == b'"' {
+            let key = self.string();
+            let name: String = serde_json::from_str(&self.text[key.clone()]).unwrap_or_default();
+            let inner = join(path, &name);
+            if !seen.insert(name) {
+                return Err(Error::Config {
+                    key: inner,
+                    found: "the key stands here a second time".to_owned(),
+                    accepted: "each key once".to_owned(),
+                    nearest: None,
+                    place: Some(self.document.place(key)),
+                });
+            }
+            self.pass();
+            let value = self.value(&inner)?;
+            self.document.remember(&inner, key, value);
+            if self.peek() == b',' {
+                self.pass();
+            }
+        }
+        self.pass();
+        Ok(())
+    }
+
+    fn array(&mut self, path: &str) -> Result<()> {
+        self.pass();
+        let mut index = 0;
+        while !matches!(self.peek(), b']' | 0) {
+            let inner = format!("{path}[{index}]");
+            let value = self.value(&inner)?;
+            self.document.remember(&inner, value.clone(), value);
+            index += 1;
+            if self.peek() == b',' {
+                self.pass();
+            }
+        }
+        self.pass();
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::JobSpec;
+
+    const JOB: &str = "title = \"a\"\n\n[vial.cylinder]\ninner_radius_mm = 7.6\n\n[[light]]\nangles = 300\n[[light]]\nangles = { count = 4 }\n";
+
+    fn line_of(document: &Document, key: &str) -> usize {
+        match document.locate(Error::config(key, "", "")) {
+            Error::Config {
+                place: Some(place), ..
+            } => place.line,
+            other => panic!("no place: {other}"),
+        }
+    }
+
+    #[test]
+    fn every_key_has_its_line_and_a_missing_one_that_of_its_table() {
+        let document = Document::toml("a.toml", JOB).unwrap();
+        assert_eq!(line_of(&document, "vial.cylinder.inner_radius_mm"), 4);
+        assert_eq!(line_of(&document, "vial.cylinder.outer_radius_mm"), 3);
+        assert_eq!(line_of(&document, "light[0].angles"), 7);
+        assert_eq!(line_of(&document, "light[1].angles.count"), 9);
+        assert_eq!(line_of(&document, "grid.pitch_mm"), 1);
+        let Error::Config {
+            place: Some(place), ..
+        } = document.locate(Error::config("vial.cylinder.inner_radius_mm", "", ""))
+        else {
+            panic!("no place")
+        };
+        assert_eq!(&JOB[place.span], "inner_radius_mm = 7.6");
+    }
+
+    #[test]
+    fn json_has_the_same_values_and_its_own_lines() {
+        let text = "{\"title\": \"a\",\n \"vial\": {\"cylinder\": {\n  \"inner_radius_mm\": 7.6}},\n \"light\": [{\"angles\": 300},\n {\"angles\": {\"count\": 4}}]}";
+        let json = Document::json("a.json", text).unwrap();
+        assert_eq!(json.root, Document::toml("a.toml", JOB).unwrap().root);
+        assert_eq!(line_of(&json, "vial.cylinder.inner_radius_mm"), 3);
+        assert_eq!(line_of(&json, "light[1].angles.count"), 5);
+        let text = Document::json("a.json", "{\"a\": 1,\n\"b\": \"\\\\\", \"a\": 2}")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            text.starts_with("a: the key stands here a second time")
+                && text.ends_with("(a.json, line 2)"),
+            "{text}"
+        );
+        let text = Document::json("a.json", "{\n\"a\": }")
+            .unwrap_err()
+            .to_string();
+        assert!(text.ends_with("(a.json, line 2)"), "{text}");
+    }
+
+    #[test]
+    fn what_no_job_can_hold_is_refused_with_its_key_and_line() {
+        for (text, start) in [
+            (
+                "\n[a]\nb = nan",
+                "a.b: found nan; accepted: a finite number (j.toml, line 3)",
+            ),
+            (
+                "a = [1, inf]",
+                "a[1]: found inf; accepted: a finite number (j.toml, line 1)",
+            ),
+            (
+                "a = 1e999",
+                "a: found 1e999; accepted: a finite number (j.toml, line 1)",
+            ),
+            ("a = 2026-11-21", "a: found the date 2026-11-21"),
+            ("a = 1\na = 2", "job: duplicate key"),
+            ("a = ", "job: "),
+        ] {
+            let message = Document::toml("j.toml", text).unwrap_err().to_string();
+            assert!(message.starts_with(start), "{text:?}: {message}");
+        }
+        let error =
+            Document::from_bytes(Path::new("j.toml"), b"a = 1\nb = \"\xff\"".to_vec()).unwrap_err();
+        assert!(error.to_string().ends_with("(j.toml, line 2)"), "{error}");
+    }
+
+    #[test]
+    fn overrides_are_typed_and_name_themselves() {
+        let mut document = Document::toml("a.toml", JOB).unwrap();
+        document.root["light"].as_array_mut().unwrap().pop();
+        for assignment in [
+            "stop.iterations=10",
+            "grid.pitch_mm=0.5 mm",
+            "light.angles={ count = 3 }",
+            "light[0].pixels=[4, 5]",
+            "target.phantom=gear",
+        ] {
+            document.set(assignment).unwrap();
+        }
+        assert_eq!(document.root["stop"]["iterations"], 10);
+        assert_eq!(document.root["grid"]["pitch_mm"], "0.5 mm");
+        assert_eq!(document.root["light"][0]["angles"]["count"], 3);
+        assert_eq!(document.root["light"][0]["pixels"][1], 5);
+        assert_eq!(document.root["target"]["phantom"], "gear");
+        let message = document
+            .locate(Error::config("light[0].pixels", "found 4", "more"))
+            .to_string();
+        assert!(
+            message.contains("from --set light[0].pixels=[4, 5]"),
+            "{message}"
+        );
+        for wrong in [
+            "stop.iterations",
+            "=3",
+            "a..b=3",
+            "title.x=3",
+            "light[7].angles=3",
+            "a=nan",
+            "a[x]=1",
+            "a=1\nb=2",
+        ] {
+            let message = document.set(wrong).unwrap_err().to_string();
+            assert!(message.starts_with(&format!("--set {wrong}")), "{message}");
+        }
+        assert!(
+            document
+                .set(&format!("{}=1", vec!["a"; 5000].join(".")))
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn deep_nesting_does_not_overflow_the_stack() {
+        for (open, close) in [("[", "]"), ("{a=", "}"), ("{\"a\":", "}")] {
+            let deep = format!("{}1{}", open.repeat(100_000), close.repeat(100_000));
+            assert!(Document::toml("j.toml", format!("x = {deep}")).is_err());
+            assert!(Document::json("j.json", deep).is_err());
+        }
+        assert!(Document::toml("j.toml", format!("{} = 1", vec!["a"; 100_000].join("."))).is_err());
+        assert!(Document::toml("j.toml", format!("[{}]", vec!["a"; 100_000].join("."))).is_err());
+    }
+
+    /// Mutated bytes of real jobs: an error or a job, never a panic. `TOMOLITH_FUZZ_SECONDS` makes it longer.
+    #[test]
+    fn hostile_bytes_never_panic() {
+        let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS")
+            .ok()
+            .and_then(|s| s.parse().ok())
+            .unwrap_or(2.0);
+        let start = std::time::Instant::now();
+        let json =
+            serde_json::to_string_pretty(&Document::toml("a.toml", JOB).unwrap().root).unwrap();
+        let full = crate::job::tests::FULL.as_bytes().to_vec();
+        let seeds = [
+            ("a.toml", full),
+            ("a.toml", JOB.as_bytes().to_vec()),
+            ("a.json", json.into_bytes()),
+        ];
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = move |n: usize| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state % n.max(1) as u64) as usize
+        };
+        const TOKENS: [&[u8]; 14] = [
+            b"[",
+            b"]",
+            b"{",
+            b"}",
+            b"\"",
+            b"=",
+            b".",
+            b"-",
+            b"nan",
+            b"1e999",
+            b"\xff",
+            b"\n",
+            b"99999999999999999999",
+            b"'''",
+        ];
+        let (mut tried, mut read) = (0u64, 0u64);
+        while start.elapsed().as_secs_f64() < seconds {
+            let (file, bytes) = &seeds[random(seeds.len())];
+            let mut bytes = bytes.clone();
+            for _ in 0..=random(4) {
+                let at = random(bytes.len());
+                match random(5) {
+                    0 => bytes[at] = random(256) as u8,
+                    1 if bytes.len() > 1 => drop(bytes.remove(at)),
+                    2 => drop(bytes.splice(at..at, TOKENS[random(TOKENS.len())].iter().copied())),
+                    3 => bytes.truncate(at + 1),
+                    _ => {
+                        let piece = bytes[at..(at + random(40)).min(bytes.len())].to_vec();
+                        let to = random(bytes.len());
+                        bytes.splice(to..to, piece);
+                    }
+                }
+            }
+            tried += 1;
+            if let Ok(document) = Document::from_bytes(Path::new(file), bytes) {
+                read += 1;
+                let _ = JobSpec::from_document(&document).map_err(|e| e.to_string());
+            }
+        }
+        assert!(
+            tried > 100 && read > 0 && read < tried,
+            "tried {tried}, read {read}"
+        );
+    }
+}

@@ -1,0 +1,233 @@
+//! The run folder: ours alone, and changed only when everything new is there.
+//!
+//! New files are written to `.new/` inside the folder; [`RunFolder::publish`] moves them to their names at the end, so a
+//! run that fails or is killed leaves earlier outputs as they were. A folder is known to be ours by its `job.toml`.
+
+use crate::error::{Error, Result};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// First line of the `job.toml` of a run folder.
+const MARK: &str = "# A Tomolith run folder; this is its job with every default written out.\n";
+/// Published last: they say that the rest is complete.
+const LAST: [&str; 2] = ["report.json", JOB];
+const JOB: &str = "job.toml";
+const NEW: &str = ".new";
+const OLD: &str = ".old-";
+const LOCK: &str = ".lock";
+
+/// A folder that holds, or will hold, the outputs of one run. Locked while the value lives.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    _lock: fs::File,
+}
+
+impl RunFolder {
+    /// Whether a run may write here: the folder is missing, empty, or a run folder.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for `output.folder` when it holds something else or is no folder.
+    pub fn check(path: &Path) -> Result<()> {
+        let refuse = |found: String| {
+            Err(Error::config(
+                "output.folder",
+                found,
+                "a new folder, an empty one, or one that a run of Tomolith made",
+            ))
+        };
+        if !path.exists() {
+            return Ok(());
+        }
+        if !path.is_dir() {
+            return refuse(format!("`{}` is no folder", path.display()));
+        }
+        let ours = fs::read_to_string(path.join(JOB)).is_ok_and(|text| text.starts_with(MARK));
+        let mut entries = fs::read_dir(path).map_err(|e| Error::io(path, e))?;
+        let is_foreign =
+            |entry: fs::DirEntry| entry.file_name() != LOCK && entry.file_name() != NEW;
+        if ours || !entries.any(|entry| entry.is_ok_and(is_foreign)) {
+            return Ok(());
+        }
+        refuse(format!(
+            "`{}` holds files that are not from a run",
+            path.display()
+        ))
+    }
+
+    /// Takes the folder for this process; a new one is made and marked with the resolved job.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check); [`Error::Unsupported`] when another process is running in it; [`Error::Io`].
+    pub fn open(path: &Path, resolved_job: &str) -> Result<Self> {
+        Self::check(path)?;
+        fs::create_dir_all(path).map_err(|e| Error::io(path, e))?;
+        let lock_path = path.join(LOCK);
+        let lock = fs::File::create(&lock_path).map_err(|e| Error::io(&lock_path, e))?;
+        match lock.try_lock() {
+            Ok(()) => {}
+            Err(fs::TryLockError::WouldBlock) => {
+                return Err(Error::Unsupported {
+                    what: format!("output.folder `{}`", path.display()),
+                    reason: "another run is working in it".to_owned(),
+                });
+            }
+            Err(fs::TryLockError::Error(e)) => return Err(Error::io(&lock_path, e)),
+        }
+        let folder = RunFolder {
+            path: path.to_owned(),
+            _lock: lock,
+        };
+        let new = folder.new_files();
+        folder.remove_leftovers()?;
+        fs::create_dir(&new).map_err(|e| Error::io(&new, e))?;
+        folder.write_job(resolved_job)?;
+        if !path.join(JOB).exists() {
+            folder.move_in(JOB)?;
+            folder.write_job(resolved_job)?;
+        }
+        Ok(folder)
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Where new files are written until they are published.
+    #[must_use]
+    pub fn new_files(&self) -> PathBuf {
+        self.path.join(NEW)
+    }
+
+    /// Where checkpoints are.
+    #[must_use]
+    pub fn checkpoint(&self) -> PathBuf {
+        self.path.join("checkpoint")
+    }
+
+    /// Moves all new files to their names, in the place of earlier ones. Movies of other names are removed: they are
+    /// from an earlier job.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn publish(self) -> Result<()> {
+        let new = self.new_files();
+        let entries = fs::read_dir(&new).map_err(|e| Error::io(&new, e))?;
+        let mut names: Vec<String> = entries
+            .filter_map(|e| e.ok().map(|e| e.file_name().to_string_lossy().into_owned()))
+            .collect();
+        names.sort_by_key(|name| {
+            (
+                LAST.iter()
+                    .position(|last| last == name)
+                    .map_or(0, |i| i + 1),
+                name.clone(),
+            )
+        });
+        for old in fs::read_dir(&self.path)
+            .map_err(|e| Error::io(&self.path, e))?
+            .flatten()
+        {
+            let name = old.file_name().to_string_lossy().into_owned();
+            if name.ends_with(".mp4") && !names.contains(&name) {
+                fs::remove_file(old.path()).map_err(|e| Error::io(old.path(), e))?;
+            }
+        }
+        names.iter().try_for_each(|name| self.move_in(name))?;
+        fs::remove_dir_all(&new).map_err(|e| Error::io(&new, e))?;
+        let lock = self.path.join(LOCK);
+        fs::remove_file(&lock).map_err(|e| Error::io(&lock, e))
+    }
+
+    /// What a killed run left behind.
+    fn remove_leftovers(&self) -> Result<()> {
+        for entry in fs::read_dir(&self.path)
+            .map_err(|e| Error::io(&self.path, e))?
+            .flatten()
+        {
+            let name = entry.file_name();
+            if name == NEW || name.to_string_lossy().starts_with(OLD) {
+                fs::remove_dir_all(entry.path()).map_err(|e| Error::io(entry.path(), e))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_job(&self, resolved_job: &str) -> Result<()> {
+        let path = self.new_files().join(JOB);
+        fs::write(&path, format!("{MARK}{resolved_job}")).map_err(|e| Error::io(&path, e))
+    }
+
+    /// Puts one new file or folder in the place of the old one.
+    fn move_in(&self, name: &str) -> Result<()> {
+        let (from, to) = (self.new_files().join(name), self.path.join(name));
+        if to.is_dir() {
+            let old = self.path.join(format!("{OLD}{name}"));
+            fs::rename(&to, &old).map_err(|e| Error::io(&to, e))?;
+            fs::rename(&from, &to).map_err(|e| Error::io(&to, e))?;
+            return fs::remove_dir_all(&old).map_err(|e| Error::io(&old, e));
+        }
+        fs::rename(&from, &to).map_err(|e| Error::io(&to, e))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_new_empty_and_own_folders_are_taken() {
+        let temp = tempfile::tempdir().unwrap();
+        RunFolder::check(&temp.path().join("new")).unwrap();
+        RunFolder::check(temp.path()).unwrap();
+        let file = temp.path().join("thesis.tex");
+        fs::write(&file, "mine").unwrap();
+        let message = RunFolder::open(temp.path(), "").unwrap_err().to_string();
+        assert!(
+            message.starts_with("output.folder: ") && message.contains("not from a run"),
+            "{message}"
+        );
+        assert!(RunFolder::check(&file).is_err());
+        fs::write(temp.path().join("job.toml"), "[target]\n").unwrap();
+        assert!(
+            RunFolder::check(temp.path()).is_err(),
+            "any job.toml is taken for a run folder"
+        );
+    }
+
+    #[test]
+    fn outputs_change_only_when_published() {
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("a/run");
+        let run = |job: &str, frames: &str| {
+            let folder = RunFolder::open(&path, job).unwrap();
+            fs::create_dir(folder.new_files().join("frames")).unwrap();
+            fs::write(folder.new_files().join("frames/0.png"), frames).unwrap();
+            fs::write(folder.new_files().join(format!("{job}.mp4")), frames).unwrap();
+            folder
+        };
+        let read = |name: &str| fs::read_to_string(path.join(name)).ok();
+        run("one", "1").publish().unwrap();
+        assert_eq!(read("frames/0.png").as_deref(), Some("1"));
+        let second = run("two", "2");
+        assert!(
+            RunFolder::open(&path, "three")
+                .unwrap_err()
+                .to_string()
+                .contains("another run")
+        );
+        drop(second); // killed
+        assert_eq!(read("frames/0.png").as_deref(), Some("1"));
+        assert!(read("job.toml").unwrap().ends_with("one"));
+        run("two", "2").publish().unwrap();
+        assert_eq!(read("frames/0.png").as_deref(), Some("2"));
+        assert!(read("job.toml").unwrap().ends_with("two"));
+        assert_eq!(
+            (read("one.mp4"), read("two.mp4").as_deref()),
+            (None, Some("2"))
+        );
+        assert!(!path.join(".new").exists() && !path.join(".lock").exists());
+    }
+}

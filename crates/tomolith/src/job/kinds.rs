@@ -1,0 +1,246 @@
+//! Every row of every family's table in one list: help pages, the schema and the defaults of a resolved job come from
+//! here.
+
+use crate::kind::{Kind, KindPage};
+use crate::objective::OBJECTIVES;
+use crate::optics::vial::VIALS;
+use crate::optimize::OPTIMIZERS;
+use crate::optimize::start::STARTS;
+use crate::response::RESPONSES;
+use crate::target::PHANTOMS;
+use serde_json::Value;
+
+/// A family of kinds, as a job names it.
+pub struct Family {
+    /// The key in a job file: `vial`, `objective`, …
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// Its kinds.
+    pub kinds: Vec<KindPage>,
+}
+
+fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Family {
+    Family {
+        name,
+        summary,
+        kinds: table.iter().map(|kind| kind.page(name)).collect(),
+    }
+}
+
+/// Every family.
+#[must_use]
+pub fn families() -> Vec<Family> {
+    vec![
+        family("vial", "What stands around the resin", VIALS),
+        family("objective", "What is minimised", OBJECTIVES),
+        family("optimizer", "How it is minimised", OPTIMIZERS),
+        family("start", "Where it begins", STARTS),
+        family(
+            "response",
+            "What the material does with the dose",
+            RESPONSES,
+        ),
+        family("target.phantom", "Parts by formula", PHANTOMS),
+    ]
+}
+
+/// One parameter of a kind, for help pages.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its key.
+    pub name: String,
+    /// Its type in a person's words.
+    pub kind: String,
+    /// Its default; None when it must be given or is optional without one.
+    pub default: Option<Value>,
+    /// Whether it must be given.
+    pub required: bool,
+    /// What it means.
+    pub meaning: String,
+}
+
+/// The parameters of a kind, from its schema.
+#[must_use]
+pub fn parameters(page: &KindPage) -> Vec<Parameter> {
+    let schema = page.schema.as_value();
+    let required: Vec<&str> = schema["required"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str)
+        .collect();
+    let properties = schema["properties"].as_object();
+    properties
+        .into_iter()
+        .flatten()
+        .map(|(name, property)| Parameter {
+            name: name.clone(),
+            kind: type_words(property, schema),
+            default: property.get("default").filter(|d| !d.is_null()).cloned(),
+            required: required.contains(&name.as_str()),
+            meaning: property["description"]
+                .as_str()
+                .unwrap_or_default()
+                .replace('\n', " "),
+        })
+        .collect()
+}
+
+/// `section` with the defaults of its kind written in: `{cylinder: {…}}` of the family `vial`.
+#[must_use]
+pub fn with_defaults(pages: &[KindPage], section: &Value) -> Value {
+    let mut section = section.clone();
+    if let Value::String(name) = &section {
+        section = serde_json::json!({ name: {} });
+    }
+    for page in pages {
+        let Some(Value::Object(given)) = section.get_mut(page.name) else {
+            continue;
+        };
+        for parameter in parameters(page) {
+            if let Some(default) = parameter.default {
+                given.entry(parameter.name).or_insert(default);
+            }
+        }
+    }
+    section
+}
+
+/// The type of a property in a person's words.
+fn type_words(property: &Value, root: &Value) -> String {
+    if let Some(name) = property["$ref"]
+        .as_str()
+        .and_then(|r| r.strip_prefix("#/$defs/"))
+    {
+        return if name == "Length" {
+            "length".to_owned()
+        } else {
+            type_words(&root["$defs"][name], root)
+        };
+    }
+    if let Some(value) = property.get("const") {
+        return value.to_string();
+    }
+    for key in ["enum", "oneOf", "anyOf"] {
+        if let Some(options) = property[key].as_array() {
+            let mut words: Vec<String> = options
+                .iter()
+                .filter(|o| o["type"] != "null")
+                .map(|o| {
+                    if key == "enum" {
+                        o.to_string()
+                    } else {
+                        type_words(o, root)
+                    }
+                })
+                .collect();
+            words.dedup();
+            return words.join(" | ");
+        }
+    }
+    let word = |t: &str| match t {
+        "integer" => "whole number",
+        "string" => "text",
+        "boolean" => "true | false",
+        "array" => "list",
+        "object" => "table",
+        _ => "number",
+    };
+    match &property["type"] {
+        Value::String(t) if t == "array" && property["items"].is_object() => {
+            format!("list of {}", type_words(&property["items"], root))
+        }
+        Value::String(t) => word(t).to_owned(),
+        Value::Array(types) => {
+            let types: Vec<&str> = types
+                .iter()
+                .filter_map(Value::as_str)
+                .filter(|t| *t != "null")
+                .collect();
+            types
+                .iter()
+                .map(|t| word(t))
+                .collect::<Vec<_>>()
+                .join(" | ")
+        }
+        _ => "any".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+    struct Params {
+        /// Radius.
+        inner_radius_mm: crate::units::Mm,
+        /// Steps
+        /// of it.
+        #[serde(default = "seven")]
+        steps: usize,
+        #[serde(default)]
+        limit: Option<f64>,
+    }
+
+    fn seven() -> usize {
+        7
+    }
+
+    fn page() -> KindPage {
+        let kind = Kind {
+            name: "a",
+            summary: "s",
+            example: "",
+            schema: || schemars::schema_for!(Params),
+            build: (),
+        };
+        kind.page("vial")
+    }
+
+    #[test]
+    fn parameters_come_from_the_schema() {
+        let found = parameters(&page());
+        let row = |name: &str| found.iter().find(|p| p.name == name).unwrap();
+        assert_eq!(
+            (
+                row("inner_radius_mm").kind.as_str(),
+                row("inner_radius_mm").required
+            ),
+            ("length", true)
+        );
+        assert_eq!(row("inner_radius_mm").meaning, "Radius.");
+        assert_eq!(row("steps").meaning, "Steps of it.");
+        assert_eq!(
+            (row("steps").kind.as_str(), row("steps").default.clone()),
+            ("whole number", Some(Value::from(7)))
+        );
+        assert_eq!(
+            (
+                row("limit").kind.as_str(),
+                row("limit").default.clone(),
+                row("limit").required
+            ),
+            ("number", None, false)
+        );
+    }
+
+    #[test]
+    fn defaults_are_written_in_and_what_was_given_stays() {
+        let full = with_defaults(
+            &[page()],
+            &serde_json::json!({ "a": { "inner_radius_mm": 3 } }),
+        );
+        assert_eq!(
+            full,
+            serde_json::json!({ "a": { "inner_radius_mm": 3, "steps": 7 } })
+        );
+        let full = with_defaults(&[page()], &serde_json::json!({ "a": { "steps": 2 } }));
+        assert_eq!(full, serde_json::json!({ "a": { "steps": 2 } }));
+        assert_eq!(
+            with_defaults(&[page()], &serde_json::json!("a")),
+            serde_json::json!({ "a": { "steps": 7 } })
+        );
+    }
+}

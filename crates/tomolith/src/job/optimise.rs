@@ -1,0 +1,264 @@
+//! The optimisation of a job: from voxels to patterns.
+
+use super::folder::RunFolder;
+use super::progress::{Event, Progress};
+use super::scene::{Scene, Voxels};
+use crate::error::{Error, Result};
+use crate::field::{BLOCK, HostField};
+use crate::grid::Patterns;
+use crate::io::npy::{PatternPair, write_patterns};
+use crate::metrics::scan::Scan;
+use crate::models::{Run, planner};
+use crate::optimize::start::StartInput;
+use crate::optimize::{
+    self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
+};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// What an optimisation came to.
+pub(crate) struct Optimised {
+    /// Per light, before quantisation.
+    pub(crate) raw: Vec<Patterns>,
+    /// Loss, history, why it ended.
+    pub(crate) outcome: Outcome,
+    /// Which model, and why.
+    pub(crate) model: String,
+    /// Voxel-angle updates of one model call.
+    pub(crate) updates: u64,
+}
+
+/// Runs the optimiser of a job, or goes on from the checkpoint in its folder.
+///
+/// # Errors
+/// [`Error::Cancelled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
+pub(crate) fn optimise(
+    scene: &Scene,
+    voxels: &Voxels,
+    folder: &RunFolder,
+    resume: bool,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Optimised> {
+    let spec = &scene.spec;
+    let lights = scene.optics.lights.clone();
+    let plan = planner::plan(
+        scene.optics.vial.as_ref(),
+        lights,
+        scene.grid.clone(),
+        Some(&voxels.wanted()),
+        cancel,
+    )?;
+    progress.event(&Event::Note {
+        text: plan.reason.clone(),
+    });
+    let model = plan.model.as_ref();
+    let objective = scene.objective(&model.outputs()[0], voxels)?;
+    let limits = Limits {
+        min: spec.bounds.min,
+        max: spec.bounds.max.unwrap_or(f64::INFINITY),
+    };
+    let limits = vec![limits; spec.light.len()];
+    let mut problem = Problem::new(model, &objective, &limits, cancel)?;
+    let mut optimizer = scene.optimizer()?;
+    let mut checkpoints = Checkpoints::new(
+        folder.checkpoint(),
+        fingerprint(scene, voxels)?,
+        &spec.checkpoint,
+    )?;
+    let mut x = if resumes(&checkpoints, resume, progress)? {
+        model.new_patterns()?
+    } else {
+        let (target, labels, response) = (&voxels.target, &voxels.labels, scene.response()?);
+        let input = StartInput {
+            model,
+            target,
+            labels,
+            response: response.as_ref(),
+            limits: &limits,
+        };
+        scene.start()?.patterns(&input, cancel)?
+    };
+
+    let stop = Stop {
+        iterations: spec.stop.iterations,
+        projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
+        seconds: spec.stop.wall_s,
+    };
+    let updates = model.updates();
+    let mut watch = Watch {
+        scene,
+        voxels,
+        layout: &model.outputs()[0],
+        updates,
+        first: None,
+        progress,
+    };
+    let ran = optimize::run(
+        &mut problem,
+        optimizer.as_mut(),
+        &mut x,
+        &stop,
+        Some(&mut checkpoints),
+        &mut [&mut watch],
+    );
+    let raw: Vec<Patterns> = model
+        .patterns()
+        .iter()
+        .map(|layout| layout.patterns_of(x.as_slice()))
+        .collect();
+    match ran {
+        Ok(outcome) if outcome.reason != StopReason::Cancelled => Ok(Optimised {
+            raw,
+            outcome,
+            model: plan.reason,
+            updates,
+        }),
+        stopped => {
+            keep(scene, &raw, &folder.checkpoint(), progress)?;
+            Err(stopped.err().unwrap_or(Error::Cancelled))
+        }
+    }
+}
+
+/// Whether there is a checkpoint to go on from; it is removed when the run is not to be resumed.
+fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress) -> Result<bool> {
+    let file = checkpoints.file();
+    if !resume {
+        if file.exists() {
+            std::fs::remove_file(&file).map_err(|e| Error::io(&file, e))?;
+        }
+        return Ok(false);
+    }
+    let checkpoint = checkpoints.open()?;
+    let text = match &checkpoint {
+        Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
+        None => "no checkpoint to resume: starting anew".to_owned(),
+    };
+    progress.event(&Event::Note { text });
+    Ok(checkpoint.is_some())
+}
+
+/// The best patterns of a run that did not end well.
+fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progress) -> Result<()> {
+    std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
+    let path = folder.join("patterns.npz");
+    let pairs: Vec<PatternPair<'_>> = raw
+        .iter()
+        .enumerate()
+        .map(|(i, shown)| PatternPair {
+            light: scene.light_name(i),
+            shown,
+            raw: None,
+        })
+        .collect();
+    write_patterns(&path, &pairs)?;
+    let text = format!(
+        "the best patterns so far are in {}; `--resume` goes on from the last checkpoint",
+        path.display()
+    );
+    progress.event(&Event::Note { text });
+    Ok(())
+}
+
+/// Tells progress, and stops at the loss or IoU that was asked for.
+struct Watch<'a> {
+    scene: &'a Scene,
+    voxels: &'a Voxels,
+    layout: &'a crate::models::DoseLayout,
+    updates: u64,
+    /// Norm of the first projected gradient.
+    first: Option<f64>,
+    progress: &'a mut dyn Progress,
+}
+
+impl Watch<'_> {
+    fn reached(&self, report: &StepReport<'_, HostField>) -> bool {
+        let stop = &self.scene.spec.stop;
+        report.row.loss <= stop.loss
+            || stop
+                .iou
+                .is_some_and(|asked| self.iou(report.dose).is_some_and(|iou| iou >= asked))
+    }
+
+    fn iou(&self, dose: &HostField) -> Option<f64> {
+        let dose = self.layout.volume_of(dose.as_slice());
+        let response = self.scene.responses(dose).ok()?;
+        Some(
+            Scan::new(&self.voxels.labels.values, &response.values)
+                .ok()?
+                .best_plateau()?
+                .iou,
+        )
+    }
+}
+
+impl Observer<HostField> for Watch<'_> {
+    fn on_step(&mut self, report: &StepReport<'_, HostField>) -> ControlFlow<()> {
+        let row = report.row;
+        if self.first.is_none() {
+            self.first = row.projected_gradient;
+        }
+        let calls = (row.forward + row.adjoint) as f64;
+        self.progress.event(&Event::Iteration {
+            iteration: row.iteration,
+            iterations: self.scene.spec.stop.iterations,
+            loss: row.loss,
+            projected_gradient: row
+                .projected_gradient
+                .zip(self.first)
+                .map(|(now, first)| now / first),
+            elapsed_s: row.seconds,
+            updates_per_s: calls * self.updates as f64 / report.counters.model_s.max(1e-9),
+        });
+        if self.reached(report) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+/// What makes a checkpoint belong to this job: its tables but those that change no iteration, and the voxels.
+fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
+    let mut tables =
+        serde_json::to_value(&scene.spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+    if let Some(map) = tables.as_object_mut() {
+        for unimportant in ["target", "stop", "checkpoint", "evaluate", "output"] {
+            map.remove(unimportant);
+        }
+    }
+    let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
+    let inside: Vec<u64> = voxels
+        .target
+        .inside
+        .values
+        .par_chunks(BLOCK)
+        .map(|block| hash(bytemuck::cast_slice(block)))
+        .collect();
+    let parts = [
+        hash(tables.to_string().as_bytes()),
+        hash(bytemuck::cast_slice(&labels)),
+        hash(bytemuck::cast_slice(&inside)),
+    ];
+    Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// FNV-1a, 64 bits.
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |h, &b| {
+        (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+impl Scene {
+    /// Name of a light for files: none when there is only one.
+    pub(crate) fn light_name(&self, i: usize) -> Option<&str> {
+        if self.spec.light.len() == 1 {
+            None
+        } else {
+            self.spec.light[i].name.as_deref()
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What a run and a check tell at their end.
+
+use crate::metrics::Measure;
+use crate::optimize::StopReason;
+use serde::Serialize;
+use std::fmt;
+use std::path::PathBuf;
+
+/// The headline numbers of a print.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Quality {
+    /// Intersection over union at the threshold.
+    pub iou: Measure,
+    /// Voxel error rate.
+    pub ver: Measure,
+    /// Process window: least dose of the part − largest of the void.
+    pub pw: Measure,
+    /// The threshold.
+    pub threshold: Measure,
+}
+
+/// The end of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// The run folder.
+    pub folder: PathBuf,
+    /// Iterations done; None for a simulation.
+    pub iterations: Option<usize>,
+    /// Why the optimisation ended; None for a simulation.
+    pub stopped: Option<StopReason>,
+    /// The written patterns while the vial turns, on the finer grid: the headline.
+    pub evaluation: Quality,
+    /// The same with the vial standing still during each frame.
+    pub standing: Quality,
+    /// The unquantised patterns on the optimisation grid; None for a simulation.
+    pub optimisation: Option<Quality>,
+    /// The IoU that was asked for.
+    pub required_iou: Option<f64>,
+    /// Seconds in all.
+    pub seconds: f64,
+}
+
+impl Summary {
+    /// Whether the asked quality was met.
+    #[must_use]
+    pub fn is_met(&self) -> bool {
+        self.required_iou
+            .is_none_or(|asked| self.evaluation.iou.is_some_and(|iou| iou >= asked))
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
+            writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
+        }
+        writeln!(
+            f,
+            "{:>28} {:>8} {:>8} {:>8} {:>10}",
+            "", "IoU", "VER", "PW", "threshold"
+        )?;
+        let mut row = |name: &str, q: &Quality| {
+            let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
+            let [iou, ver, pw, threshold] = [q.iou, q.ver, q.pw, q.threshold].map(number);
+            writeln!(f, "{name:>28} {iou:>8} {ver:>8} {pw:>8} {threshold:>10}")
+        };
+        if let Some(optimisation) = &self.optimisation {
+            row("optimised, on its own grid", optimisation)?;
+        }
+        row("written, standing still", &self.standing)?;
+        row("written, turning", &self.evaluation)?;
+        if let Some(asked) = self.required_iou {
+            let verdict = if self.is_met() { "met" } else { "NOT met" };
+            writeln!(
+                f,
+                "{:>28} {asked:8.4} {verdict}",
+                "asked (evaluate.require_iou)"
+            )?;
+        }
+        writeln!(
+            f,
+            "{:>28} {}",
+            "report",
+            self.folder.join("report.html").display()
+        )
+    }
+}
+
+/// What a job will do and cost.
+#[derive(Clone, Debug, Serialize)]
+pub struct Plan {
+    /// Name of the part.
+    pub part: String,
+    /// The dose model, and why.
+    pub model: String,
+    /// Voxels [x, y, z].
+    pub voxels: [usize; 3],
+    /// Their edge, mm.
+    pub pitch_mm: f64,
+    /// Voxels [x, y, z] of the evaluation.
+    pub evaluation_voxels: [usize; 3],
+    /// Frames of all lights.
+    pub frames: usize,
+    /// Pixels of all frames.
+    pub pixels: usize,
+    /// Those whose light can meet the target: the unknowns, at most.
+    pub active_pixels: usize,
+    /// Memory of the largest stage, MB.
+    pub memory_mb: u64,
+    /// Memory there is, MB.
+    pub available_memory_mb: Option<u64>,
+    /// Size of the run folder, MB.
+    pub disk_mb: u64,
+    /// Time of the whole run on this machine, s.
+    pub seconds: f64,
+    /// Measured updates per second.
+    pub updates_per_s: f64,
+    /// Choices that were made.
+    pub notes: Vec<String>,
+    /// What may be wrong.
+    pub warnings: Vec<String>,
+}
+
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let times = |[x, y, z]: [usize; 3]| format!("{x} × {y} × {z}");
+        writeln!(f, "{:>12} {}", "part", self.part)?;
+        writeln!(f, "{:>12} {}", "model", self.model)?;
+        writeln!(
+            f,
+            "{:>12} {} voxels of {} mm",
+            "grid",
+            times(self.voxels),
+            round(self.pitch_mm)
+        )?;
+        writeln!(
+            f,
+            "{:>12} {} voxels",
+            "evaluation",
+            times(self.evaluation_voxels)
+        )?;
+        let active = 100.0 * self.active_pixels as f64 / self.pixels.max(1) as f64;
+        writeln!(
+            f,
+            "{:>12} {} frames, {} pixels, {active:.0} % of them at most are used",
+            "patterns", self.frames, self.pixels
+        )?;
+        let available = self
+            .available_memory_mb
+            .map(|mb| format!(" of {mb} MB available"))
+            .unwrap_or_default();
+        writeln!(f, "{:>12} {} MB{available}", "memory", self.memory_mb)?;
+        writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;
+        writeln!(
+            f,
+            "{:>12} about {} ({:.1} G updates/s)",
+            "time",
+            duration(self.seconds),
+            self.updates_per_s / 1e9
+        )?;
+        for note in &self.notes {
+            writeln!(f, "{:>12} {note}", "")?;
+        }
+        for warning in &self.warnings {
+            writeln!(f, "{:>12} {warning}", "warning")?;
+        }
+        Ok(())
+    }
+}
+
+/// Why an optimisation ended, in words.
+fn words(reason: StopReason) -> &'static str {
+    match reason {
+        StopReason::Iterations => "as many as were asked for",
+        StopReason::ZeroLoss => "the loss is zero",
+        StopReason::ProjectedGradient => "the projected gradient is small enough",
+        StopReason::NoProgress => "no better patterns within the precision of the numbers",
+        StopReason::Observer => "the loss or IoU that was asked for is reached",
+        StopReason::WallTime => "the time is over",
+        StopReason::Cancelled => "cancelled",
+    }
+}
+
+/// Seconds, minutes or hours.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 100.0 => format!("{s:.0} s"),
+        s if s < 6000.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+/// Four digits behind the point, without trailing zeros.
+fn round(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
+}

@@ -1,0 +1,144 @@
+//! A job that was read and whose every number is in its range.
+
+use super::document::Document;
+use super::kinds::{Family, families, with_defaults};
+use super::spec::{Angles, JobSpec, ProjectorSpec};
+use super::validate;
+use crate::error::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// How much coarser a quick trial is, and its limits.
+const TOY: f64 = 3.0;
+const TOY_EDGE: usize = 12;
+const TOY_FRAMES: usize = 36;
+const TOY_ITERATIONS: usize = 3;
+
+/// A job: its tables, and the text they came from.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The text, for messages that say where.
+    pub document: Document,
+    /// The tables.
+    pub spec: JobSpec,
+}
+
+impl Job {
+    /// Reads a job file, applies overrides (`stop.iterations=10`) and checks every range.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Config`] with key path, file and line, or the override's name.
+    pub fn read(file: &Path, overrides: &[String]) -> Result<Self> {
+        let mut document = Document::read(file)?;
+        overrides
+            .iter()
+            .try_for_each(|assignment| document.set(assignment))?;
+        Self::from_document(document)
+    }
+
+    /// A job from a document.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with key path, file and line, or the override's name.
+    pub fn from_document(document: Document) -> Result<Self> {
+        let spec = JobSpec::from_document(&document)?;
+        validate::ranges(&spec).map_err(|e| document.locate(e))?;
+        Ok(Job { document, spec })
+    }
+
+    /// Its name: the file's, without ending.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let stem = self
+            .document
+            .file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned());
+        stem.unwrap_or_else(|| "job".to_owned())
+    }
+
+    /// The folder that paths of meshes and images are relative to.
+    #[must_use]
+    pub fn base(&self) -> PathBuf {
+        self.document
+            .file
+            .parent()
+            .map(Path::to_owned)
+            .unwrap_or_default()
+    }
+
+    /// The run folder.
+    #[must_use]
+    pub fn folder(&self) -> PathBuf {
+        self.spec
+            .output
+            .folder
+            .clone()
+            .unwrap_or_else(|| Path::new("out").join(self.name()))
+    }
+
+    /// The job with every default written out, kinds' parameters included, that runs identically from any folder.
+    #[must_use]
+    pub fn resolved(&self) -> JobSpec {
+        let families = families();
+        let pages = |name: &str| {
+            families
+                .iter()
+                .find(|f| f.name == name)
+                .map_or(&[][..], |f: &Family| &f.kinds)
+        };
+        let mut spec = self.spec.clone();
+        spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
+        if let Some(phantom) = &mut spec.target.phantom {
+            *phantom = with_defaults(pages("target.phantom"), phantom);
+        }
+        spec.response = with_defaults(pages("response"), &spec.response);
+        spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
+        spec.start = with_defaults(pages("start"), &spec.start);
+        for objective in spec
+            .objective
+            .iter_mut()
+            .chain(spec.objectives.iter_mut().flatten())
+        {
+            *objective = with_defaults(pages("objective"), objective);
+        }
+        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        spec.output.folder = Some(absolute(&self.folder()));
+        for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
+            *file = absolute(&self.base().join(&*file));
+        }
+        spec
+    }
+
+    /// The same job as a quick trial: a third of the resolution, few angles, few iterations. What it prints is poor, but
+    /// every stage runs.
+    #[must_use]
+    pub fn toy(mut self) -> Self {
+        let spec = &mut self.spec;
+        spec.grid
+            .pitch_mm
+            .iter_mut()
+            .for_each(|pitch| pitch.0 *= TOY);
+        for count in spec.grid.shape.iter_mut().flatten() {
+            *count = count.div_ceil(TOY as usize).max(TOY_EDGE);
+        }
+        for light in &mut spec.light {
+            light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
+            let ProjectorSpec::Collimated(collimated) = &mut light.projector;
+            collimated.pixel_pitch_mm.0 *= TOY;
+            match &mut light.angles {
+                Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
+                Angles::List(list) => list.truncate(TOY_FRAMES),
+            }
+        }
+        spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
+        spec.evaluate.require_iou = None;
+        self
+    }
+
+    /// Adds file and line to an error about one of this job's keys.
+    #[must_use]
+    pub fn locate(&self, error: Error) -> Error {
+        self.document.locate(error)
+    }
+}

@@ -1,0 +1,579 @@
+//! The tables of a job, typed: names, units, defaults and meaning of every key.
+//!
+//! Tables that name a kind (`[vial.cylinder]`, `[objective.threshold]`, …) keep their content as it stands; the
+//! family's own table of kinds reads and checks it (see [`super::kinds`]). Ranges are checked in [`super::validate`].
+//!
+//! Paths of meshes and images are relative to the job file; `output.folder` is relative to the current folder.
+
+use super::document::Document;
+use crate::error::{Error, Result};
+use crate::kind::Section;
+use crate::optics::interface::Polarisation;
+use crate::optimize::checkpoint;
+use crate::target::TargetSpec;
+use crate::units::Mm;
+use schemars::JsonSchema;
+use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Map, Value};
+use std::path::PathBuf;
+
+/// Tables that are planned but not built, and what to do without them.
+const PLANNED: [(&str, &str); 4] = [
+    ("bath", "a clear bath's index is vial.surrounding_index"),
+    (
+        "printer",
+        "patterns are exported as they are: no canvas, no flips, no grey curve",
+    ),
+    ("penalty", "no penalty on patterns yet"),
+    ("coarse", "the optimisation runs on one grid"),
+];
+
+/// A whole job.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobSpec {
+    /// What should be printed.
+    pub target: TargetSpec,
+    /// The voxels on which the dose is computed.
+    #[serde(default)]
+    pub grid: GridSpec,
+    /// The photosensitive material.
+    pub resin: ResinSpec,
+    /// What stands around the resin, `[vial.KIND]`.
+    pub vial: VialSpec,
+    /// One table `[[light]]` per projector or wavelength.
+    pub light: Vec<LightSpec>,
+    /// What is minimised: one kind, `[objective.KIND]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Value>,
+    /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objectives: Option<Vec<Value>>,
+    /// What the material does with the dose, `[response.KIND]`.
+    #[serde(default = "identity")]
+    pub response: Value,
+    /// How it is minimised, `[optimizer.KIND]`.
+    #[serde(default = "lbfgs")]
+    pub optimizer: Value,
+    /// The patterns to start from, `[start.KIND]`.
+    #[serde(default = "fbp")]
+    pub start: Value,
+    /// Limits of the pattern values.
+    #[serde(default)]
+    pub bounds: BoundsSpec,
+    /// When the optimisation ends.
+    #[serde(default)]
+    pub stop: StopSpec,
+    /// What is kept against a crash.
+    #[serde(default)]
+    pub checkpoint: checkpoint::Params,
+    /// How the written patterns are judged.
+    #[serde(default)]
+    pub evaluate: EvaluateSpec,
+    /// What is written, and where.
+    #[serde(default)]
+    pub output: OutputSpec,
+}
+
+/// Where the dose is computed: cubic voxels.
+///
+/// Without a shape, the grid is the target's box with a margin of 10 % and at least 4 voxels on each side.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct GridSpec {
+    /// Edge of a voxel; the pixel pitch of the first light when neither pitch nor shape is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_mm: Option<Mm>,
+    /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shape: Option<[usize; 3]>,
+    /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
+    pub region: Region,
+}
+
+/// Which voxels of the grid count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Region {
+    /// All of them.
+    #[default]
+    Box,
+    /// Those in the cylinder about the axis that is inscribed in the grid, as in studies of the literature.
+    Cylinder,
+}
+
+/// The resin at the light's wavelength.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ResinSpec {
+    /// Refractive index, 1 to 4.
+    pub refractive_index: f64,
+    /// Napierian absorption of the active species, 1/mm, > 0: what makes dose.
+    pub absorption_per_mm: f64,
+    /// Napierian attenuation by everything, 1/mm; the active absorption when nothing else absorbs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub attenuation_per_mm: Option<f64>,
+    /// Scattering, 1/mm; only 0 for now.
+    pub scattering_per_mm: f64,
+    /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
+    pub pure_radon: bool,
+    /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub critical_dose_mj_per_mm3: Option<f64>,
+}
+
+/// The vial: one kind, `[vial.KIND]`, and what surrounds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VialSpec {
+    /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
+    pub surrounding_index: f64,
+    /// The kind and its parameters, `{cylinder: {…}}`.
+    pub kind: Value,
+}
+
+/// One projector, or one wavelength.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LightSpec {
+    /// Its name, for files; needed when there are several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Vacuum wavelength, nm.
+    #[serde(default = "violet")]
+    pub wavelength_nm: f64,
+    /// Pixels of a pattern, [columns, rows].
+    pub pixels: [usize; 2],
+    /// From where the patterns come: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
+    pub angles: Angles,
+    /// A frame is exposed while the vial turns through its arc: the optimisation averages it at this many angles.
+    #[serde(default = "one")]
+    pub sub_angles: usize,
+    /// Sense in which the VIAL turns, seen from above.
+    #[serde(default)]
+    pub rotation: Rotation,
+    /// Polarisation at the walls of the vial.
+    #[serde(default)]
+    pub polarisation: Polarisation,
+    /// The optics, `projector.KIND`.
+    pub projector: ProjectorSpec,
+}
+
+/// Sense in which the vial turns, seen from above.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Rotation {
+    /// Light then arrives counter-clockwise in the resin: azimuths grow.
+    #[default]
+    Clockwise,
+    /// Azimuths fall.
+    Counterclockwise,
+}
+
+/// The optics of a light.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ProjectorSpec {
+    /// Parallel rays, perpendicular to the axis.
+    Collimated(Collimated),
+}
+
+/// Parallel rays, perpendicular to the axis.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Collimated {
+    /// Distance of columns and of rows at the vial.
+    pub pixel_pitch_mm: Mm,
+}
+
+impl ProjectorSpec {
+    /// Distance of columns and of rows at the vial, mm.
+    #[must_use]
+    pub fn pixel_pitch_mm(&self) -> f64 {
+        match self {
+            ProjectorSpec::Collimated(collimated) => collimated.pixel_pitch_mm.0,
+        }
+    }
+}
+
+/// The angles of a light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Angles {
+    /// `count` frames, evenly over `arc_deg` from `start_deg`; the arc's end is not repeated.
+    Even {
+        /// Number of frames.
+        count: usize,
+        /// First azimuth.
+        start_deg: f64,
+        /// The arc, 360 for the full turn.
+        arc_deg: f64,
+    },
+    /// These azimuths.
+    List(Vec<f64>),
+}
+
+/// Limits of pattern values, in units of the response's dose.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct BoundsSpec {
+    /// Smallest value, ≥ 0.
+    pub min: f64,
+    /// Largest value; none when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+}
+
+/// When the optimisation ends: at the first of these.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct StopSpec {
+    /// Iterations of the optimiser.
+    pub iterations: usize,
+    /// Norm of the projected gradient, relative to the start's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projected_gradient: Option<f64>,
+    /// The loss; 0 always ends it.
+    pub loss: f64,
+    /// IoU on the optimisation grid, 0 to 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iou: Option<f64>,
+    /// Wall time of the optimisation, s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_s: Option<f64>,
+}
+
+/// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct EvaluateSpec {
+    /// Bits to which patterns are quantised, 1 to 16.
+    pub bit_depth: u32,
+    /// Angles at which the arc of a frame is averaged.
+    pub sub_angles: usize,
+    /// How many times finer the grid is; lowered, and said so, when memory is short.
+    pub refine: usize,
+    /// Dose at which the resin turns solid; the one with the best IoU when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub threshold: Option<f64>,
+    /// IoU that the evaluation must reach: below it the command ends with exit code 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require_iou: Option<f64>,
+}
+
+/// What is written, and where.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct OutputSpec {
+    /// The run folder, relative to the current folder; `out/` and the job's name when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub folder: Option<PathBuf>,
+    /// Turns of the vial per minute: gives the movie its frame rate.
+    pub rpm: f64,
+}
+
+fn one() -> usize {
+    1
+}
+fn violet() -> f64 {
+    405.0
+}
+fn kind(name: &str) -> Value {
+    let mut map = Map::new();
+    map.insert(name.to_owned(), Value::Object(Map::new()));
+    Value::Object(map)
+}
+fn identity() -> Value {
+    kind("identity")
+}
+fn lbfgs() -> Value {
+    kind("lbfgs")
+}
+fn fbp() -> Value {
+    kind("fbp")
+}
+
+impl Default for ResinSpec {
+    fn default() -> Self {
+        ResinSpec {
+            refractive_index: 1.5,
+            absorption_per_mm: 0.0,
+            attenuation_per_mm: None,
+            scattering_per_mm: 0.0,
+            pure_radon: false,
+            critical_dose_mj_per_mm3: None,
+        }
+    }
+}
+
+impl Default for StopSpec {
+    fn default() -> Self {
+        StopSpec {
+            iterations: 40,
+            projected_gradient: None,
+            loss: 0.0,
+            iou: None,
+            wall_s: None,
+        }
+    }
+}
+
+impl Default for EvaluateSpec {
+    fn default() -> Self {
+        EvaluateSpec {
+            bit_depth: 8,
+            sub_angles: 4,
+            refine: 2,
+            threshold: None,
+            require_iou: None,
+        }
+    }
+}
+
+impl Default for OutputSpec {
+    fn default() -> Self {
+        OutputSpec {
+            folder: None,
+            rpm: 10.0,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for VialSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut kind = Value::deserialize(deserializer)?;
+        let asked = kind
+            .as_object_mut()
+            .and_then(|map| map.remove("surrounding_index"));
+        let surrounding_index = match asked {
+            None => 1.0,
+            Some(index) => index.as_f64().ok_or_else(|| {
+                serde::de::Error::custom(format!("surrounding_index is {index}, expected a number"))
+            })?,
+        };
+        Ok(VialSpec {
+            surrounding_index,
+            kind,
+        })
+    }
+}
+
+impl Serialize for VialSpec {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = Map::new();
+        map.insert(
+            "surrounding_index".to_owned(),
+            Value::from(self.surrounding_index),
+        );
+        match &self.kind {
+            Value::Object(kind) => map.extend(kind.clone()),
+            Value::String(name) => drop(map.insert(name.clone(), Value::Object(Map::new()))),
+            _ => {}
+        }
+        map.serialize(serializer)
+    }
+}
+
+impl JsonSchema for VialSpec {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "VialSpec".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "object" }) // filled in from the table of vials, see `super::schema`
+    }
+}
+
+/// The table form of [`Angles`].
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct AnglesTable {
+    /// Number of frames.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    count: Option<usize>,
+    /// First azimuth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    start_deg: Option<f64>,
+    /// The arc over which they are spread; the full turn when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    arc_deg: Option<f64>,
+    /// These azimuths, in place of the others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    list_deg: Option<Vec<f64>>,
+}
+
+impl<'de> Deserialize<'de> for Angles {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct AnglesVisitor;
+        impl<'de> Visitor<'de> for AnglesVisitor {
+            type Value = Angles;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a count of frames, {count, start_deg, arc_deg} or {list_deg}")
+            }
+            fn visit_u64<E: serde::de::Error>(self, count: u64) -> Result<Angles, E> {
+                let count = usize::try_from(count).unwrap_or(usize::MAX);
+                Ok(Angles::Even {
+                    count,
+                    start_deg: 0.0,
+                    arc_deg: 360.0,
+                })
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Angles, A::Error> {
+                let table = AnglesTable::deserialize(MapAccessDeserializer::new(map))?;
+                match (table.count, table.list_deg) {
+                    (Some(count), None) => Ok(Angles::Even {
+                        count,
+                        start_deg: table.start_deg.unwrap_or(0.0),
+                        arc_deg: table.arc_deg.unwrap_or(360.0),
+                    }),
+                    (None, Some(list)) if table.start_deg.is_none() && table.arc_deg.is_none() => {
+                        Ok(Angles::List(list))
+                    }
+                    (None, None) => Err(serde::de::Error::custom(
+                        "neither count nor list_deg, expected one of them",
+                    )),
+                    _ => Err(serde::de::Error::custom(
+                        "list_deg together with other keys, expected list_deg alone",
+                    )),
+                }
+            }
+        }
+        deserializer.deserialize_any(AnglesVisitor)
+    }
+}
+
+impl Serialize for Angles {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let table = match self.clone() {
+            Angles::Even {
+                count,
+                start_deg,
+                arc_deg,
+            } => AnglesTable {
+                count: Some(count),
+                start_deg: Some(start_deg),
+                arc_deg: Some(arc_deg),
+                list_deg: None,
+            },
+            Angles::List(list) => AnglesTable {
+                count: None,
+                start_deg: None,
+                arc_deg: None,
+                list_deg: Some(list),
+            },
+        };
+        table.serialize(serializer)
+    }
+}
+
+impl JsonSchema for Angles {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Angles".into()
+    }
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let table = generator.subschema_for::<AnglesTable>();
+        schemars::json_schema!({
+            "description": "A count of frames (full turn), {count, start_deg, arc_deg} or {list_deg}",
+            "anyOf": [{ "type": "integer", "minimum": 1 }, table]
+        })
+    }
+}
+
+impl Angles {
+    /// Number of frames.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        match self {
+            Angles::Even { count, .. } => *count,
+            Angles::List(list) => list.len(),
+        }
+    }
+
+    /// Azimuth from which each frame's light arrives (rad), and the arc of one frame (rad; 0 for a list).
+    ///
+    /// ```
+    /// use tomolith::job::{Angles, Rotation};
+    /// let angles = Angles::Even { count: 4, start_deg: 0.0, arc_deg: 360.0 };
+    /// let (azimuths, arc) = angles.azimuths(Rotation::Clockwise);
+    /// assert!((azimuths[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-12); // a quarter turn further
+    /// assert!((arc - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    /// let (azimuths, _) = angles.azimuths(Rotation::Counterclockwise);
+    /// assert!((azimuths[1] + std::f64::consts::FRAC_PI_2).abs() < 1e-12); // the other way round
+    /// ```
+    #[must_use]
+    pub fn azimuths(&self, rotation: Rotation) -> (Vec<f64>, f64) {
+        match self {
+            Angles::Even {
+                count,
+                start_deg,
+                arc_deg,
+            } => {
+                let sense = match rotation {
+                    Rotation::Clockwise => 1.0,
+                    Rotation::Counterclockwise => -1.0,
+                };
+                let (start, arc) = (start_deg.to_radians(), arc_deg.to_radians());
+                let azimuths = (0..*count)
+                    .map(|k| start + sense * arc * k as f64 / *count as f64)
+                    .collect();
+                (azimuths, arc / (*count).max(1) as f64)
+            }
+            Angles::List(list) => (list.iter().map(|a| a.to_radians()).collect(), 0.0),
+        }
+    }
+}
+
+impl JobSpec {
+    /// Reads the tables of a document; ranges are not checked yet.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with key path, file and line: unknown keys, wrong types, missing keys, tables that are planned
+    /// but not built.
+    pub fn from_document(document: &Document) -> Result<Self> {
+        let root = document.root.as_object().cloned().unwrap_or_default();
+        for (key, instead) in PLANNED {
+            if root.contains_key(key) {
+                let error = Error::config(
+                    key,
+                    "planned, but not built yet",
+                    format!("leave it out: {instead}"),
+                );
+                return Err(document.locate(error));
+            }
+        }
+        let spec = Section::new("", Value::Object(root)).parse::<JobSpec>();
+        spec.map_err(|e| document.locate(e))
+    }
+
+    /// The objectives, one section each, with their key paths.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is none, or both `objective` and `objectives`.
+    pub fn objectives(&self) -> Result<Vec<Section>> {
+        match (&self.objective, &self.objectives) {
+            (Some(one), None) => Ok(vec![Section::new("objective", one.clone())]),
+            (None, Some(many)) if !many.is_empty() => Ok(many
+                .iter()
+                .enumerate()
+                .map(|(i, value)| Section::new(format!("objectives[{i}]"), value.clone()))
+                .collect()),
+            (Some(_), Some(_)) => Err(Error::config(
+                "objectives",
+                "both `objective` and `objectives`",
+                "one of the two",
+            )),
+            _ => Err(Error::config(
+                "objective",
+                "the key is missing",
+                "a table [objective.KIND], for example [objective.threshold]",
+            )),
+        }
+    }
+
+    /// The job as TOML, every default written out.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when a value cannot be written as TOML.
+    pub fn to_toml(&self) -> Result<String> {
+        toml::to_string(self)
+            .map_err(|e| Error::config("", e.to_string(), "a job that TOML can hold"))
+    }
+}

@@ -1,0 +1,366 @@
+//! Ranges of every key, before any work.
+
+use super::spec::{Angles, JobSpec, LightSpec};
+use crate::error::{Error, Result};
+use std::collections::BTreeSet;
+
+/// Most pixels along an edge, most voxels along an edge.
+const LARGEST_EDGE: usize = 16_384;
+/// Most frames of a light.
+const MOST_FRAMES: usize = 100_000;
+/// Most angles averaged in one frame.
+const MOST_SUB_ANGLES: usize = 64;
+/// Refractive indices of anything transparent.
+const INDEX: &str = "a refractive index, 1 to 4";
+
+/// Checks every number of the tables.
+///
+/// # Errors
+/// [`Error::Config`] with key path, value and what is accepted; the place is added by
+/// [`Document::locate`](super::Document::locate).
+pub fn ranges(spec: &JobSpec) -> Result<()> {
+    grid(spec)?;
+    resin(spec)?;
+    within(
+        "vial.surrounding_index",
+        spec.vial.surrounding_index,
+        1.0,
+        4.0,
+        INDEX,
+    )?;
+    lights(&spec.light)?;
+    spec.objectives()?;
+    bounds_and_stop(spec)?;
+    evaluate_and_output(spec)
+}
+
+fn grid(spec: &JobSpec) -> Result<()> {
+    if let Some(pitch) = spec.grid.pitch_mm {
+        positive("grid.pitch_mm", pitch.0, "mm")?;
+    }
+    if let Some(shape) = spec.grid.shape {
+        for (i, n) in shape.into_iter().enumerate() {
+            count(&format!("grid.shape[{i}]"), n, 1, LARGEST_EDGE)?;
+        }
+    }
+    Ok(())
+}
+
+fn resin(spec: &JobSpec) -> Result<()> {
+    let resin = &spec.resin;
+    within(
+        "resin.refractive_index",
+        resin.refractive_index,
+        1.0,
+        4.0,
+        INDEX,
+    )?;
+    not_negative("resin.absorption_per_mm", resin.absorption_per_mm, "1/mm")?;
+    if resin.absorption_per_mm == 0.0 && !resin.pure_radon {
+        return Err(Error::config(
+            "resin.absorption_per_mm",
+            "found 0: a resin that absorbs nothing gets no dose",
+            "a number > 0 in 1/mm, or resin.pure_radon = true for the plain sum of fluence",
+        ));
+    }
+    if let Some(attenuation) = resin.attenuation_per_mm {
+        let least = resin.absorption_per_mm;
+        let accepted = format!("a number of at least resin.absorption_per_mm = {least}, in 1/mm");
+        within(
+            "resin.attenuation_per_mm",
+            attenuation,
+            least,
+            f64::MAX,
+            &accepted,
+        )?;
+    }
+    not_negative("resin.scattering_per_mm", resin.scattering_per_mm, "1/mm")?;
+    if resin.scattering_per_mm > 0.0 {
+        return Err(Error::config(
+            "resin.scattering_per_mm",
+            format!(
+                "found {}: the scattering model is not built yet",
+                resin.scattering_per_mm
+            ),
+            "0; a clear resin's loss can be given as resin.attenuation_per_mm",
+        ));
+    }
+    match resin.critical_dose_mj_per_mm3 {
+        Some(dose) => positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³"),
+        None => Ok(()),
+    }
+}
+
+fn lights(lights: &[LightSpec]) -> Result<()> {
+    if lights.is_empty() {
+        return Err(Error::config(
+            "light",
+            "no light",
+            "at least one table [[light]]",
+        ));
+    }
+    let mut names = BTreeSet::new();
+    for (i, one) in lights.iter().enumerate() {
+        light(one).map_err(|e| e.under(&format!("light[{i}]")))?;
+        let key = format!("light[{i}].name");
+        match &one.name {
+            Some(name) if !is_file_name(name) => {
+                let accepted = "letters, digits, - and _ (it is part of file names)";
+                return Err(Error::config(key, format!("found {name:?}"), accepted));
+            }
+            None if lights.len() > 1 => {
+                return Err(Error::config(
+                    key,
+                    "the key is missing",
+                    "a name, because there are several lights",
+                ));
+            }
+            name => {
+                if !names.insert(name.clone()) {
+                    return Err(Error::config(
+                        key,
+                        format!("found {name:?} a second time"),
+                        "names that differ",
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn light(light: &LightSpec) -> Result<()> {
+    within(
+        "wavelength_nm",
+        light.wavelength_nm,
+        100.0,
+        20_000.0,
+        "nm, 100 to 20000",
+    )?;
+    for (i, n) in light.pixels.into_iter().enumerate() {
+        count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
+    }
+    count("sub_angles", light.sub_angles, 1, MOST_SUB_ANGLES)?;
+    positive(
+        "projector.collimated.pixel_pitch_mm",
+        light.projector.pixel_pitch_mm(),
+        "mm",
+    )?;
+    match &light.angles {
+        Angles::Even {
+            count: frames,
+            start_deg,
+            arc_deg,
+        } => {
+            count("angles", *frames, 1, MOST_FRAMES)?;
+            within(
+                "angles.start_deg",
+                *start_deg,
+                -360.0,
+                360.0,
+                "degrees, -360 to 360",
+            )?;
+            positive("angles.arc_deg", *arc_deg, "degrees, at most 360")?;
+            within(
+                "angles.arc_deg",
+                *arc_deg,
+                0.0,
+                360.0,
+                "degrees, more than 0 and at most 360",
+            )
+        }
+        Angles::List(list) => {
+            count("angles.list_deg", list.len(), 1, MOST_FRAMES)?;
+            list.iter().enumerate().try_for_each(|(i, angle)| {
+                within(
+                    &format!("angles.list_deg[{i}]"),
+                    *angle,
+                    -3600.0,
+                    3600.0,
+                    "degrees, -3600 to 3600",
+                )
+            })
+        }
+    }
+}
+
+fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
+    not_negative(
+        "bounds.min",
+        spec.bounds.min,
+        "mJ/mm²: light cannot be taken away",
+    )?;
+    if let Some(max) = spec.bounds.max {
+        positive("bounds.max", max, "mJ/mm²")?;
+        let min = spec.bounds.min;
+        within(
+            "bounds.max",
+            max,
+            min,
+            f64::MAX,
+            &format!("a number of at least bounds.min = {min}"),
+        )?;
+    }
+    let stop = &spec.stop;
+    not_negative("stop.loss", stop.loss, "")?;
+    optional(stop.projected_gradient, |v| {
+        positive("stop.projected_gradient", v, "")
+    })?;
+    optional(stop.iou, |v| {
+        within("stop.iou", v, 0.0, 1.0, "a number from 0 to 1")
+    })?;
+    optional(stop.wall_s, |v| positive("stop.wall_s", v, "s"))?;
+    optional(spec.checkpoint.every_s, |v| {
+        positive("checkpoint.every_s", v, "s")
+    })
+}
+
+fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
+    let evaluate = &spec.evaluate;
+    count("evaluate.bit_depth", evaluate.bit_depth as usize, 1, 16)?;
+    count(
+        "evaluate.sub_angles",
+        evaluate.sub_angles,
+        1,
+        MOST_SUB_ANGLES,
+    )?;
+    count("evaluate.refine", evaluate.refine, 1, 8)?;
+    optional(evaluate.threshold, |v| {
+        positive("evaluate.threshold", v, "")
+    })?;
+    optional(evaluate.require_iou, |v| {
+        within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
+    })?;
+    positive("output.rpm", spec.output.rpm, "turns per minute")?;
+    if spec
+        .output
+        .folder
+        .as_ref()
+        .is_some_and(|folder| folder.as_os_str().is_empty())
+    {
+        return Err(Error::config(
+            "output.folder",
+            "found an empty path",
+            "a folder",
+        ));
+    }
+    Ok(())
+}
+
+fn is_file_name(name: &str) -> bool {
+    !name.is_empty()
+        && name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
+}
+
+fn optional(value: Option<f64>, check: impl Fn(f64) -> Result<()>) -> Result<()> {
+    value.map_or(Ok(()), check)
+}
+
+fn refuse(key: &str, value: impl std::fmt::Display, accepted: String) -> Result<()> {
+    Err(Error::config(key, format!("found {value}"), accepted))
+}
+
+fn positive(key: &str, value: f64, unit: &str) -> Result<()> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    refuse(
+        key,
+        value,
+        format!("a number > 0 {unit}").trim_end().to_owned(),
+    )
+}
+
+fn not_negative(key: &str, value: f64, unit: &str) -> Result<()> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    refuse(
+        key,
+        value,
+        format!("a number, 0 or more {unit}").trim_end().to_owned(),
+    )
+}
+
+fn within(key: &str, value: f64, least: f64, most: f64, accepted: &str) -> Result<()> {
+    if value >= least && value <= most {
+        Ok(())
+    } else {
+        refuse(key, value, accepted.to_owned())
+    }
+}
+
+fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    refuse(key, value, format!("a whole number from {least} to {most}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Document;
+    use crate::job::tests::FULL;
+
+    #[test]
+    fn a_good_job_passes_and_each_bad_number_is_named() {
+        let check = |changes: &[&str]| {
+            let mut document = Document::toml("a.toml", FULL).unwrap();
+            changes
+                .iter()
+                .for_each(|change| document.set(change).unwrap());
+            ranges(&JobSpec::from_document(&document).unwrap())
+        };
+        check(&[]).unwrap();
+        check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();
+        for (change, key) in [
+            ("grid.pitch_mm=0", "grid.pitch_mm"),
+            ("grid.pitch_mm=\"-1 mm\"", "grid.pitch_mm"),
+            ("grid.shape=[4, 0, 4]", "grid.shape[1]"),
+            ("resin.refractive_index=0.9", "resin.refractive_index"),
+            ("resin.absorption_per_mm=0", "resin.absorption_per_mm"),
+            ("resin.absorption_per_mm=-0.1", "resin.absorption_per_mm"),
+            ("resin.attenuation_per_mm=0.01", "resin.attenuation_per_mm"),
+            ("resin.scattering_per_mm=0.1", "resin.scattering_per_mm"),
+            (
+                "resin.critical_dose_mj_per_mm3=0",
+                "resin.critical_dose_mj_per_mm3",
+            ),
+            ("vial.surrounding_index=0", "vial.surrounding_index"),
+            ("light=[]", "light"),
+            ("light.name=a/b", "light[0].name"),
+            ("light.wavelength_nm=0.405", "light[0].wavelength_nm"),
+            ("light.pixels=[0, 5]", "light[0].pixels[0]"),
+            ("light.angles=0", "light[0].angles"),
+            ("light.angles.arc_deg=0", "light[0].angles.arc_deg"),
+            ("light.angles.arc_deg=720", "light[0].angles.arc_deg"),
+            ("light.angles={ list_deg = [] }", "light[0].angles.list_deg"),
+            ("light.sub_angles=0", "light[0].sub_angles"),
+            (
+                "light.projector.collimated.pixel_pitch_mm=0",
+                "light[0].projector.collimated.pixel_pitch_mm",
+            ),
+            ("bounds.min=-1", "bounds.min"),
+            ("bounds.min=5", "bounds.max"),
+            ("stop.iou=1.5", "stop.iou"),
+            ("stop.wall_s=0", "stop.wall_s"),
+            ("stop.projected_gradient=-1", "stop.projected_gradient"),
+            ("checkpoint.every_s=0", "checkpoint.every_s"),
+            ("evaluate.bit_depth=17", "evaluate.bit_depth"),
+            ("evaluate.refine=0", "evaluate.refine"),
+            ("evaluate.require_iou=99", "evaluate.require_iou"),
+            ("evaluate.threshold=0", "evaluate.threshold"),
+            ("output.rpm=0", "output.rpm"),
+            ("output.folder=\"\"", "output.folder"),
+            ("objectives=[{ l2 = {} }]", "objectives"),
+        ] {
+            match check(&[change]) {
+                Err(Error::Config { key: found, .. }) => assert_eq!(found, key, "{change}"),
+                other => panic!("{change}: {other:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! The files of a run folder.
+
+use super::folder::RunFolder;
+use super::judge::Judged;
+use super::optimise::Optimised;
+use super::progress::{Event, Progress};
+use super::read::Job;
+use super::scene::{Scene, Voxels};
+use super::spec::JobSpec;
+use crate::error::Result;
+use crate::exposure::{Quantised, frame_rate, movie_name, quantise};
+use crate::grid::Patterns;
+use crate::io::csv::{HistoryRow, write_history};
+use crate::io::frames::{FrameSet, write_frames};
+use crate::io::mp4::{check_movie, write_movie};
+use crate::io::npy::{PatternPair, write_patterns, write_volume};
+use crate::io::stl::write_stl;
+use crate::io::vti::{VtiValues, write_vti};
+use crate::metrics::print::Print;
+use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
+use std::path::Path;
+
+/// The patterns of a run, per light.
+pub(crate) struct Written {
+    /// As whole numbers.
+    pub(crate) quantised: Vec<Quantised>,
+    /// What they stand for.
+    pub(crate) shown: Vec<Patterns>,
+    /// Before quantisation.
+    pub(crate) raw: Option<Vec<Patterns>>,
+}
+
+impl Written {
+    /// Raw patterns and what the projector makes of them at its bit depth.
+    ///
+    /// # Errors
+    /// As [`quantise`].
+    pub(crate) fn quantised(raw: Vec<Patterns>, bits: u32) -> Result<Self> {
+        let quantised = raw
+            .iter()
+            .map(|raw| quantise(raw, bits))
+            .collect::<Result<Vec<_>>>()?;
+        let shown = quantised.iter().map(Quantised::patterns).collect();
+        Ok(Written {
+            quantised,
+            shown,
+            raw: Some(raw),
+        })
+    }
+}
+
+/// Everything there is at the end of a run.
+pub(crate) struct Done<'a> {
+    pub(crate) job: &'a Job,
+    pub(crate) scene: Scene,
+    pub(crate) voxels: Voxels,
+    pub(crate) patterns: Written,
+    pub(crate) judged: Judged,
+    /// None for a simulation.
+    pub(crate) optimised: Option<Optimised>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Writes everything to the folder's new files.
+///
+/// # Errors
+/// [`Error::Io`](crate::Error::Io), and what a format cannot hold.
+pub(crate) fn all(
+    done: &Done<'_>,
+    folder: &RunFolder,
+    timings: Vec<Timing>,
+    progress: &mut dyn Progress,
+) -> Result<()> {
+    let Done {
+        scene,
+        voxels,
+        patterns,
+        judged,
+        ..
+    } = done;
+    let new = folder.new_files();
+    let pairs: Vec<PatternPair<'_>> = patterns
+        .shown
+        .iter()
+        .enumerate()
+        .map(|(i, shown)| PatternPair {
+            light: scene.light_name(i),
+            shown,
+            raw: patterns.raw.as_ref().map(|raw| &raw[i]),
+        })
+        .collect();
+    write_patterns(&new.join("patterns.npz"), &pairs)?;
+    let sets: Vec<FrameSet<'_>> = patterns
+        .quantised
+        .iter()
+        .enumerate()
+        .map(|(i, levels)| levels.frames(scene.light_name(i)))
+        .collect();
+    write_frames(&new.join("frames"), &sets)?;
+    let movies = movies(scene, &sets, &new, progress)?;
+    write_volume(&new.join("dose.npy"), &judged.dose)?;
+    write_vti(
+        &new.join("dose.vti"),
+        &scene.grid,
+        &[
+            ("dose", VtiValues::F32(&judged.dose.values)),
+            ("target", VtiValues::F32(&voxels.target.inside.values)),
+            ("label", VtiValues::U8(&voxels.labels.values)),
+        ],
+    )?;
+    print(scene, voxels, judged, &new.join("print.stl"))?;
+    let history = done.optimised.as_ref().map(history).unwrap_or_default();
+    if !history.is_empty() {
+        write_history(&new.join("history.csv"), &history)?;
+    }
+    report(done, &new, &history, movies, timings)
+}
+
+/// `report.json` and `report.html`.
+fn report(
+    done: &Done<'_>,
+    folder: &Path,
+    history: &[HistoryRow],
+    movies: Vec<MovieReport>,
+    timings: Vec<Timing>,
+) -> Result<()> {
+    let Done {
+        job,
+        scene,
+        patterns,
+        judged,
+        optimised,
+        ..
+    } = done;
+    let resolved = job.resolved();
+    let lights = patterns
+        .shown
+        .iter()
+        .zip(&patterns.quantised)
+        .zip(&scene.spec.light)
+        .map(|((shown, quantised), light)| LightReport {
+            name: light.name.as_deref().unwrap_or(""),
+            patterns: shown,
+            bits: quantised.bits,
+            full_scale: quantised.full_scale,
+            wavelength_nm: Some(light.wavelength_nm),
+        })
+        .collect();
+    let data = ReportData {
+        part: &scene.name,
+        program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
+        created: &date(std::time::SystemTime::now()),
+        facts: facts(scene, optimised.as_ref()),
+        lights,
+        labels: &judged.fine.labels,
+        response: &judged.response,
+        inside: Some(&judged.fine.target.inside),
+        window: window(&resolved),
+        evaluation: &judged.evaluation,
+        standing: Some(&judged.standing),
+        optimisation: judged.optimisation.as_ref(),
+        published: serde_json::Map::new(),
+        history,
+        movies,
+        job_text: &resolved.to_toml()?,
+        warnings: done.warnings.clone(),
+        timings,
+    };
+    write_json(&folder.join("report.json"), &data)?;
+    write_html(&folder.join("report.html"), &data)
+}
+
+/// Short facts for the head of the page.
+fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> {
+    let spec = &scene.spec;
+    let kind = |value: &serde_json::Value| match value {
+        serde_json::Value::Object(map) => map.keys().cloned().collect::<Vec<_>>().join(", "),
+        other => other.as_str().unwrap_or_default().to_owned(),
+    };
+    let [nz, ny, nx] = scene.grid.shape;
+    let mut facts = vec![
+        ("Vial", kind(&spec.vial.kind)),
+        (
+            "Resin",
+            format!(
+                "n {}, μ {} per mm",
+                spec.resin.refractive_index, spec.resin.absorption_per_mm
+            ),
+        ),
+        (
+            "Grid",
+            format!("{nx} × {ny} × {nz} voxels of {:.4} mm", scene.grid.pitch_mm),
+        ),
+        ("Frames", scene.extent.frames.to_string()),
+    ];
+    if let Some(optimised) = optimised {
+        let seconds = optimised.outcome.counters.model_s.max(1e-9);
+        let calls = optimised.outcome.counters.forward + optimised.outcome.counters.adjoint;
+        let speed = calls as f64 * optimised.updates as f64 / seconds / 1e9;
+        facts.push(("Optimiser", kind(&spec.optimizer)));
+        facts.push(("Model", optimised.model.clone()));
+        facts.push((
+            "Speed",
+            format!("{speed:.1} G voxel-angle updates per second"),
+        ));
+    }
+    facts
+        .into_iter()
+        .map(|(name, text)| (name.to_owned(), text))
+        .collect()
+}
+
+/// Thresholds of the first objective, where it has any.
+fn window(spec: &JobSpec) -> Option<[f64; 2]> {
+    let objective = spec.objectives().ok()?.swap_remove(0).value;
+    let parameters = objective
+        .as_object()?
+        .values()
+        .find_map(|v| v.as_object())?;
+    let get = |key: &str| parameters.get(key)?.as_f64();
+    Some([
+        get("lower").or_else(|| get("d_l"))?,
+        get("upper").or_else(|| get("d_h"))?,
+    ])
+}
+
+/// Date and time, UTC.
+fn date(now: std::time::SystemTime) -> String {
+    let seconds = now
+        .duration_since(std::time::UNIX_EPOCH)
+        .map_or(0, |d| d.as_secs());
+    let (mut days, minutes) = (seconds / 86_400, seconds % 86_400 / 60);
+    let is_leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
+    let mut year = 1970;
+    while days >= 365 + u64::from(is_leap(year)) {
+        days -= 365 + u64::from(is_leap(year));
+        year += 1;
+    }
+    let lengths = [
+        31,
+        28 + u64::from(is_leap(year)),
+        31,
+        30,
+        31,
+        30,
+        31,
+        31,
+        30,
+        31,
+        30,
+        31,
+    ];
+    let mut month = 0;
+    while days >= lengths[month] {
+        days -= lengths[month];
+        month += 1;
+    }
+    format!(
+        "{year}-{:02}-{:02} {:02}:{:02} UTC",
+        month + 1,
+        days + 1,
+        minutes / 60,
+        minutes % 60
+    )
+}
+
+/// A movie per light, read back; lights whose frames make no movie (a list of angles) have none.
+fn movies(
+    scene: &Scene,
+    sets: &[FrameSet<'_>],
+    folder: &Path,
+    progress: &mut dyn Progress,
+) -> Result<Vec<MovieReport>> {
+    let mut checks = Vec::new();
+    for set in sets {
+        let arc = set.grid.frame_arc * set.grid.frames() as f64;
+        if arc == 0.0 {
+            let text = "a list of angles has no frame rate: no movie is written".to_owned();
+            progress.event(&Event::Note { text });
+            continue;
+        }
+        let part = set.light.map_or_else(
+            || scene.name.clone(),
+            |light| format!("{}_{light}", scene.name),
+        );
+        let name = movie_name(&part, scene.spec.output.rpm);
+        let path = folder.join(&name);
+        write_movie(
+            &path,
+            set,
+            frame_rate(scene.spec.output.rpm, set.grid.frames(), arc)?,
+        )?;
+        checks.push(MovieReport {
+            check: check_movie(&path, set)?,
+            file: name,
+        });
+    }
+    Ok(checks)
+}
+
+/// The predicted surface, from the dose on the optimisation's voxels at the threshold of the evaluation.
+fn print(scene: &Scene, voxels: &Voxels, judged: &Judged, path: &Path) -> Result<()> {
+    let response = scene.responses(judged.dose.clone())?;
+    let mut print = Print::new(&voxels.labels, &response)?;
+    if let Some(threshold) = judged.evaluation.gel_threshold {
+        print = print.with_threshold(threshold)?;
+    }
+    let surface = print.surface();
+    write_stl(
+        path,
+        &format!("{}, predicted print", scene.name),
+        &surface.corners,
+        &surface.triangles,
+    )
+}
+
+fn history(optimised: &Optimised) -> Vec<HistoryRow> {
+    let row = |row: &crate::optimize::Row| HistoryRow {
+        iteration: row.iteration,
+        loss: row.loss,
+        projected_gradient: row.projected_gradient.unwrap_or(f64::NAN),
+        step: row.step.unwrap_or(f64::NAN),
+        forward_calls: row.forward as usize,
+        adjoint_calls: row.adjoint as usize,
+        seconds: row.seconds,
+    };
+    optimised.outcome.history.iter().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::{Duration, UNIX_EPOCH};
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        let at = |seconds| date(UNIX_EPOCH + Duration::from_secs(seconds));
+        assert_eq!(at(0), "1970-01-01 00:00 UTC");
+        assert_eq!(at(951_782_400), "2000-02-29 00:00 UTC");
+        assert_eq!(at(1_795_262_399), "2026-11-21 11:59 UTC");
+    }
+}

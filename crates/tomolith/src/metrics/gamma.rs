@@ -1,0 +1,69 @@
+//! Process window Γ: how far the threshold may be off.
+//!
+//! ```text
+//! Γ = 100 % · length of {t in [0, 1]: IoU(t) > 0.95·max IoU}
+//! ```
+//!
+//! exact, from the breakpoints of IoU(t). None without part.
+
+use super::print::Print;
+use super::{Better, Measure, Metric, MetricKind};
+
+/// See the [module page](self).
+pub struct Gamma;
+
+impl Metric for Gamma {
+    fn measure(&self, print: &Print<'_>) -> Measure {
+        Some(100.0 * print.scan().length_near_best()?)
+    }
+}
+
+/// Row of [`METRICS`](super::METRICS).
+pub const KIND: MetricKind = MetricKind {
+    name: "gamma",
+    title: "Process window Γ",
+    summary: "How much the threshold may vary: share of the dose scale 0…1 over which IoU stays within 5 % of its best.",
+    unit: "%",
+    better: Better::Higher,
+    metric: &Gamma,
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{Volume, VolumeGrid};
+    use crate::target::label::{PART, VOID};
+
+    fn measure(labels: &[u8], response: &[f32]) -> Measure {
+        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
+        let labels = Volume {
+            grid: grid.clone(),
+            values: labels.to_vec(),
+        };
+        let response = Volume {
+            grid,
+            values: response.to_vec(),
+        };
+        Gamma.measure(&Print::new(&labels, &response).unwrap())
+    }
+
+    fn near(found: Measure, expected: f64) -> bool {
+        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+    }
+
+    #[test]
+    fn is_the_length_of_the_good_thresholds() {
+        assert!(near(measure(&[VOID, PART], &[0.375, 0.875]), 50.0));
+        assert!(near(measure(&[VOID, PART], &[0.375, 7.0]), 62.5)); // the scale ends at 1
+        // Twenty part voxels: the weakest may not be lost (19/20 is not above 0.95), nor may the void gel (20/22)
+        let print = |parts: usize| {
+            let labels: Vec<u8> = [VOID, VOID].into_iter().chain(vec![PART; parts]).collect();
+            let mut response = vec![0.75; parts + 2];
+            response[..3].copy_from_slice(&[0.25, 0.25, 0.5]);
+            measure(&labels, &response)
+        };
+        assert!(near(print(20), 25.0));
+        assert!(near(print(21), 50.0)); // 20/21 is above 0.95, 21/23 is not
+        assert_eq!(measure(&[VOID], &[1.0]), None);
+    }
+}

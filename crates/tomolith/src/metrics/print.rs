@@ -1,0 +1,327 @@
+//! A predicted print: what the metrics look at.
+//!
+//! Labels say what each voxel should become, the response what the dose makes of it; the print is what is above the gel
+//! threshold: the one that was given, else the best one. Work that several metrics share (counts over thresholds,
+//! distances of surfaces) is done once, when it is first asked for.
+//!
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::print::Print;
+//! use tomolith::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 3], 0.1);
+//! let labels = Volume { grid: grid.clone(), values: vec![VOID, PART, VOID] };
+//! let response = Volume { grid, values: vec![0.2, 0.9, 0.4] };
+//! let print = Print::new(&labels, &response).unwrap();
+//! // From 0.4 to 0.9 only the part gels; the threshold is the middle
+//! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
+//! ```
+
+use super::isosurface::{Surface, beyond, isosurface_of};
+use super::scan::{Plateau, Scan};
+use super::surface::{SurfaceDistance, surface_distance};
+use crate::error::{Error, Result};
+use crate::field::BLOCK;
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::target::label;
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+/// Sums over the pixels of all frames and lights, dark and masked ones included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatternStats {
+    /// Pixels.
+    pub pixels: u64,
+    /// Sum of the pattern values.
+    pub sum: f64,
+    /// Largest pattern value.
+    pub max: f32,
+}
+
+impl PatternStats {
+    /// Sums over all lights.
+    pub fn of<'p>(lights: impl IntoIterator<Item = &'p Patterns>) -> Self {
+        let mut stats = PatternStats {
+            pixels: 0,
+            sum: 0.0,
+            max: 0.0,
+        };
+        for patterns in lights {
+            let blocks: Vec<(f64, f32)> = patterns
+                .values
+                .par_chunks(BLOCK)
+                .map(|block| {
+                    block.iter().fold((0.0, 0.0f32), |(sum, max), &v| {
+                        (sum + f64::from(v), max.max(v))
+                    })
+                })
+                .collect();
+            stats.pixels += patterns.values.len() as u64;
+            stats.sum += blocks.iter().map(|b| b.0).sum::<f64>();
+            stats.max = blocks.iter().fold(stats.max, |max, b| max.max(b.1));
+        }
+        stats
+    }
+}
+
+/// A predicted print.
+pub struct Print<'a> {
+    labels: &'a Volume<u8>,
+    response: &'a Volume<f32>,
+    inside: Option<&'a Volume<f32>>,
+    patterns: Option<PatternStats>,
+    threshold: Option<f64>,
+    scan: Scan<'a>,
+    best: OnceLock<Option<Plateau>>,
+    above: OnceLock<[u64; 2]>,
+    distance: OnceLock<Option<SurfaceDistance>>,
+}
+
+fn same_shape(what: &str, grid: &VolumeGrid, found: &VolumeGrid, len: usize) -> Result<()> {
+    if grid.shape == found.shape && len == grid.len() {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: what.to_owned(),
+        expected: grid.shape.to_vec(),
+        found: found.shape.to_vec(),
+    })
+}
+
+impl<'a> Print<'a> {
+    /// Labels ([`label`]) and response of the same voxels.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when they do not fit; [`Error::NonFinite`] when the response of a part or void voxel is not
+    /// finite.
+    pub fn new(labels: &'a Volume<u8>, response: &'a Volume<f32>) -> Result<Self> {
+        same_shape("labels", &labels.grid, &labels.grid, labels.values.len())?;
+        same_shape(
+            "response",
+            &labels.grid,
+            &response.grid,
+            response.values.len(),
+        )?;
+        Ok(Print {
+            labels,
+            response,
+            inside: None,
+            patterns: None,
+            threshold: None,
+            scan: Scan::new(&labels.values, &response.values)?,
+            best: OnceLock::new(),
+            above: OnceLock::new(),
+            distance: OnceLock::new(),
+        })
+    }
+
+    /// Adds the target's inside fraction, which places its surface within the voxels.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when it does not fit.
+    pub fn with_inside(mut self, inside: &'a Volume<f32>) -> Result<Self> {
+        same_shape(
+            "inside fraction",
+            &self.labels.grid,
+            &inside.grid,
+            inside.values.len(),
+        )?;
+        self.inside = Some(inside);
+        Ok(self)
+    }
+
+    /// Adds what is known of the patterns.
+    #[must_use]
+    pub fn with_patterns(mut self, stats: PatternStats) -> Self {
+        self.patterns = Some(stats);
+        self
+    }
+
+    /// Sets the gel threshold, in units of the response.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when it is not finite.
+    pub fn with_threshold(mut self, threshold: f64) -> Result<Self> {
+        if !threshold.is_finite() {
+            return Err(Error::config(
+                "evaluate.threshold",
+                format!("found {threshold}"),
+                "a finite number",
+            ));
+        }
+        self.threshold = Some(threshold);
+        Ok(self)
+    }
+
+    /// Where the voxels are.
+    #[must_use]
+    pub fn grid(&self) -> &VolumeGrid {
+        &self.labels.grid
+    }
+
+    /// What each voxel should become.
+    #[must_use]
+    pub fn labels(&self) -> &Volume<u8> {
+        self.labels
+    }
+
+    /// What the dose makes of each voxel.
+    #[must_use]
+    pub fn response(&self) -> &Volume<f32> {
+        self.response
+    }
+
+    /// What is known of the patterns.
+    #[must_use]
+    pub fn patterns(&self) -> Option<PatternStats> {
+        self.patterns
+    }
+
+    /// Counts over thresholds.
+    #[must_use]
+    pub fn scan(&self) -> &Scan<'a> {
+        &self.scan
+    }
+
+    /// The thresholds of the best IoU, `None` without part or when none prints any of it.
+    #[must_use]
+    pub fn best(&self) -> Option<Plateau> {
+        *self.best.get_or_init(|| self.scan.best_plateau())
+    }
+
+    /// The gel threshold: the given one, else the best one.
+    #[must_use]
+    pub fn gel_threshold(&self) -> Option<f64> {
+        self.threshold
+            .or_else(|| self.best().map(|best| best.middle()))
+    }
+
+    /// Part and void voxels that gel.
+    #[must_use]
+    pub fn printed(&self) -> [u64; 2] {
+        *self.above.get_or_init(|| {
+            self.gel_threshold()
+                .map_or([0, 0], |threshold| self.scan.count_above(threshold))
+        })
+    }
+
+    /// The predicted print's surface; voxels outside of the resin are not printed. Empty when nothing is printed.
+    #[must_use]
+    pub fn surface(&self) -> Surface {
+        let Some(threshold) = self.gel_threshold() else {
+            return Surface::default();
+        };
+        isosurface_of(self.grid(), threshold, |i| self.printed_value(i, threshold))
+    }
+
+    /// Response of a voxel, nothing outside of the resin.
+    pub(super) fn printed_value(&self, i: usize, threshold: f64) -> f32 {
+        if self.labels.values[i] == label::OUTSIDE {
+            beyond(threshold)
+        } else {
+            self.response.values[i]
+        }
+    }
+
+    /// Inside fraction of a voxel, or 0 and 1 by its label when none is known.
+    pub(super) fn target_value(&self, i: usize) -> f32 {
+        match (self.labels.values[i], self.inside) {
+            (label::OUTSIDE, _) => 0.0,
+            (_, Some(inside)) => inside.values[i],
+            (label, None) => f32::from(u8::from(label == label::PART)),
+        }
+    }
+
+    /// Distances between the print's surface and the target's; `None` when one of them is empty.
+    #[must_use]
+    pub fn distance(&self) -> Option<SurfaceDistance> {
+        *self.distance.get_or_init(|| surface_distance(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::target::label::{OUTSIDE, PART, VOID};
+
+    fn volume<T: Clone>(values: &[T]) -> Volume<T> {
+        Volume {
+            grid: VolumeGrid::centered([1, 1, values.len()], 0.5),
+            values: values.to_vec(),
+        }
+    }
+
+    #[test]
+    fn a_given_threshold_replaces_the_best_one() {
+        let (labels, response) = (
+            volume(&[VOID, PART, PART, OUTSIDE]),
+            volume(&[0.3, 0.6, 0.9, 5.0]),
+        );
+        let print = Print::new(&labels, &response).unwrap();
+        assert_eq!(print.printed(), [2, 0]);
+        let print = print.with_threshold(0.25).unwrap();
+        assert_eq!(
+            Print::new(&labels, &response)
+                .unwrap()
+                .with_threshold(0.25)
+                .unwrap()
+                .printed(),
+            [2, 1]
+        );
+        assert_eq!(print.gel_threshold(), Some(0.25));
+        assert!(
+            Print::new(&labels, &response)
+                .unwrap()
+                .with_threshold(f64::NAN)
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn arrays_that_do_not_fit_are_refused() {
+        let (labels, response) = (volume(&[VOID, PART]), volume(&[0.3, 0.6, 0.9]));
+        assert!(matches!(
+            Print::new(&labels, &response),
+            Err(Error::Shape { .. })
+        ));
+        let short = volume(&[0.1, 0.2]);
+        assert!(
+            Print::new(&labels, &short)
+                .unwrap()
+                .with_inside(&response)
+                .is_err()
+        );
+        let mut torn = volume(&[0.1, 0.2]);
+        torn.values.pop();
+        assert!(matches!(
+            Print::new(&labels, &torn),
+            Err(Error::Shape { .. })
+        ));
+    }
+
+    #[test]
+    fn pattern_sums_count_every_pixel_of_every_light() {
+        let patterns = |values: Vec<f32>| Patterns {
+            grid: crate::grid::PatternGrid::full_turn(1, 0.0, 1, values.len(), 0.1),
+            values,
+        };
+        let (a, b) = (patterns(vec![0.0, 2.0]), patterns(vec![1.0, 0.0, 0.0]));
+        let stats = PatternStats::of([&a, &b]);
+        assert_eq!(
+            stats,
+            PatternStats {
+                pixels: 5,
+                sum: 3.0,
+                max: 2.0
+            }
+        );
+    }
+
+    #[test]
+    fn what_lies_outside_of_the_resin_is_no_print() {
+        let (labels, response) = (volume(&[OUTSIDE, VOID, PART]), volume(&[9.0, 0.0, 1.0]));
+        let print = Print::new(&labels, &response).unwrap();
+        let surface = print.surface();
+        assert!(surface.corners.iter().all(|c| c[0] > 0.0), "{surface:?}");
+        assert_eq!(surface.triangles.len(), 8);
+    }
+}

@@ -1,0 +1,66 @@
+//! Process window.
+//!
+//! ```text
+//! PW = min over part m − max over void m
+//! ```
+//!
+//! Positive: a range of thresholds prints the part without error. (Some authors use the opposite sign.) None without
+//! part or without void.
+
+use super::print::Print;
+use super::{Better, Measure, Metric, MetricKind};
+
+/// See the [module page](self).
+pub struct ProcessWindow;
+
+impl Metric for ProcessWindow {
+    fn measure(&self, print: &Print<'_>) -> Measure {
+        let scan = print.scan();
+        Some(f64::from(scan.part()?.min) - f64::from(scan.void()?.max))
+    }
+}
+
+/// Row of [`METRICS`](super::METRICS).
+pub const KIND: MetricKind = MetricKind {
+    name: "pw",
+    title: "Process window PW",
+    summary: "Gap between the weakest voxel of the part and the strongest void voxel; below 0 they overlap.",
+    unit: "response",
+    better: Better::Higher,
+    metric: &ProcessWindow,
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{Volume, VolumeGrid};
+    use crate::target::label::{OUTSIDE, PART, VOID};
+
+    fn measure(labels: &[u8], response: &[f32]) -> Measure {
+        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
+        let labels = Volume {
+            grid: grid.clone(),
+            values: labels.to_vec(),
+        };
+        let response = Volume {
+            grid,
+            values: response.to_vec(),
+        };
+        ProcessWindow.measure(&Print::new(&labels, &response).unwrap())
+    }
+
+    fn near(found: Measure, expected: f64) -> bool {
+        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+    }
+
+    #[test]
+    fn is_the_gap_with_its_sign() {
+        assert!(near(
+            measure(&[PART, PART, VOID, OUTSIDE], &[0.9, 0.7, 0.4, 3.0]),
+            0.3
+        ));
+        assert!(near(measure(&[PART, PART, VOID], &[0.9, 0.3, 0.4]), -0.1));
+        assert_eq!(measure(&[PART], &[1.0]), None);
+        assert_eq!(measure(&[VOID], &[1.0]), None);
+    }
+}

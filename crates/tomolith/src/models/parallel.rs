@@ -1,1 +1,0 @@
-//! The `parallel` dose model (see below).

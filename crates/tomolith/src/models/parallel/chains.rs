@@ -1,0 +1,576 @@
+//! Chains: strips side by side that share edges, where geometry is a vector operation.
+//!
+//! Nearly every (tile, beam) is a *chain*: neighbouring columns, common edges, no resin wall within the tile. There the
+//! enumerator of [`tiles`](super::tiles) becomes arithmetic on sixteen rows (for a strip) or sixteen voxels (for a row) at a
+//! time, with the very same formulas, so that dose and adjoint stay one matrix. AVX-512 only; other machines and all
+//! other tiles take the plain way.
+#![expect(
+    unsafe_code,
+    reason = "kernel file: vector arithmetic needs intrinsics"
+)]
+
+use super::kernel::Block;
+use super::strips::{Beam, Columns};
+#[cfg(doc)]
+use super::tiles::NARROWEST_IN_CHAIN;
+use super::tiles::{Local, TILE, TileEntries};
+use crate::field::LANES;
+
+/// A chain of strips of one beam, seen from a tile.
+#[derive(Clone, Copy)]
+pub(super) struct Chain<'a> {
+    pub(super) columns: &'a Columns,
+    /// First strip, and number of strips.
+    pub(super) first: usize,
+    pub(super) count: usize,
+    pub(super) upward: bool,
+    /// Column number of the first strip.
+    pub(super) column: u32,
+}
+
+impl<'a> Chain<'a> {
+    pub(super) fn new(beam: &'a Beam, first: usize, end: usize) -> Self {
+        Chain {
+            columns: &beam.columns,
+            first,
+            count: end - first,
+            upward: beam.strips[first].upward,
+            column: beam.strips[first].column,
+        }
+    }
+}
+
+/// Proof that this machine has AVX-512F.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Avx512(());
+
+impl Avx512 {
+    /// None where it was not detected.
+    pub(super) fn detect() -> Option<Self> {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512f") {
+            return Some(Avx512(()));
+        }
+        None
+    }
+
+    /// out[i] += weights[i] · source[first[i] + tap]
+    ///
+    /// # Panics
+    /// When an index lies outside `source`, or lengths differ.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn add_gathered(
+        self,
+        out: &mut [f32],
+        weights: &[f32],
+        source: &[f32],
+        first: &[u32],
+        tap: usize,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::add_gathered(out, weights, source, first, tap);
+        }
+    }
+
+    /// Appends what a chain lights in a tile, strip after strip; `keep` says which columns count.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn add_chain(
+        self,
+        chain: &Chain,
+        local: &Local,
+        keep: impl Fn(u32) -> bool,
+        out: &mut TileEntries,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::add_chain(chain, local, keep, out);
+        }
+    }
+
+    /// The taps of a chain; `slot` is the slot of column 0 of the frame.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn find_taps(
+        self,
+        taps: &mut Taps,
+        chain: &Chain,
+        local: &Local,
+        along_x: bool,
+        slot: u32,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            taps.find(chain, local, along_x, slot);
+        }
+    }
+
+    /// Adds to every voxel of a tile what the chosen chains bring, over the lanes of the block. `rows[y]` holds the
+    /// whole rows of lanes of the tile's voxels (·, y); `source` has [`GUARD`] rows before slot 0 and behind the last.
+    ///
+    /// # Panics
+    /// When a tap lies outside `source`.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn gather_tile(
+        self,
+        rows: &mut [&mut [f32]],
+        source: &[f32],
+        chains: &[&Taps],
+        block: Block,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::gather_tile(rows, source, chains, block);
+        }
+    }
+}
+
+/// Rows of lanes before the first and behind the last slot: taps of no weight may reach beyond a chain.
+pub(super) const GUARD: usize = MOST_TAPS;
+
+/// Strips that cover a voxel at most: the narrowest of a chain are [`NARROWEST_IN_CHAIN`] wide.
+const MOST_TAPS: usize = 5;
+
+/// For each voxel of a tile: the first strip of a chain that covers some of it, and the weights of it and the next.
+#[derive(Clone)]
+pub(super) struct Taps {
+    /// Slot of the first strip, and what to add for the next one.
+    slot: u32,
+    step: i32,
+    /// Strips.
+    count: u32,
+    /// Strips that cover a voxel, at most.
+    taps: usize,
+    /// Position of voxel (x, y) in the arrays is `x·per_x + y·per_y`.
+    per_x: usize,
+    per_y: usize,
+    strip: [u8; TILE * TILE],
+    weight: [[f32; TILE * TILE]; MOST_TAPS],
+}
+
+impl Default for Taps {
+    fn default() -> Self {
+        Taps {
+            slot: 0,
+            step: 0,
+            count: 0,
+            taps: 0,
+            per_x: 1,
+            per_y: TILE,
+            strip: [0; TILE * TILE],
+            weight: [[0.0; TILE * TILE]; MOST_TAPS],
+        }
+    }
+}
+
+impl Taps {
+    /// Slots of the strips that light the tile.
+    pub(super) fn slots(&self) -> impl Iterator<Item = usize> + use<> {
+        let (slot, step) = (i64::from(self.slot), i64::from(self.step));
+        (0..i64::from(self.count)).map(move |i| (slot + step * i) as usize)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod avx512 {
+    use super::super::kernel::Block;
+    use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
+    use super::{Chain, GUARD, LANES, MOST_TAPS, Taps};
+    use std::arch::x86_64::*;
+
+    /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn add_gathered(
+        out: &mut [f32],
+        weights: &[f32],
+        source: &[f32],
+        first: &[u32],
+        tap: usize,
+    ) {
+        let highest = first.iter().fold(0, |m, &i| m.max(i));
+        assert!(out.len() == weights.len() && out.len() == first.len());
+        assert!(highest as usize + tap < source.len() && source.len() < i32::MAX as usize);
+        let from = source[tap..].as_ptr();
+        for ((out, weights), first) in out
+            .chunks_mut(16)
+            .zip(weights.chunks(16))
+            .zip(first.chunks(16))
+        {
+            let n = out.len();
+            let mask: __mmask16 = if n == 16 { 0xffff } else { (1 << n) - 1 };
+            // SAFETY: masked loads and stores touch the n elements of the chunks; gathered indices were checked above.
+            unsafe {
+                let index = _mm512_maskz_loadu_epi32(mask, first.as_ptr().cast());
+                let values = _mm512_mask_i32gather_ps::<4>(_mm512_setzero_ps(), mask, index, from);
+                let weight = _mm512_maskz_loadu_ps(mask, weights.as_ptr());
+                let sum =
+                    _mm512_fmadd_ps(weight, values, _mm512_maskz_loadu_ps(mask, out.as_ptr()));
+                _mm512_mask_storeu_ps(out.as_mut_ptr(), mask, sum);
+            }
+        }
+    }
+
+    /// e^x for x ≤ 0 to 2e-7, sixteen at a time.
+    #[target_feature(enable = "avx512f")]
+    fn exp16(x: __m512) -> __m512 {
+        let scaled = _mm512_mul_ps(x, _mm512_set1_ps(std::f32::consts::LOG2_E));
+        let whole = _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEAREST_INT }>(scaled);
+        let f = _mm512_fnmadd_ps(whole, _mm512_set1_ps(std::f32::consts::LN_2), x);
+        let term = |sum, c| _mm512_fmadd_ps(sum, f, _mm512_set1_ps(c));
+        let mut sum = _mm512_set1_ps(1.0 / 720.0);
+        for c in [1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0] {
+            sum = term(sum, c);
+        }
+        _mm512_scalef_ps(sum, whole)
+    }
+
+    /// Reads sixteen values from `at` on.
+    #[target_feature(enable = "avx512f")]
+    fn load(values: &[f32], at: usize) -> __m512 {
+        let window = &values[at..at + 16];
+        // SAFETY: the window has sixteen floats.
+        unsafe { _mm512_loadu_ps(window.as_ptr()) }
+    }
+
+    #[target_feature(enable = "avx512f")]
+    fn store(to: &mut [f32], at: usize, values: __m512) {
+        let window = &mut to[at..at + 16];
+        // SAFETY: the window has sixteen floats.
+        unsafe { _mm512_storeu_ps(window.as_mut_ptr(), values) }
+    }
+
+    #[target_feature(enable = "avx512f")]
+    fn ramp() -> __m512 {
+        _mm512_setr_ps(
+            0., 1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12., 13., 14., 15.,
+        )
+    }
+
+    /// Deposit of strips `at..at + 16` in the tile's first row.
+    #[target_feature(enable = "avx512f")]
+    fn first_row(chain: &Chain, local: &Local, at: usize) -> __m512 {
+        let c = chain.columns;
+        let (enter, per_row) = (load(&c.enter, at), load(&c.per_row, at));
+        let row = _mm512_set1_ps(local.origin[0]);
+        let depth = if chain.upward {
+            _mm512_sub_ps(row, enter)
+        } else {
+            _mm512_sub_ps(enter, _mm512_add_ps(row, _mm512_set1_ps(1.0)))
+        };
+        let decay = exp16(_mm512_fnmadd_ps(per_row, depth, _mm512_setzero_ps()));
+        _mm512_mul_ps(load(&c.full, at), decay)
+    }
+
+    /// See [`Avx512::add_chain`](super::Avx512::add_chain).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn add_chain(
+        chain: &Chain,
+        local: &Local,
+        keep: impl Fn(u32) -> bool,
+        out: &mut TileEntries,
+    ) {
+        let c = chain.columns;
+        let mut energy = [0.0f32; MOST_IN_CHAIN + 1];
+        for at in (0..chain.count).step_by(16) {
+            store(&mut energy, at, first_row(chain, local, chain.first + at));
+        }
+        let middle = _mm512_add_ps(ramp(), _mm512_set1_ps(local.origin[0] + 0.5));
+        let rows: __mmask16 = if local.rows == 16 {
+            0xffff
+        } else {
+            (1 << local.rows) - 1
+        };
+        let across = _mm512_set1_ps(local.across as f32);
+        let slot_of_row = _mm512_add_epi32(
+            _mm512_set1_epi32(local.first_slot as i32),
+            _mm512_mullo_epi32(
+                _mm512_cvttps_epi32(ramp()),
+                _mm512_set1_epi32(local.row_step as i32),
+            ),
+        );
+        let direction = if chain.upward { -1.0 } else { 1.0 };
+        for (i, &energy) in energy.iter().enumerate().take(chain.count) {
+            let column = (chain.column as i32 + c.step * i as i32) as u32;
+            if !keep(column) {
+                continue;
+            }
+            let at = chain.first + i;
+            let edge = |at: usize| {
+                let offset = _mm512_set1_ps(c.offset[at] - local.origin[1]);
+                _mm512_fmadd_ps(_mm512_set1_ps(c.slope[at]), middle, offset)
+            };
+            let (left, right) = (edge(at), edge(at + 1));
+            let decay = exp16(_mm512_mul_ps(
+                ramp(),
+                _mm512_set1_ps(direction * c.per_row[at]),
+            ));
+            let deposit = _mm512_mul_ps(_mm512_set1_ps(energy), decay);
+            let density = _mm512_div_ps(deposit, _mm512_sub_ps(right, left));
+            let left = _mm512_max_ps(left, _mm512_setzero_ps());
+            let right = _mm512_min_ps(right, across);
+            let mut voxel = _mm512_roundscale_ps::<{ _MM_FROUND_TO_ZERO }>(left);
+            let begin = out.slots.len() as u32;
+            loop {
+                let next = _mm512_add_ps(voxel, _mm512_set1_ps(1.0));
+                let cover = _mm512_sub_ps(_mm512_min_ps(right, next), _mm512_max_ps(left, voxel));
+                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, cover, _mm512_setzero_ps());
+                if lit == 0 {
+                    break;
+                }
+                let slot = _mm512_add_epi32(
+                    slot_of_row,
+                    _mm512_mullo_epi32(
+                        _mm512_cvttps_epi32(voxel),
+                        _mm512_set1_epi32(local.across_step as i32),
+                    ),
+                );
+                append(out, lit, slot, _mm512_mul_ps(cover, density));
+                voxel = next;
+            }
+            out.end_run(column, begin);
+        }
+    }
+
+    /// Appends the chosen lanes to the entries.
+    #[target_feature(enable = "avx512f")]
+    fn append(out: &mut TileEntries, chosen: __mmask16, slots: __m512i, weights: __m512) {
+        let len = out.slots.len();
+        let count = chosen.count_ones() as usize;
+        out.slots.reserve(16);
+        out.weights.reserve(16);
+        // SAFETY: sixteen places were reserved behind `len` in both, and `count` ≤ 16 of them are then initialised.
+        unsafe {
+            let slots = _mm512_maskz_compress_epi32(chosen, slots);
+            let weights = _mm512_maskz_compress_ps(chosen, weights);
+            _mm512_storeu_epi32(out.slots.as_mut_ptr().add(len).cast(), slots);
+            _mm512_storeu_ps(out.weights.as_mut_ptr().add(len), weights);
+            out.slots.set_len(len + count);
+            out.weights.set_len(len + count);
+        }
+    }
+
+    impl Taps {
+        /// Finds the taps of a chain; `slot` is the slot of column 0 of the frame.
+        #[target_feature(enable = "avx512f")]
+        pub(in super::super) fn find(
+            &mut self,
+            chain: &Chain,
+            local: &Local,
+            along_x: bool,
+            slot: u32,
+        ) {
+            let c = chain.columns;
+            self.slot = slot + chain.column;
+            self.step = c.step;
+            self.count = chain.count as u32;
+            self.taps = 0;
+            (self.per_x, self.per_y) = if along_x { (TILE, 1) } else { (1, TILE) };
+            // Two registers hold 32 edges, four 64
+            if chain.count < 32 {
+                self.find_among::<2>(chain, local);
+            } else {
+                self.find_among::<4>(chain, local);
+            }
+        }
+
+        #[target_feature(enable = "avx512f")]
+        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local) {
+            let c = chain.columns;
+            let parts: [usize; H] = std::array::from_fn(|h| chain.first + 16 * h);
+            let sign = _mm512_set1_ps(if chain.upward { -1.0 } else { 1.0 });
+            let mut energy = parts.map(|at| first_row(chain, local, at));
+            let ratio = parts.map(|at| exp16(_mm512_mul_ps(load(&c.per_row, at), sign)));
+            let slope = parts.map(|at| load(&c.slope, at));
+            let corner = _mm512_set1_ps(local.origin[1]);
+            let offset = parts.map(|at| _mm512_sub_ps(load(&c.offset, at), corner));
+            let inside: __mmask16 = if local.across == 16 {
+                0xffff
+            } else {
+                (1 << local.across) - 1
+            };
+            for row in 0..local.rows {
+                let middle = _mm512_set1_ps(local.origin[0] + row as f32 + 0.5);
+                let edge: [__m512; H] =
+                    std::array::from_fn(|h| _mm512_fmadd_ps(slope[h], middle, offset[h]));
+                let density: [__m512; H] = std::array::from_fn(|h| {
+                    let next = shift(edge[h], edge[(h + 1).min(H - 1)]);
+                    _mm512_div_ps(energy[h], _mm512_sub_ps(next, edge[h]))
+                });
+                self.find_row(row, edge, density, chain.count, inside);
+                energy = std::array::from_fn(|h| _mm512_mul_ps(energy[h], ratio[h]));
+            }
+        }
+
+        #[target_feature(enable = "avx512f")]
+        fn find_row<const H: usize>(
+            &mut self,
+            row: usize,
+            edge: [__m512; H],
+            density: [__m512; H],
+            count: usize,
+            inside: __mmask16,
+        ) {
+            let int = |i: usize| _mm512_set1_epi32(i as i32);
+            let one = int(1);
+            let last = int(count - 1);
+            let low = ramp();
+            let high = _mm512_add_ps(low, _mm512_set1_ps(1.0));
+            // Edges are nearly evenly spaced: guess the strip, then step up or down until it fits
+            let (begin, end) = (look(edge, int(0)), look(edge, int(count)));
+            let per_voxel = _mm512_div_ps(_mm512_set1_ps(count as f32), _mm512_sub_ps(end, begin));
+            let guess = _mm512_cvttps_epi32(_mm512_mul_ps(_mm512_sub_ps(low, begin), per_voxel));
+            let mut strip = _mm512_max_epi32(_mm512_min_epi32(guess, last), int(0));
+            for _ in 0..MOST_IN_CHAIN {
+                let not_last = _mm512_mask_cmplt_epi32_mask(inside, strip, last);
+                let not_first = _mm512_mask_cmpgt_epi32_mask(inside, strip, int(0));
+                let upper = look(edge, _mm512_add_epi32(strip, one));
+                let above = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(not_last, upper, low);
+                let below =
+                    _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(not_first, look(edge, strip), low);
+                if above | below == 0 {
+                    break;
+                }
+                strip = _mm512_mask_add_epi32(strip, above, strip, one);
+                strip = _mm512_mask_sub_epi32(strip, below, strip, one);
+            }
+            let at = row * TILE;
+            let mut from = _mm512_max_ps(low, look(edge, strip));
+            let mut current = strip;
+            for tap in 0..MOST_TAPS {
+                let exists = _mm512_mask_cmple_epi32_mask(inside, current, last);
+                let following = _mm512_add_epi32(current, one);
+                let upper = look(edge, following);
+                let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
+                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(exists, cover, _mm512_setzero_ps());
+                if lit != 0 && tap >= self.taps {
+                    // Rows before this one had no such tap
+                    for weights in &mut self.weight[self.taps..=tap] {
+                        weights[..at].fill(0.0);
+                    }
+                    self.taps = tap + 1;
+                } else if lit == 0 && tap >= self.taps {
+                    break;
+                }
+                let weight = _mm512_maskz_mul_ps(lit, cover, look(density, current));
+                store(&mut self.weight[tap], at, weight);
+                from = upper;
+                current = following;
+            }
+            let narrow = _mm512_cvtepi32_epi8(_mm512_maskz_mov_epi32(inside, strip));
+            let to = &mut self.strip[at..at + 16];
+            // SAFETY: sixteen bytes.
+            unsafe { _mm_storeu_si128(to.as_mut_ptr().cast(), narrow) };
+        }
+    }
+
+    /// Entries `i` (below 16·H) of a table in registers.
+    #[target_feature(enable = "avx512f")]
+    fn look<const H: usize>(table: [__m512; H], i: __m512i) -> __m512 {
+        let low = _mm512_permutex2var_ps(table[0], i, table[1]);
+        if H == 2 {
+            return low;
+        }
+        let high = _mm512_permutex2var_ps(table[H - 2], i, table[H - 1]);
+        let upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
+        _mm512_mask_mov_ps(low, upper, high)
+    }
+
+    /// Values one place further up, `last`'s lowest coming in at the top.
+    #[target_feature(enable = "avx512f")]
+    fn shift(values: __m512, last: __m512) -> __m512 {
+        _mm512_castsi512_ps(_mm512_alignr_epi32::<1>(
+            _mm512_castps_si512(last),
+            _mm512_castps_si512(values),
+        ))
+    }
+
+    /// See [`Avx512::gather_tile`](super::Avx512::gather_tile).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn gather_tile(
+        rows: &mut [&mut [f32]],
+        source: &[f32],
+        chains: &[&Taps],
+        block: Block,
+    ) {
+        let stride = block.row * LANES;
+        let available = source.len() / stride;
+        assert!(block.first + block.count <= block.row);
+        for taps in chains {
+            let first = (taps.slot as usize + GUARD) as i64;
+            let last = first + i64::from(taps.step) * (i64::from(taps.count) - 1);
+            let (low, high) = (first.min(last), first.max(last));
+            assert!(
+                low >= GUARD as i64 && high as usize + GUARD < available,
+                "tap outside the source"
+            );
+        }
+        macro_rules! by_count {
+        ($($n:literal)*) => {
+            match block.count {
+                $($n => for (y, line) in rows.iter_mut().enumerate() {
+                    for (x, voxel) in line.chunks_exact_mut(stride).enumerate() {
+                        // SAFETY: AVX-512F is enabled here; every slot of every chain lies in `source` and the block
+                        // inside the rows, as asserted above; x and y are below the edge of a tile.
+                        unsafe { gather::<$n>(voxel, source, chains, [x, y], block) }
+                    }
+                },)*
+                _ => unreachable!("blocks have 1 to 16 vectors"),
+            }
+        };
+    }
+        by_count!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+    }
+
+    /// # Safety
+    /// Slots of all taps are rows of `source`; the block lies inside rows, `out` is one row; x, y < [`TILE`].
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn gather<const N: usize>(
+        out: &mut [f32],
+        source: &[f32],
+        chains: &[&Taps],
+        [x, y]: [usize; 2],
+        block: Block,
+    ) {
+        let stride = block.row * LANES;
+        // SAFETY: the caller's promise.
+        unsafe {
+            let base = source.as_ptr().add(block.first * LANES);
+            let to = out.as_mut_ptr().add(block.first * LANES);
+            let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
+            for taps in chains {
+                let at = x * taps.per_x + y * taps.per_y;
+                let strip = *taps.strip.get_unchecked(at) as isize;
+                let hop = taps.step as isize * stride as isize;
+                let mut from = base
+                    .add((taps.slot as usize + GUARD) * stride)
+                    .offset(strip * hop);
+                for weight in taps.weight.get_unchecked(..taps.taps) {
+                    let weight = _mm512_set1_ps(*weight.get_unchecked(at));
+                    for (v, sum) in sums.iter_mut().enumerate() {
+                        *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);
+                    }
+                    from = from.wrapping_offset(hop);
+                }
+            }
+            for (v, sum) in sums.iter().enumerate() {
+                _mm512_storeu_ps(to.add(v * 16), *sum);
+            }
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The dose of a tile: what a group of frames brings to its voxels, gathered voxel by voxel.
+
+use super::chains::{Avx512, Chain, GUARD, Taps};
+use super::kernel::{Block, Entries, accumulate};
+use super::plan::{KernelPath, LightPlan};
+use super::strips::Major;
+use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
+use crate::field::LANES;
+use std::ops::Range;
+
+/// What a group of frames brings to a tile: chains as taps, all else as entries sorted by voxel.
+#[derive(Default)]
+pub(super) struct Gatherer {
+    chains: Vec<Taps>,
+    /// How many of `chains` are in use.
+    chain_count: usize,
+    loose: Sorter,
+}
+
+impl Gatherer {
+    /// Enumerates what a group of frames lights in a tile.
+    pub(super) fn load(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        frames: Range<usize>,
+        index: usize,
+        tile: &Tile,
+    ) {
+        self.chain_count = 0;
+        self.loose.found.clear();
+        for frame in frames {
+            for i in plan.of_frame[frame].clone() {
+                let meeting = plan.meetings[index * plan.beams.len() + i];
+                if let Some(wide) = path.wide.filter(|_| meeting.chain) {
+                    self.load_chain(wide, plan, i, meeting, tile);
+                } else if meeting.end > meeting.first {
+                    self.loose.load(path, plan, i, meeting, tile);
+                }
+            }
+        }
+        self.loose.sort();
+    }
+
+    fn load_chain(
+        &mut self,
+        wide: Avx512,
+        plan: &LightPlan,
+        beam: usize,
+        meeting: Meeting,
+        tile: &Tile,
+    ) {
+        if self.chains.len() == self.chain_count {
+            self.chains.push(Taps::default());
+        }
+        let taps = &mut self.chains[self.chain_count];
+        self.chain_count += 1;
+        let beam = &plan.beams[beam];
+        let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
+        let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+        wide.find_taps(
+            taps,
+            &chain,
+            &local,
+            beam.major == Major::X,
+            beam.frame * plan.columns as u32,
+        );
+    }
+
+    /// Adds one block of lanes to the voxels of a tile; `source` has [`GUARD`] rows before slot 0.
+    pub(super) fn add_block(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        block: Block,
+        source: &[f32],
+        rows: &mut [&mut [f32]],
+    ) {
+        if let Some(wide) = path.wide {
+            let used = self.chains[..self.chain_count].iter();
+            let lit: Vec<&Taps> = used
+                .filter(|taps| taps.slots().any(|slot| plan.is_lit_in(slot, block)))
+                .collect();
+            if !lit.is_empty() {
+                wide.gather_tile(rows, source, &lit, block);
+            }
+        }
+        self.loose.add_block(
+            path,
+            plan,
+            block,
+            &source[GUARD * block.row * LANES..],
+            rows,
+        );
+    }
+}
+
+/// Entries of a group of frames, sorted by voxel.
+#[derive(Default)]
+struct Sorter {
+    /// By strip; a run's column is its slot: frame and column of the light.
+    found: TileEntries,
+    /// By voxel: slots and weights.
+    slots: Vec<u32>,
+    weights: Vec<f32>,
+    /// First entry of each voxel.
+    starts: Vec<u32>,
+    /// Entries that are lit in the block at hand.
+    kept_slots: Vec<u32>,
+    kept_weights: Vec<f32>,
+}
+
+impl Sorter {
+    /// Enumerates what a beam lights in a tile.
+    fn load(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        beam: usize,
+        meeting: Meeting,
+        tile: &Tile,
+    ) {
+        let before = self.found.runs.len();
+        plan.enumerate(
+            path,
+            beam,
+            meeting,
+            (tile, Slots::WITHIN_TILE),
+            &mut self.found,
+        );
+        let first = plan.beams[beam].frame * plan.columns as u32;
+        for run in &mut self.found.runs[before..] {
+            run.column += first;
+        }
+    }
+
+    /// Counting sort; within a voxel the order of frames and columns is kept, so sums are reproducible.
+    fn sort(&mut self) {
+        self.starts.clear();
+        self.starts.resize(TILE * TILE + 2, 0);
+        for &voxel in &self.found.slots {
+            self.starts[voxel as usize + 2] += 1;
+        }
+        for i in 2..self.starts.len() {
+            self.starts[i] += self.starts[i - 1];
+        }
+        self.slots.resize(self.found.slots.len(), 0);
+        self.weights.resize(self.found.slots.len(), 0.0);
+        for run in &self.found.runs {
+            let of_run = self.found.of(run);
+            for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
+                let next = &mut self.starts[voxel as usize + 1];
+                self.slots[*next as usize] = run.column;
+                self.weights[*next as usize] = weight;
+                *next += 1;
+            }
+        }
+    }
+
+    /// Adds one block of lanes to the voxels of a tile.
+    fn add_block(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        block: Block,
+        source: &[f32],
+        rows: &mut [&mut [f32]],
+    ) {
+        let slots = self.found.runs.iter().map(|run| run.column as usize);
+        let dark = slots.filter(|&slot| !plan.is_lit_in(slot, block)).count();
+        if dark == self.found.runs.len() {
+            return;
+        }
+        for (y, line) in rows.iter_mut().enumerate() {
+            for (x, voxel) in line.chunks_exact_mut(block.row * LANES).enumerate() {
+                let v = y * TILE + x;
+                let own = self.starts[v] as usize..self.starts[v + 1] as usize;
+                let mut entries = Entries {
+                    slots: &self.slots[own.clone()],
+                    weights: &self.weights[own],
+                };
+                if dark > 0 {
+                    self.kept_slots.clear();
+                    self.kept_weights.clear();
+                    for (&slot, &weight) in entries.slots.iter().zip(entries.weights) {
+                        if plan.is_lit_in(slot as usize, block) {
+                            self.kept_slots.push(slot);
+                            self.kept_weights.push(weight);
+                        }
+                    }
+                    entries = Entries {
+                        slots: &self.kept_slots,
+                        weights: &self.kept_weights,
+                    };
+                }
+                if !entries.slots.is_empty() {
+                    let out = &mut voxel[block.first * LANES..][..block.count * LANES];
+                    accumulate(path.isa, out, source, entries, block);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,428 @@
+//! What the parallel model must get right.
+
+use super::*;
+use crate::check;
+use crate::optics::trace::Tracer;
+use crate::optics::vial::{
+    cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
+};
+
+fn vials() -> Vec<Box<dyn Vial>> {
+    vec![
+        Box::new(IndexMatched { radius_mm: 2.0 }),
+        Box::new(Cylinder {
+            inner_radius_mm: 2.0,
+            outer_radius_mm: 2.2,
+            refractive_index: 1.58,
+        }),
+        Box::new(Square {
+            inner_width_mm: 3.0,
+            outer_width_mm: 3.6,
+            refractive_index: 1.54,
+        }),
+        Box::new(DoubleTube {
+            radii_mm: [2.4, 2.1, 0.8, 0.6],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.5,
+            core_refractive_index: 1.33,
+        }),
+    ]
+}
+
+fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
+    let mut dose = LinearOperator::new_dose(model).unwrap();
+    model
+        .add_forward(
+            0..model.frames(),
+            &HostField::from_slice(patterns),
+            &mut dose,
+            &Run::new(),
+        )
+        .unwrap();
+    model.outputs[0].volume_of(dose.as_slice())
+}
+
+#[test]
+fn every_vial_on_every_path_passes_the_model_check() {
+    for vial in vials() {
+        for isa in Isa::available() {
+            // Odd sizes, an off-centre grid, pixels finer and coarser than voxels, standing and turning
+            for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
+                let mut light = Light::new(
+                    PatternGrid::full_turn(7, 0.2, 19, columns, pitch),
+                    Resin::absorbing(1.48, 0.2),
+                );
+                light.sub_angles = sub_angles;
+                let mut grid = VolumeGrid::centered([21, 35, 37], 0.1);
+                grid.center_mm = [0.13, -0.05, 0.02];
+                let model = Parallel::new(vial.as_ref(), vec![light], grid)
+                    .unwrap()
+                    .with_isa(isa);
+                let found = check::model::model(&model, 7)
+                    .unwrap_or_else(|e| panic!("{vial:?} {isa:?} {columns}: {e}"));
+                assert!((found.factor - 1.0).abs() < 1e-5, "{found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn two_lights_share_one_dose() {
+    let pixels = |n| PatternGrid::full_turn(n, 0.0, 8, 30, 0.1);
+    let lights = vec![
+        Light::new(pixels(4), Resin::absorbing(1.48, 0.2)),
+        Light::new(pixels(3), Resin::absorbing(1.47, 0.5)),
+    ];
+    let model = Parallel::new(
+        vials()[0].as_ref(),
+        lights,
+        VolumeGrid::centered([5, 20, 20], 0.1),
+    )
+    .unwrap();
+    check::model::model(&model, 3).unwrap();
+}
+
+#[test]
+fn masked_pixels_leave_an_exact_pair() {
+    let grid = VolumeGrid::centered([40, 30, 30], 0.1);
+    let mut wanted = Volume::filled(grid.clone(), 0u8);
+    for iz in 3..30 {
+        wanted.values[grid.index(iz, 12, 17)] = 1;
+    }
+    let mut light = Light::new(
+        PatternGrid::full_turn(6, 0.1, 44, 40, 0.1),
+        Resin::absorbing(1.48, 0.2),
+    );
+    let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
+    let rows = all.useful_rows(&wanted, &Run::new()).unwrap();
+    light.active = Some(rows[0].clone());
+    let masked = Parallel::new(vials()[1].as_ref(), vec![light], grid.clone()).unwrap();
+    check::model::model(&masked, 5).unwrap();
+    let (active, every) = (masked.patterns[0].len(), all.patterns[0].len());
+    assert!(
+        active > 0 && active * 8 < every,
+        "one column of voxels needs few pixels: {active} of {every}"
+    );
+    // The wanted voxels still receive all the light they could
+    let full = dose_of(&all, &vec![1.0; every]);
+    let part = dose_of(&masked, &vec![1.0; active]);
+    let i = grid.index(10, 12, 17);
+    assert!((full.values[i] - part.values[i]).abs() < 1e-6 * full.values[i]);
+}
+
+#[test]
+fn isa_paths_agree() {
+    for vial in vials() {
+        let results: Vec<Volume<f32>> = Isa::available()
+            .into_iter()
+            .map(|isa| {
+                let light = Light::new(
+                    PatternGrid::full_turn(9, 0.05, 20, 60, 0.1),
+                    Resin::absorbing(1.48, 0.2),
+                );
+                let model = Parallel::new(
+                    vial.as_ref(),
+                    vec![light],
+                    VolumeGrid::centered([20, 40, 40], 0.1),
+                )
+                .unwrap()
+                .with_isa(isa);
+                dose_of(&model, &check::model::noise(3, model.patterns[0].len()))
+            })
+            .collect();
+        for other in &results[1..] {
+            let difference: f64 = results[0]
+                .values
+                .iter()
+                .zip(&other.values)
+                .map(|(a, b)| f64::from(a - b).powi(2))
+                .sum();
+            let size: f64 = other.values.iter().map(|&v| f64::from(v).powi(2)).sum();
+            assert!(
+                (difference / size).sqrt() < 1e-6,
+                "{vial:?}: {}",
+                (difference / size).sqrt()
+            );
+        }
+    }
+}
+
+/// Absorbed power of a column by many single rays.
+fn absorbed(vial: &dyn Vial, light: &Light, azimuth: f64, column: usize) -> f64 {
+    let tracer = Tracer::new(
+        vial,
+        light.resin,
+        light.surrounding_index,
+        light.polarisation,
+    );
+    let (u, p) = (light.pixels.column_u(column), light.pixels.pitch_mm);
+    let n = 400;
+    let ray = |i: usize| {
+        tracer
+            .trace(u + p * ((i as f64 + 0.5) / n as f64 - 0.5), azimuth)
+            .account
+            .absorbed
+    };
+    (0..n).map(ray).sum::<f64>() / n as f64 * p
+}
+
+#[test]
+fn every_column_leaves_the_energy_that_its_rays_lose() {
+    // Tiny absorption too: μ·pitch = 1e-6 must not drown in rounding
+    for vial in vials() {
+        for mu in [1e-5, 0.3] {
+            let light = Light::new(
+                PatternGrid::full_turn(3, 0.37, 1, 53, 0.1),
+                Resin::absorbing(1.48, mu),
+            );
+            // One slice as thick as a row, wide enough for all of the resin
+            let model = Parallel::new(
+                vial.as_ref(),
+                vec![light.clone()],
+                VolumeGrid::centered([1, 61, 61], 0.1),
+            )
+            .unwrap();
+            for column in 0..53 {
+                let mut patterns = vec![0.0; model.patterns[0].len()];
+                patterns[model.patterns[0].runs[53 + column].offset] = 1.0;
+                let dose = dose_of(&model, &patterns);
+                let left: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.1 * 0.1;
+                let lost = absorbed(vial.as_ref(), &light, light.pixels.azimuths[1], column);
+                // Per emitted power; a column cut by a wall is resolved by few strips
+                assert!(
+                    (left - lost).abs() < 1e-3 * 0.1 * (1.0 - (-mu * 4.0f64).exp()).max(1e-12),
+                    "{vial:?} μ {mu} column {column}: {left} against {lost}"
+                );
+            }
+        }
+    }
+}
+
+/// Dose of a smooth pattern against single rays followed in steps of a hundredth of a voxel: relative rms of the voxels
+/// that no wall cuts.
+fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
+    let h = 4.5 / n as f64;
+    let light = Light::new(
+        PatternGrid::full_turn(3, 0.23, 1, n + 8, h),
+        Resin::absorbing(1.48, 0.3),
+    );
+    let grid = VolumeGrid::centered([1, n, n], h);
+    let model = Parallel::new(vial, vec![light.clone()], grid.clone()).unwrap();
+    let pattern = |u: f64| 1.0 + 0.5 * (2.0 * u).sin();
+    let columns = light.pixels.columns;
+    let values: Vec<f32> = (0..3 * columns)
+        .map(|i| pattern(light.pixels.column_u(i % columns)) as f32)
+        .collect();
+    let dose = dose_of(&model, &values);
+    let mut reference = vec![0.0f64; grid.len()];
+    let tracer = Tracer::new(vial, light.resin, 1.0, light.polarisation);
+    let (rays, mu) = (100, 0.3);
+    for &azimuth in &light.pixels.azimuths {
+        for ray in 0..columns * rays {
+            let u = ((ray as f64 + 0.5) / rays as f64 - columns as f64 / 2.0) * h;
+            for leg in tracer.trace(u, azimuth).legs {
+                let steps = (leg.length / (h / 100.0)).ceil().max(1.0);
+                let step = leg.length / steps;
+                for s in 0..steps as usize {
+                    let way = (s as f64 + 0.5) * step;
+                    let at = [0, 1].map(|a| {
+                        ((leg.from[a] + way * leg.direction[a] - grid.bounds_mm()[0][a]) / h)
+                            .floor()
+                    });
+                    if at.iter().all(|&v| (0.0..n as f64).contains(&v)) {
+                        let energy = values[ray / rays] as f64 * h / rays as f64
+                            * leg.power
+                            * mu
+                            * step
+                            * (-mu * way).exp();
+                        reference[at[1] as usize * n + at[0] as usize] += energy / (h * h);
+                    }
+                }
+            }
+        }
+    }
+    // Voxels near a wall are compared by their energy (above), not one by one
+    let whole = |i: usize| {
+        let (x, y) = (grid.x(i % n), grid.y(i / n));
+        [(-0.2, -0.2), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)]
+            .iter()
+            .all(|(a, b)| vial.in_resin(x + a, y + b))
+    };
+    let (mut error, mut size) = (0.0, 0.0);
+    for (i, (&d, r)) in dose
+        .values
+        .iter()
+        .zip(&reference)
+        .enumerate()
+        .filter(|(i, _)| whole(*i))
+    {
+        error += (f64::from(d) - r).powi(2);
+        size += r * r;
+        assert!(*r == 0.0 || d > 0.0, "{vial:?}: voxel {i} is dark");
+    }
+    (error / size).sqrt()
+}
+
+#[test]
+fn refraction_and_folds_put_dose_where_single_rays_put_it() {
+    // Resin radius 2.0 mm, light tangent only up to 2.2/1.48 = 1.486 mm: folds lie inside the resin
+    for vial in vials() {
+        let (coarse, fine) = (
+            error_against_rays(vial.as_ref(), 30),
+            error_against_rays(vial.as_ref(), 60),
+        );
+        // Beam edges are jumps and caustics poles: there the rms falls more slowly than in smooth light
+        assert!(
+            coarse < 0.07 && fine < 0.75 * coarse,
+            "{vial:?}: {coarse}, then {fine}"
+        );
+        let smooth = vial.walls().len() == 1;
+        assert!(!smooth || fine < 1.5e-3, "{coarse}, then {fine}");
+    }
+}
+
+#[test]
+fn a_quarter_turn_of_the_frames_turns_the_dose() {
+    for vial in vials() {
+        let light = Light::new(
+            PatternGrid::full_turn(8, 0.1, 3, 53, 0.1),
+            Resin::absorbing(1.48, 0.2),
+        );
+        let model = Parallel::new(
+            vial.as_ref(),
+            vec![light],
+            VolumeGrid::centered([3, 40, 40], 0.1),
+        )
+        .unwrap();
+        let patterns = check::model::noise(11, model.patterns[0].len());
+        let per_frame = patterns.len() / 8;
+        let mut rolled = patterns.clone();
+        rolled.rotate_right(2 * per_frame); // frame k now shines from k + 2: a quarter turn further
+        let (a, b) = (dose_of(&model, &patterns), dose_of(&model, &rolled));
+        let scale = a.values.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+        for iy in 0..40 {
+            for ix in 0..40 {
+                // (x, y) turned by 90° is (−y, x)
+                let turned = b.at(1, ix, 39 - iy);
+                assert!(
+                    (a.at(1, iy, ix) - turned).abs() < 2e-4 * scale,
+                    "{vial:?} {ix} {iy}: {} {turned}",
+                    a.at(1, iy, ix)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_turning_frame_is_the_mean_of_standing_ones() {
+    let vial = IndexMatched { radius_mm: 2.0 };
+    let grid = VolumeGrid::centered([2, 30, 30], 0.1);
+    let mut turning = Light::new(
+        PatternGrid::full_turn(4, 0.0, 2, 40, 0.1),
+        Resin::absorbing(1.48, 0.2),
+    );
+    turning.sub_angles = 2;
+    let turning = Parallel::new(&vial, vec![turning], grid.clone()).unwrap();
+    let x = check::model::noise(5, turning.patterns[0].len());
+    let mean = dose_of(&turning, &x);
+    let step = std::f64::consts::TAU / 4.0;
+    let halves: Vec<Volume<f32>> = [-0.25, 0.25]
+        .into_iter()
+        .map(|part| {
+            let light = Light::new(
+                PatternGrid::full_turn(4, part * step, 2, 40, 0.1),
+                Resin::absorbing(1.48, 0.2),
+            );
+            dose_of(
+                &Parallel::new(&vial, vec![light], grid.clone()).unwrap(),
+                &x,
+            )
+        })
+        .collect();
+    for (i, m) in mean.values.iter().enumerate() {
+        assert!((m - 0.5 * (halves[0].values[i] + halves[1].values[i])).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn pure_radon_adjoint_of_a_disc_is_its_chord() {
+    let n = 200;
+    let (h, radius) = (0.02, 1.5);
+    let grid = VolumeGrid::centered([1, n, n], h);
+    let light = Light::new(
+        PatternGrid::full_turn(5, 0.1, 1, n, h),
+        Resin::pure_radon(1.48),
+    );
+    let model =
+        Parallel::new(&IndexMatched { radius_mm: 1.99 }, vec![light], grid.clone()).unwrap();
+    // Cover of each voxel by the disc, from 8 × 8 points
+    let mut disc = Volume::filled(grid.clone(), 0.0f32);
+    for iy in 0..n {
+        for ix in 0..n {
+            let inside = (0..64).filter(|s| {
+                let at = |c: f64, i: usize| c + h * ((i as f64 + 0.5) / 8.0 - 0.5);
+                at(grid.x(ix), s % 8).hypot(at(grid.y(iy), s / 8)) < radius
+            });
+            disc.values[grid.index(0, iy, ix)] = inside.count() as f32 / 64.0;
+        }
+    }
+    let mut grad = LinearOperator::new_patterns(&model).unwrap();
+    model
+        .adjoint(
+            &HostField::from_slice(&model.outputs[0].field_of(&disc)),
+            &mut grad,
+            &Run::new(),
+        )
+        .unwrap();
+    let images = model.patterns[0].patterns_of(grad.as_slice());
+    let mut squares = 0.0;
+    for frame in 0..5 {
+        for (column, &value) in images.frame(frame).iter().enumerate() {
+            // Adjoint of dose per pixel value: chord length over voxel pitch (V = h³, pixel area h²)
+            let u: f64 = images.grid.column_u(column);
+            let ray = |i: i32| u + h * ((f64::from(i) + 0.5) / 40.0 - 0.5);
+            let chord = (0..40)
+                .map(|i| 2.0 * (radius * radius - ray(i).powi(2)).max(0.0).sqrt())
+                .sum::<f64>()
+                / (40.0 * h);
+            if u.abs() < 0.95 * radius {
+                // A rim that runs along the rows is resolved to a fraction of a voxel
+                assert!(
+                    (f64::from(value) - chord).abs() < 0.6,
+                    "{column}: {value} {chord}"
+                );
+            }
+            squares += (f64::from(value) - chord).powi(2) / (5.0 * n as f64);
+        }
+    }
+    assert!(squares.sqrt() < 0.25, "rms {} voxels", squares.sqrt());
+}
+
+#[test]
+fn a_single_pixel_lights_the_voxel_it_should() {
+    // Frame 1 of 4 comes from +y (azimuth 90°); its columns grow along −x; row 0 is the top
+    let vial = IndexMatched { radius_mm: 2.0 };
+    let light = Light::new(
+        PatternGrid::full_turn(4, 0.0, 10, 20, 0.1),
+        Resin::absorbing(1.48, 0.2),
+    );
+    let model = Parallel::new(
+        &vial,
+        vec![light.clone()],
+        VolumeGrid::centered([10, 20, 20], 0.1),
+    )
+    .unwrap();
+    let mut patterns = crate::grid::Patterns::dark(light.pixels);
+    patterns.values[(10 + 2) * 20 + 15] = 1.0; // frame 1, row 2, column 15
+    let mut field = LinearOperator::new_patterns(&model).unwrap();
+    model.patterns[0].fill_field(&patterns, field.as_mut_slice());
+    let dose = dose_of(&model, field.as_slice());
+    for (i, &value) in dose.values.iter().enumerate() {
+        let (iz, ix) = (i / 400, i % 20);
+        // row 2 from the top of 10 is slice 7; column 15 of 20 is x = −0.55 mm, voxel 4
+        assert_eq!(value > 0.0, iz == 7 && ix == 4, "voxel {iz} {ix}: {value}");
+    }
+    // Light enters at +y and weakens towards −y
+    assert!(dose.at(7, 19, 4) > dose.at(7, 0, 4));
+}

@@ -1,0 +1,321 @@
+//! The one enumerator of (column, voxel, weight), tile by tile; dose and adjoint are its two visitors.
+//!
+//! In row r of the grid a strip covers the interval between its edges at the middle of the row. The energy that its
+//! light leaves in the row is the difference of two exponentials, e^(−μ s₀) − e^(−μ s₁) = −e^(−μ s₀)·expm1(−μ(s₁−s₀)),
+//! so what is deposited row by row adds up to what the ray loses, exactly. It is shared among the voxels of the row by
+//! the length of the interval that each covers (the *distance-driven* kernel: De Man & Basu, Phys. Med. Biol. 49, 2463
+//! (2004)). Hence a pixel's energy is conserved and a uniform light gives a uniform dose, both without any tuning.
+
+use super::kernel::Entries;
+use super::strips::{Beam, Major, Strip};
+
+/// Edge of a tile of voxels in the plane.
+pub(super) const TILE: usize = 16;
+
+/// Voxels of the plane that one task works on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    /// First voxel `[x, y]`.
+    pub(super) start: [usize; 2],
+    /// Number of voxels `[x, y]`, at most [`TILE`] each.
+    pub(super) size: [usize; 2],
+}
+
+impl Tile {
+    /// All tiles of a plane of `nx`·`ny` voxels, row by row.
+    pub(super) fn cover(nx: usize, ny: usize) -> Vec<Tile> {
+        let mut tiles = Vec::new();
+        for y in (0..ny).step_by(TILE) {
+            for x in (0..nx).step_by(TILE) {
+                tiles.push(Tile {
+                    start: [x, y],
+                    size: [TILE.min(nx - x), TILE.min(ny - y)],
+                });
+            }
+        }
+        tiles
+    }
+}
+
+/// How light becomes dose along a way through resin.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Deposit {
+    /// Total attenuation, 1/mm.
+    pub(super) attenuation: f64,
+    /// Share of the attenuation that makes dose; in pure Radon mode, unused.
+    pub(super) active_share: f64,
+    /// Sum of fluence instead of absorbed energy.
+    pub(super) pure_radon: bool,
+}
+
+impl Deposit {
+    /// Deposit over `way` mm that begins `depth` mm behind the entry.
+    pub(super) fn over(&self, depth: f64, way: f64) -> f64 {
+        if self.pure_radon {
+            way
+        } else {
+            -(-self.attenuation * way).exp_m1()
+                * (-self.attenuation * depth).exp()
+                * self.active_share
+        }
+    }
+
+    /// Attenuation over one row: minus the logarithm of [`per_row`](Self::per_row).
+    pub(super) fn log_per_row(&self, row_mm: f64) -> f64 {
+        if self.pure_radon {
+            0.0
+        } else {
+            self.attenuation * row_mm
+        }
+    }
+
+    /// Factor from one full row to the next one downstream.
+    fn per_row(&self, row_mm: f64) -> f64 {
+        if self.pure_radon {
+            1.0
+        } else {
+            (-self.attenuation * row_mm).exp()
+        }
+    }
+}
+
+/// Entries of one strip within a tile: a run of [`TileEntries`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StripRun {
+    pub(super) column: u32,
+    pub(super) begin: u32,
+    pub(super) end: u32,
+}
+
+/// Buffer of the enumerator: what a beam lights in a tile, strip after strip.
+#[derive(Default)]
+pub(super) struct TileEntries {
+    /// Voxel and weight of each entry.
+    pub(super) slots: Vec<u32>,
+    pub(super) weights: Vec<f32>,
+    pub(super) runs: Vec<StripRun>,
+}
+
+/// How voxels of a tile are numbered: voxel (x, y) of the tile is `first + y·per_y + x`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slots {
+    pub(super) first: u32,
+    pub(super) per_y: u32,
+}
+
+impl Slots {
+    /// Numbers within the tile.
+    pub(super) const WITHIN_TILE: Slots = Slots {
+        first: 0,
+        per_y: TILE as u32,
+    };
+
+    /// Numbers within a plane of `nx` voxels a row.
+    pub(super) fn within_plane(tile: &Tile, nx: usize) -> Self {
+        Slots {
+            first: (tile.start[1] * nx + tile.start[0]) as u32,
+            per_y: nx as u32,
+        }
+    }
+}
+
+/// A strip seen from a tile: coordinates relative to the tile's corner.
+pub(super) struct Local {
+    /// Rows and voxels across of the tile.
+    pub(super) rows: usize,
+    pub(super) across: usize,
+    /// Slot of (row, across) is `first_slot + row·row_step + across·across_step`.
+    pub(super) first_slot: u32,
+    pub(super) row_step: u32,
+    pub(super) across_step: u32,
+    /// First row and first voxel across of the tile on the grid.
+    pub(super) origin: [f32; 2],
+}
+
+impl Local {
+    pub(super) fn new(tile: &Tile, major: Major, slots: Slots) -> Self {
+        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let step = [1, slots.per_y];
+        Local {
+            rows: tile.size[along],
+            across: tile.size[across],
+            first_slot: slots.first,
+            row_step: step[along],
+            across_step: step[across],
+            origin: [tile.start[along] as f32, tile.start[across] as f32],
+        }
+    }
+
+    /// Whether a strip may light the tile (never wrong when it says no).
+    fn may_meet(&self, strip: &Strip) -> bool {
+        let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
+        if strip.span[1] <= first || strip.span[0] >= last {
+            return false;
+        }
+        let at = |t: f32| strip.edges.map(|[offset, slope]| offset + slope * t);
+        let ([a, b], [c, d]) = (at(first), at(last));
+        let low = a.min(b).min(c).min(d);
+        let high = a.max(b).max(c).max(d);
+        high > self.origin[1] && low < self.origin[1] + self.across as f32
+    }
+}
+
+/// What a beam does in a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Meeting {
+    /// Strips that may light the tile, half-open.
+    pub(super) first: u16,
+    pub(super) end: u16,
+    /// Whether they form a chain, with no resin wall within the tile.
+    pub(super) chain: bool,
+}
+
+/// How a beam and a tile meet.
+pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
+    let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+    let meets = |strip: &Strip| local.may_meet(strip);
+    let first = beam.strips.iter().position(meets);
+    let last = beam.strips.iter().rposition(meets);
+    let (Some(first), Some(last)) = (first, last) else {
+        return Meeting::default();
+    };
+    let end = last + 1;
+    let chain = end - first <= MOST_IN_CHAIN
+        && beam.is_chain(first, end)
+        && local.is_plain(&beam.strips[first..end]);
+    Meeting {
+        first: first as u16,
+        end: end as u16,
+        chain,
+    }
+}
+
+/// Strips of a chain at most: their edges fill four registers of sixteen.
+pub(super) const MOST_IN_CHAIN: usize = 63;
+/// Narrowest strip of a chain, in voxels: then at most five cover a voxel.
+pub(super) const NARROWEST_IN_CHAIN: f32 = 0.25;
+
+impl Local {
+    /// Whether these strips, in growing order, stay wide enough and meet no resin wall within the tile.
+    fn is_plain(&self, strips: &[Strip]) -> bool {
+        let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
+        strips.iter().all(|strip| {
+            let width = |t: f32| {
+                let [low, high] = strip.edges.map(|[offset, slope]| offset + slope * t);
+                high - low
+            };
+            strip.span[0] <= first
+                && strip.span[1] >= last
+                && width(first).min(width(last)) >= NARROWEST_IN_CHAIN
+        })
+    }
+}
+
+/// Narrower strips are spread over this width, in voxels: at a fold the edges cross.
+const NARROWEST: f32 = 1e-4;
+
+impl TileEntries {
+    /// The entries of one strip.
+    pub(super) fn of(&self, run: &StripRun) -> Entries<'_> {
+        let range = run.begin as usize..run.end as usize;
+        Entries {
+            slots: &self.slots[range.clone()],
+            weights: &self.weights[range],
+        }
+    }
+
+    /// Appends what `strips` light in the tile; `keep` says which columns count.
+    pub(super) fn add(
+        &mut self,
+        strips: &[Strip],
+        local: &Local,
+        deposit: &Deposit,
+        keep: impl Fn(u32) -> bool,
+    ) {
+        for strip in strips {
+            if !keep(strip.column) {
+                continue;
+            }
+            let begin = self.slots.len() as u32;
+            self.add_strip(strip, local, deposit);
+            self.end_run(strip.column, begin);
+        }
+    }
+
+    /// Closes the entries of one strip.
+    pub(super) fn end_run(&mut self, column: u32, begin: u32) {
+        let end = self.slots.len() as u32;
+        if end > begin {
+            self.runs.push(StripRun { column, begin, end });
+        }
+    }
+
+    fn add_strip(&mut self, strip: &Strip, local: &Local, deposit: &Deposit) {
+        let low = (strip.span[0] - local.origin[0]).max(0.0);
+        let high = (strip.span[1] - local.origin[0]).min(local.rows as f32);
+        if low >= high {
+            return;
+        }
+        let (first, last) = (low as usize, (high.ceil() as usize).min(local.rows));
+        let row_mm = f64::from(strip.row_mm);
+        let [enter, leave] = strip.span.map(|t| f64::from(t - local.origin[0]));
+        let depth = |from: f64, to: f64| if strip.upward { from - enter } else { leave - to } * row_mm;
+        let energy_of = |from: f64, to: f64| {
+            f64::from(strip.power) * deposit.over(depth(from, to), (to - from) * row_mm)
+        };
+
+        // Full rows form a geometric progression; only the rows where the resin begins or ends are short
+        let full = f64::from(strip.power) * deposit.over(0.0, row_mm);
+        let start = depth(first as f64, first as f64 + 1.0);
+        let mut energy = if deposit.pure_radon {
+            full
+        } else {
+            full * (-deposit.attenuation * start).exp()
+        };
+        let ratio = if strip.upward {
+            deposit.per_row(row_mm)
+        } else {
+            1.0 / deposit.per_row(row_mm)
+        };
+
+        let at_row = local.origin[0];
+        let [a, b] = strip
+            .edges
+            .map(|[offset, slope]| [offset + slope * at_row - local.origin[1], slope]);
+        let across = local.across as f32;
+        for row in first..last {
+            let (from, to) = ((row as f32).max(low), (row as f32 + 1.0).min(high));
+            let short = to - from < 1.0;
+            let deposited = if short {
+                energy_of(f64::from(from), f64::from(to))
+            } else {
+                energy
+            } as f32;
+            energy *= ratio;
+            let middle = 0.5 * (from + to);
+            let (m1, m2) = (a[0] + a[1] * middle, b[0] + b[1] * middle);
+            let (mut left, mut right) = (m1.min(m2), m1.max(m2));
+            if right - left < NARROWEST {
+                (left, right) = (left - 0.5 * NARROWEST, right + 0.5 * NARROWEST);
+            }
+            let per_voxel = deposited / (right - left);
+            let (left, right) = (left.max(0.0), right.min(across));
+            if left >= right {
+                continue;
+            }
+            let base = local.first_slot + row as u32 * local.row_step;
+            let (i0, i1) = (left as usize, right.ceil() as usize);
+            for i in i0..i1 {
+                let cover = right.min(i as f32 + 1.0) - left.max(i as f32);
+                self.slots.push(base + i as u32 * local.across_step);
+                self.weights.push(cover * per_voxel);
+            }
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.slots.clear();
+        self.weights.clear();
+        self.runs.clear();
+    }
+}

@@ -1,0 +1,165 @@
+//! Vials: what stands around the resin.
+//!
+//! *What must it do, and who does it.* A z-invariant vial is a nest of closed walls, from outside to inside; each wall
+//! says what lies within it. The tracer ([`crate::optics::trace`]) knows Snell and Fresnel, so a vial is its geometry and
+//! nothing else.
+
+pub mod cylinder;
+pub mod double_tube;
+pub mod index_matched;
+pub mod square;
+
+use crate::error::{Error, Result};
+use crate::kind::{Kind, Section};
+
+/// The curve of a wall in the plane z = const, centred on the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Curve {
+    /// A circle of this radius, mm.
+    Circle(f64),
+    /// A square of this half width, mm, faces normal to x and y of the resin frame.
+    Square(f64),
+}
+
+impl Curve {
+    /// Whether a point is inside.
+    #[must_use]
+    pub fn contains(self, x: f64, y: f64) -> bool {
+        match self {
+            Curve::Circle(r) => x.hypot(y) < r,
+            Curve::Square(w) => x.abs().max(y.abs()) < w,
+        }
+    }
+
+    /// Radius of the largest circle inside, mm.
+    #[must_use]
+    pub fn inscribed_radius(self) -> f64 {
+        match self {
+            Curve::Circle(r) | Curve::Square(r) => r,
+        }
+    }
+}
+
+/// What lies inside a wall (up to the next one).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Medium {
+    /// The photosensitive resin.
+    Resin,
+    /// Something clear of this refractive index (glass, air, water).
+    Clear(f64),
+}
+
+/// A wall, and what it encloses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Its shape.
+    pub curve: Curve,
+    /// What lies within.
+    pub inside: Medium,
+}
+
+/// A vial whose cross-section is the same at all heights.
+pub trait Vial: std::fmt::Debug + Send + Sync {
+    /// Walls from outside to inside; exactly one of them encloses [`Medium::Resin`].
+    fn walls(&self) -> Vec<Wall>;
+
+    /// Index of what surrounds the vial, given the index asked for and the resin's.
+    fn surrounding_index(&self, asked: f64, _resin: f64) -> f64 {
+        asked
+    }
+
+    /// Whether the cross-section is the same from every azimuth.
+    fn is_round(&self) -> bool {
+        self.walls()
+            .iter()
+            .all(|wall| matches!(wall.curve, Curve::Circle(_)))
+    }
+
+    /// Whether a point (mm) is in the resin.
+    fn in_resin(&self, x: f64, y: f64) -> bool {
+        let walls = self.walls();
+        let inside = walls.iter().take_while(|w| w.curve.contains(x, y)).count();
+        inside > 0 && walls[inside - 1].inside == Medium::Resin
+    }
+
+    /// The wall that holds the resin, mm.
+    fn resin_wall(&self) -> Curve {
+        self.walls()
+            .iter()
+            .find(|w| w.inside == Medium::Resin)
+            .map_or(Curve::Circle(0.0), |w| w.curve)
+    }
+
+    /// Distance from the axis up to which light is tangent to circles, so that a part can be lit from all sides:
+    /// min(R_i, n_s·min(R_o, half field)/n_r), mm (Bouguer's invariant).
+    fn reach_mm(&self, half_field_mm: f64, surrounding: f64, resin: f64) -> f64 {
+        let outer = self
+            .walls()
+            .first()
+            .map_or(0.0, |w| w.curve.inscribed_radius());
+        (surrounding * outer.min(half_field_mm) / resin).min(self.resin_wall().inscribed_radius())
+    }
+}
+
+/// Builds a vial from its section.
+pub type BuildVial = fn(&Section) -> Result<Box<dyn Vial>>;
+
+/// Every z-invariant vial.
+pub static VIALS: &[Kind<BuildVial>] = &[
+    index_matched::KIND,
+    cylinder::KIND,
+    square::KIND,
+    double_tube::KIND,
+];
+
+/// Refuses anything but a finite number > 0.
+pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    Err(Error::config(
+        format!("{}.{key}", section.path),
+        format!("found {value}"),
+        "a finite number > 0",
+    ))
+}
+
+/// Refuses an inner measure that is not smaller than the outer one.
+pub(crate) fn inner_below_outer(
+    section: &Section,
+    (inner_key, inner): (&str, f64),
+    (outer_key, outer): (&str, f64),
+) -> Result<()> {
+    if inner < outer {
+        return Ok(());
+    }
+    Err(Error::config(
+        format!("{}.{inner_key}", section.path),
+        format!("found {inner} mm, not smaller than {outer_key} = {outer} mm"),
+        format!("a length below {outer} mm"),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_builds_and_holds_resin_on_its_resin_wall() {
+        for kind in VIALS {
+            let document: serde_json::Value = toml::from_str(kind.example).unwrap();
+            let section = Section::new("vial", document["vial"].clone());
+            let (row, inner) = section.kind(VIALS).unwrap();
+            let vial = (row.build)(&inner).unwrap();
+            assert_eq!(row.name, kind.name);
+            let r = vial.resin_wall().inscribed_radius();
+            assert!(vial.in_resin(r * 0.999, 0.0), "{}", kind.name);
+            assert!(!vial.in_resin(r * 1.001, 0.0), "{}", kind.name);
+            let walls = vial.walls();
+            assert_eq!(
+                walls.iter().filter(|w| w.inside == Medium::Resin).count(),
+                1
+            );
+        }
+    }
+}

@@ -1,0 +1,542 @@
+//! The pictures of the page: slices, sinogram, frames.
+
+use super::ReportData;
+use super::number::{escape, significant};
+use super::picture::{Colour, Picture, hex, inferno, reduction, viridis};
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::target::label;
+use rayon::prelude::*;
+use std::fmt::Write as _;
+
+/// Pixels of a slice's longer edge, at most.
+const SLICE_PIXELS: usize = 480;
+/// Pictures that are wider are not shown with sharp pixels.
+const SMOOTH_FROM: usize = 260;
+/// Pixels of the sinogram and of single frames, at most.
+const SINOGRAM_PIXELS: usize = 1200;
+const FRAME_PIXELS: usize = 320;
+/// Frames in the strip.
+const STRIP: usize = 8;
+/// Width of a slice in its own units, the height follows.
+const UNITS: f64 = 300.0;
+/// Palette index of the part's outline, and of what is not shown.
+const OUTLINE: u8 = 254;
+const NOTHING: u8 = 255;
+
+/// What a voxel becomes, against what it should.
+pub(super) const FATES: [(Colour, &str); 5] = [
+    ([0; 4], ""),
+    ([140, 150, 162, 34], "liquid, as it should"),
+    ([122, 135, 151, 190], "gelled, as it should"),
+    ([47, 111, 208, 255], "missing (undercured)"),
+    ([214, 69, 80, 255], "too much (overcured)"),
+];
+
+/// One plane of a grid, seen along an axis: columns to the right, rows upwards.
+struct Slice<'a> {
+    grid: &'a VolumeGrid,
+    /// Axis of the array that is fixed (0 z, 1 y, 2 x), and where.
+    axis: usize,
+    at: usize,
+}
+
+impl Slice<'_> {
+    /// Array axes of columns and rows.
+    fn axes(&self) -> [usize; 2] {
+        match self.axis {
+            0 => [2, 1],
+            1 => [2, 0],
+            _ => [1, 0],
+        }
+    }
+
+    fn size(&self) -> [usize; 2] {
+        self.axes().map(|axis| self.grid.shape[axis])
+    }
+
+    /// Position in the array of a column and a row from the top.
+    fn index(&self, column: usize, row: usize) -> usize {
+        let [right, up] = self.axes();
+        let mut at = [0; 3];
+        at[self.axis] = self.at;
+        at[right] = column;
+        at[up] = self.grid.shape[up] - 1 - row;
+        self.grid.index(at[0], at[1], at[2])
+    }
+
+    /// An image whose pixels join whole blocks of voxels; `index` sees the positions of a block.
+    fn picture(&self, index: impl Fn(&mut dyn Iterator<Item = usize>) -> u8 + Sync) -> Picture {
+        let [width, height] = self.size();
+        let factor = reduction(width, height, SLICE_PIXELS);
+        Picture::new(width.div_ceil(factor), height.div_ceil(factor), |x, y| {
+            let rows = y * factor..((y + 1) * factor).min(height);
+            let columns = x * factor..((x + 1) * factor).min(width);
+            index(
+                &mut rows
+                    .flat_map(|row| columns.clone().map(move |column| self.index(column, row))),
+            )
+        })
+    }
+
+    fn title(&self) -> String {
+        let (name, mm) = match self.axis {
+            0 => ("z", self.grid.z(self.at)),
+            1 => ("y", self.grid.y(self.at)),
+            _ => ("x", self.grid.x(self.at)),
+        };
+        let plane = ["x–y", "x–z", "y–z"][self.axis];
+        format!("{plane} plane at {name} = {} mm", significant(mm, 3))
+    }
+}
+
+/// Voxel `[z, y, x]` in the middle of the part, or of the grid when there is none.
+fn middle_of_part(labels: &Volume<u8>) -> [usize; 3] {
+    let [_, ny, nx] = labels.grid.shape;
+    let sums = labels
+        .values
+        .par_chunks((nx * ny).max(1))
+        .enumerate()
+        .map(|(z, plane)| {
+            let mut sums = [0u64; 4];
+            for (i, _) in plane.iter().enumerate().filter(|(_, l)| **l == label::PART) {
+                sums[0] += z as u64;
+                sums[1] += (i / nx) as u64;
+                sums[2] += (i % nx) as u64;
+                sums[3] += 1;
+            }
+            sums
+        })
+        .reduce(|| [0; 4], |a, b| std::array::from_fn(|i| a[i] + b[i]));
+    std::array::from_fn(|axis| {
+        let mean = (2 * sums[axis] + sums[3]).checked_div(2 * sums[3]);
+        mean.map_or(labels.grid.shape[axis] / 2, |mean| mean as usize)
+    })
+}
+
+/// Three planes: target, dose, error.
+pub(super) fn slices(data: &ReportData<'_>) -> String {
+    let grid = &data.labels.grid;
+    if grid.is_empty() {
+        return String::new();
+    }
+    let high = data.evaluation.histogram.range[1];
+    let mut out = String::new();
+    for (axis, at) in middle_of_part(data.labels).into_iter().enumerate() {
+        let slice = Slice { grid, axis, at };
+        let pictures = [
+            (
+                "Target",
+                target_picture(data, &slice).data_uri(&target_palette()),
+            ),
+            (
+                "Dose",
+                dose_picture(data, &slice, high).data_uri(&dose_palette()),
+            ),
+            (
+                "Error",
+                fate_picture(data, &slice).data_uri(&FATES.map(|f| f.0)),
+            ),
+        ];
+        let _ = write!(
+            out,
+            "<div class=\"plane\"><h3>{}</h3><div class=\"trio\">",
+            slice.title()
+        );
+        for (name, uri) in pictures {
+            let _ = write!(
+                out,
+                "<figure>{}<figcaption>{name}</figcaption></figure>",
+                slice_svg(&slice, &uri, name)
+            );
+        }
+        out.push_str("</div></div>");
+    }
+    out
+}
+
+fn target_palette() -> Vec<Colour> {
+    (0..=255u8)
+        .map(|i| match i {
+            NOTHING => [0; 4],
+            i => [122, 135, 151, 34 + (f64::from(i) / 254.0 * 156.0) as u8],
+        })
+        .collect()
+}
+
+fn target_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
+    let inside = |i: usize| match (data.labels.values[i], data.inside) {
+        (_, Some(inside)) => inside.values[i].clamp(0.0, 1.0),
+        (label, None) => f32::from(u8::from(label == label::PART)),
+    };
+    slice.picture(|voxels| {
+        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
+        let (sum, count) = counted.fold((0.0, 0.0), |(s, n), i| (s + inside(i), n + 1.0));
+        if count == 0.0 {
+            NOTHING
+        } else {
+            (254.0 * sum / count) as u8
+        }
+    })
+}
+
+fn dose_palette() -> Vec<Colour> {
+    (0..=255u8)
+        .map(|i| match i {
+            NOTHING => [0; 4],
+            OUTLINE => [255, 255, 255, 255],
+            i => viridis(f64::from(i) / 253.0),
+        })
+        .collect()
+}
+
+fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture {
+    let part = |i: usize| data.labels.values[i] == label::PART;
+    let mut picture = slice.picture(|voxels| {
+        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
+        let (sum, count) = counted.fold((0.0, 0.0), |(s, n), i| {
+            (s + f64::from(data.response.values[i]), n + 1.0)
+        });
+        if count == 0.0 {
+            NOTHING
+        } else {
+            (sum / count / high * 253.0).clamp(0.0, 253.0) as u8
+        }
+    });
+    // The part's outline: pixels of the void that are close to a pixel of the part; two wide in large pictures, which
+    // may be shown smaller than they are
+    let inside = slice.picture(|voxels| {
+        let (parts, all) = voxels.fold((0, 0), |(p, n), i| (p + usize::from(part(i)), n + 1));
+        u8::from(2 * parts >= all)
+    });
+    let (w, h) = (inside.width, inside.height);
+    let reach = if w > SMOOTH_FROM { 2 } else { 1 };
+    for i in (0..w * h).filter(|&i| inside.pixels[i] == 0) {
+        let (x, y) = (i % w, i / w);
+        let near = (1..=reach).any(|d| {
+            x >= d && inside.pixels[i - d] == 1
+                || x + d < w && inside.pixels[i + d] == 1
+                || y >= d && inside.pixels[i - d * w] == 1
+                || y + d < h && inside.pixels[i + d * w] == 1
+        });
+        if near {
+            picture.pixels[i] = OUTLINE;
+        }
+    }
+    picture
+}
+
+/// The worst fate of each block: errors stay visible.
+fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
+    let threshold = data.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
+    slice.picture(|voxels| {
+        voxels
+            .map(|i| {
+                let gelled = f64::from(data.response.values[i]) > threshold;
+                match (data.labels.values[i], gelled) {
+                    (label::VOID, false) => 1,
+                    (label::PART, true) => 2,
+                    (label::PART, false) => 3,
+                    (label::VOID, true) => 4,
+                    _ => 0,
+                }
+            })
+            .max()
+            .unwrap_or(0)
+    })
+}
+
+/// A picture with its scale bar.
+fn slice_svg(slice: &Slice<'_>, uri: &str, name: &str) -> String {
+    let [width, height] = slice.size();
+    let tall = UNITS * height as f64 / width as f64;
+    let mm = width as f64 * slice.grid.pitch_mm;
+    let length = nice_length(mm / 4.0);
+    let bar = UNITS * length / mm;
+    let (x, y) = (10.0, tall + 20.0);
+    format!(
+        "<svg class=\"slice{}\" viewBox=\"0 0 {UNITS} {:.1}\" role=\"img\" aria-label=\"{name}, {}\">\
+         <image href=\"{uri}\" width=\"{UNITS}\" height=\"{tall:.2}\" preserveAspectRatio=\"none\"/>\
+         <path class=\"scale\" d=\"M{x} {y:.1}h{bar:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\">{} mm</text></svg>",
+        if width > SMOOTH_FROM { "" } else { " sharp" },
+        tall + 36.0,
+        escape(&slice.title()),
+        x + bar + 8.0,
+        y + 7.0,
+        significant(length, 2),
+    )
+}
+
+/// 1, 2 or 5 times a power of ten, not larger than `length`.
+fn nice_length(length: f64) -> f64 {
+    let power = 10f64.powf(length.log10().floor());
+    [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|m| m * power)
+        .find(|l| *l <= length)
+        .unwrap_or(power)
+}
+
+/// A colour bar from 0 to `high`, with marks.
+pub(super) fn colour_bar(
+    map: fn(f64) -> Colour,
+    high: f64,
+    label: &str,
+    mark: Option<(f64, &str)>,
+) -> String {
+    let stops: String = (0..=10)
+        .map(|i| {
+            format!(
+                "<stop offset=\"{}%\" stop-color=\"{}\"/>",
+                i * 10,
+                hex(map(f64::from(i) / 10.0))
+            )
+        })
+        .collect();
+    let id = label
+        .chars()
+        .filter(char::is_ascii_alphanumeric)
+        .collect::<String>();
+    let marked = mark.map_or(String::new(), |(at, name)| {
+        let x = 10.0 + 300.0 * (at / high).clamp(0.0, 1.0);
+        let anchor = if x > 250.0 { "end" } else { "middle" };
+        format!(
+            "<path class=\"mark\" d=\"M{x:.1} 14v20\"/><text x=\"{x:.1}\" y=\"11\" text-anchor=\"{anchor}\">{}</text>",
+            escape(name)
+        )
+    });
+    format!(
+        "<svg class=\"bar\" viewBox=\"0 0 320 62\" role=\"img\" aria-label=\"{label}\"><defs><linearGradient id=\"{id}\">{stops}\
+         </linearGradient></defs><rect x=\"10\" y=\"18\" width=\"300\" height=\"12\" rx=\"2\" fill=\"url(#{id})\"/>{marked}\
+         <text x=\"10\" y=\"46\">0</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{}</text>\
+         <text x=\"310\" y=\"46\" text-anchor=\"end\">{}</text></svg>",
+        escape(label),
+        significant(high, 3),
+    )
+}
+
+pub(super) fn dose_bar(data: &ReportData<'_>) -> String {
+    let high = data.evaluation.histogram.range[1];
+    let mark = data
+        .evaluation
+        .gel_threshold
+        .map(|t| (t, format!("gel threshold {}", significant(t, 3))));
+    colour_bar(
+        viridis,
+        high,
+        "response to the dose",
+        mark.as_ref().map(|(t, name)| (*t, name.as_str())),
+    )
+}
+
+fn light_palette() -> Vec<Colour> {
+    (0..=255u8).map(|i| inferno(f64::from(i) / 255.0)).collect()
+}
+
+fn grey_palette() -> Vec<Colour> {
+    (0..=255u8).map(|i| [i, i, i, 255]).collect()
+}
+
+/// Means over blocks, on the scale of the brightest pixel.
+fn light_picture(
+    size: [usize; 2],
+    most: usize,
+    full: f32,
+    value: impl Fn(usize, usize) -> f32 + Sync,
+) -> Picture {
+    let [width, height] = size;
+    let factor = reduction(width, height, most);
+    let scale = if full > 0.0 {
+        255.0 / f64::from(full)
+    } else {
+        0.0
+    };
+    Picture::new(width.div_ceil(factor), height.div_ceil(factor), |x, y| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in y * factor..((y + 1) * factor).min(height) {
+            for column in x * factor..((x + 1) * factor).min(width) {
+                sum += f64::from(value(column, row));
+                count += 1.0;
+            }
+        }
+        (sum / count * scale).clamp(0.0, 255.0) as u8
+    })
+}
+
+/// The row that carries most light.
+fn brightest_row(patterns: &Patterns) -> usize {
+    let grid = &patterns.grid;
+    let mut sums = vec![0.0f64; grid.rows];
+    for frame in patterns
+        .values
+        .chunks_exact((grid.rows * grid.columns).max(1))
+    {
+        for (row, pixels) in frame.chunks_exact(grid.columns).enumerate() {
+            sums[row] += pixels.iter().map(|&v| f64::from(v)).sum::<f64>();
+        }
+    }
+    (0..grid.rows)
+        .max_by(|&a, &b| sums[a].total_cmp(&sums[b]).then(b.cmp(&a)))
+        .unwrap_or(0)
+}
+
+/// All frames of one row: angle to the right, column upwards.
+pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
+    let grid = &patterns.grid;
+    if grid.is_empty() {
+        return String::new();
+    }
+    let row = brightest_row(patterns);
+    let (frames, columns) = (grid.frames(), grid.columns);
+    let picture = light_picture([frames, columns], SINOGRAM_PIXELS, full, |frame, up| {
+        patterns.values[(frame * grid.rows + row) * columns + columns - 1 - up]
+    });
+    let uri = picture.data_uri(&light_palette());
+    let half = 0.5 * columns as f64 * grid.pitch_mm;
+    let tick = nice_length(half);
+    let (left, top, width, height) = (56.0, 8.0, 606.0, 236.0);
+    let bottom = top + height;
+    let mut axes = String::new();
+    let first = grid.azimuths[0].to_degrees();
+    let arc = (grid.azimuths[frames - 1] - grid.azimuths[0]).to_degrees() * frames as f64
+        / (frames as f64 - 1.0).max(1.0);
+    let evenly = grid.azimuths.windows(2).all(|w| {
+        let step = arc.to_radians() / frames as f64;
+        (w[1] - w[0] - step).abs() <= 1e-6 + 1e-3 * step.abs()
+    });
+    for i in 0..=4 {
+        let x = left + width * f64::from(i) / 4.0;
+        // Unevenly spaced frames are counted, not measured
+        let label = if evenly && frames > 1 {
+            format!("{}°", significant(first + arc * f64::from(i) / 4.0, 3))
+        } else {
+            significant(frames as f64 * f64::from(i) / 4.0, 3)
+        };
+        let _ = write!(
+            axes,
+            "<path class=\"tick\" d=\"M{x:.1} {bottom}v5\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{label}</text>",
+            bottom + 19.0
+        );
+    }
+    for u in [-tick, 0.0, tick] {
+        let y = top + height * (0.5 - 0.5 * u / half);
+        let _ = write!(
+            axes,
+            "<path class=\"tick\" d=\"M{left} {y:.1}h-5\"/><text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+            left - 8.0,
+            y + 4.0,
+            significant(u, 2)
+        );
+    }
+    let x_label = if evenly {
+        "azimuth of the light"
+    } else {
+        "frame"
+    };
+    format!(
+        "<svg class=\"plot wide\" viewBox=\"0 0 690 296\" role=\"img\" aria-label=\"Sinogram of row {row}\">\
+         <image href=\"{uri}\" x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\"/>{axes}\
+         <text class=\"label\" x=\"{}\" y=\"290\" text-anchor=\"middle\">{x_label}</text>\
+         <text class=\"label\" transform=\"translate(12 {}) rotate(-90)\" text-anchor=\"middle\">column, mm</text></svg>\
+         <p class=\"note\">Row {row} of {} (z = {} mm), the one that carries most light.</p>",
+        left + width / 2.0,
+        top + height / 2.0,
+        grid.rows,
+        significant(grid.row_z(row), 3),
+    )
+}
+
+/// Some frames, evenly spread.
+pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
+    let grid = &patterns.grid;
+    let frames = grid.frames();
+    if grid.is_empty() {
+        return String::new();
+    }
+    let shown = frames.min(STRIP);
+    let mut out = String::from("<div class=\"strip\">");
+    for i in 0..shown {
+        let frame = i * frames / shown;
+        let values = patterns.frame(frame);
+        let picture = light_picture(
+            [grid.columns, grid.rows],
+            FRAME_PIXELS,
+            full,
+            |column, row| values[row * grid.columns + column],
+        );
+        let _ = write!(
+            out,
+            "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"Frame {frame}\"><figcaption>{frame} · {}°</figcaption></figure>",
+            picture.data_uri(&grey_palette()),
+            picture.width,
+            picture.height,
+            significant((grid.azimuths[frame].to_degrees() * 10.0).round() / 10.0, 4),
+        );
+    }
+    out + "</div>"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slices_are_seen_from_the_right_side() {
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let top = Slice {
+            grid: &grid,
+            axis: 0,
+            at: 1,
+        };
+        assert_eq!(top.size(), [4, 3]);
+        assert_eq!(top.index(0, 0), grid.index(1, 2, 0)); // left and highest y on top
+        let front = Slice {
+            grid: &grid,
+            axis: 1,
+            at: 2,
+        };
+        assert_eq!(
+            (front.size(), front.index(3, 1)),
+            ([4, 2], grid.index(0, 2, 3))
+        );
+        let side = Slice {
+            grid: &grid,
+            axis: 2,
+            at: 0,
+        };
+        assert_eq!(
+            (side.size(), side.index(1, 0)),
+            ([3, 2], grid.index(1, 1, 0))
+        );
+    }
+
+    #[test]
+    fn the_middle_of_the_part_is_its_centroid() {
+        let mut labels = Volume::filled(VolumeGrid::centered([5, 6, 7], 0.1), label::VOID);
+        assert_eq!(middle_of_part(&labels), [2, 3, 3]);
+        for x in 2..=6 {
+            let i = labels.grid.index(1, 5, x);
+            labels.values[i] = label::PART;
+        }
+        assert_eq!(middle_of_part(&labels), [1, 5, 4]);
+    }
+
+    #[test]
+    fn scale_bars_have_round_lengths() {
+        for (length, bar) in [(2.4, 2.0), (0.99, 0.5), (1.0, 1.0), (70.0, 50.0)] {
+            assert!((nice_length(length) - bar).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn one_wrong_voxel_is_seen_in_a_reduced_picture() {
+        let grid = VolumeGrid::centered([1, 1, 3 * SLICE_PIXELS], 0.1);
+        let slice = Slice {
+            grid: &grid,
+            axis: 0,
+            at: 0,
+        };
+        let picture = slice.picture(|voxels| voxels.map(|i| u8::from(i == 700)).max().unwrap_or(0));
+        assert_eq!(picture.width, SLICE_PIXELS);
+        assert_eq!(picture.pixels.iter().filter(|p| **p == 1).count(), 1);
+    }
+}

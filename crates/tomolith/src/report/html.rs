@@ -1,0 +1,488 @@
+//! `report.html`: one page without any outside resource.
+//!
+//! Headline numbers with the vial turning, as it prints, and standing still; dose histogram and IoU over the threshold;
+//! three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
+//! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
+
+use super::ReportData;
+use super::figures::{FATES, dose_bar, sinogram, slices, strip};
+use super::number::{escape, significant};
+use super::plot::{Axis, Plot};
+use crate::io::csv::HistoryRow;
+use crate::metrics::{Better, Evaluation, METRICS, Measure, MetricKind};
+use std::fmt::Write as _;
+
+/// Numbers at the head of the page.
+const HEADLINE: [&str; 8] = [
+    "iou",
+    "pw",
+    "ver",
+    "gamma",
+    "surface_mean_mm",
+    "hausdorff_mm",
+    "over_mm3",
+    "under_mm3",
+];
+
+/// The page.
+#[must_use]
+pub fn report_html(data: &ReportData<'_>) -> String {
+    let title = escape(data.part);
+    let mut page = format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title} · Tomolith</title>\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>{}</style></head><body>",
+        include_str!("style.css")
+    );
+    page.push_str(&head(data));
+    page.push_str("<main>");
+    for part in [
+        warnings(data),
+        cards(data),
+        dose_plots(data),
+        slices_section(data),
+        history(data.history),
+        patterns(data),
+        table(data),
+        times_and_movies(data),
+        job(data),
+    ] {
+        page.push_str(&part);
+    }
+    let _ = writeln!(
+        page,
+        "</main><footer>{}{} · Numbers are predictions of a model, not measurements. \
+         Doses are relative unless the job says otherwise.</footer></body></html>",
+        escape(data.program),
+        if data.created.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", escape(data.created))
+        },
+    );
+    page
+}
+
+fn head(data: &ReportData<'_>) -> String {
+    let mut facts = data.facts.clone();
+    let grid = &data.evaluation.grid;
+    let [nz, ny, nx] = grid.shape;
+    facts.push((
+        "Evaluated on".to_owned(),
+        format!(
+            "{nx} × {ny} × {nz} voxels of {} µm",
+            significant(grid.pitch_mm * 1e3, 3)
+        ),
+    ));
+    for light in &data.lights {
+        let g = &light.patterns.grid;
+        let wave = light
+            .wavelength_nm
+            .map_or(String::new(), |nm| format!(", {} nm", significant(nm, 4)));
+        let name = if light.name.is_empty() {
+            "Light".to_owned()
+        } else {
+            format!("Light {}", light.name)
+        };
+        facts.push((
+            name,
+            format!(
+                "{} frames of {} × {}, {} bit{wave}",
+                g.frames(),
+                g.columns,
+                g.rows,
+                light.bits
+            ),
+        ));
+    }
+    let facts: String = facts
+        .iter()
+        .map(|(name, value)| format!("<li><b>{}</b>{}</li>", escape(name), escape(value)))
+        .collect();
+    format!(
+        "<header><div class=\"brand\">Tomolith print report</div><h1>{}</h1><p class=\"lead\">{}</p><ul class=\"facts\">{facts}</ul></header>",
+        escape(data.part),
+        sentence(data.evaluation),
+    )
+}
+
+/// The result in words.
+fn sentence(evaluation: &Evaluation) -> String {
+    let get = |name| evaluation.measures.get(name);
+    let (Some(iou), Some(over), Some(under), Some(threshold)) = (
+        get("iou"),
+        get("over_mm3"),
+        get("under_mm3"),
+        evaluation.gel_threshold,
+    ) else {
+        return evaluation
+            .notes
+            .iter()
+            .map(|n| escape(n))
+            .collect::<Vec<_>>()
+            .join(" ");
+    };
+    let amount = |mm3: f64| {
+        if mm3 == 0.0 {
+            "nothing".to_owned()
+        } else {
+            format!("{} mm³", significant(mm3, 2))
+        }
+    };
+    let mut text = format!(
+        "At a gel threshold of {} the predicted print and the part overlap with an IoU of <b>{}</b>: {} gels that should not, {} stays liquid.",
+        significant(threshold, 3),
+        significant(iou, 4),
+        amount(over),
+        amount(under),
+    );
+    if let Some(mean) = get("surface_mean_mm") {
+        let _ = write!(
+            text,
+            " Its surface is {} µm off on average.",
+            significant(mean * 1e3, 2)
+        );
+    }
+    text
+}
+
+fn warnings(data: &ReportData<'_>) -> String {
+    let mut all: Vec<&String> = data.warnings.iter().collect();
+    all.extend(&data.evaluation.notes);
+    if all.is_empty() {
+        return String::new();
+    }
+    let items: String = all
+        .iter()
+        .map(|w| format!("<li>{}</li>", escape(w)))
+        .collect();
+    format!("<section class=\"warn\"><h2>Please note</h2><ul>{items}</ul></section>")
+}
+
+/// A measure with its unit, lengths in µm.
+fn shown(kind: &MetricKind, value: Measure, digits: usize) -> (String, &'static str) {
+    match (value, kind.unit) {
+        (None, _) => ("–".to_owned(), ""),
+        (Some(v), "mm") => (significant(v * 1e3, digits), "µm"),
+        (Some(v), "response") => (significant(v, digits), ""),
+        (Some(v), unit) => (significant(v, digits), unit),
+    }
+}
+
+fn cards(data: &ReportData<'_>) -> String {
+    let mut out = String::from("<div class=\"cards\">");
+    for kind in HEADLINE
+        .iter()
+        .filter_map(|name| METRICS.iter().find(|k| k.name == *name))
+    {
+        let digits = if kind.name == "iou" { 4 } else { 3 };
+        let (value, unit) = shown(kind, data.evaluation.measures.get(kind.name), digits);
+        let still = data.standing.map_or(String::new(), |standing| {
+            let (value, unit) = shown(kind, standing.measures.get(kind.name), digits);
+            format!("<div class=\"still\"><span>standing still</span><b>{value} {unit}</b></div>")
+        });
+        let _ = write!(
+            out,
+            "<div class=\"card\"><h3>{}</h3><div class=\"big\">{value}<small>{unit}</small></div><p>{}</p>{still}</div>",
+            escape(kind.title),
+            escape(kind.summary),
+        );
+    }
+    out.push_str("</div>");
+    if let Some(standing) = data.standing {
+        out.push_str(&turning_note(data.evaluation, standing));
+    }
+    out
+}
+
+/// Why there are two values.
+fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
+    let window = match (turning.measures.get("pw"), standing.measures.get("pw")) {
+        (Some(turning), Some(standing)) => format!(
+            " Here the process window goes from {} to {}.",
+            significant(standing, 3),
+            significant(turning, 3)
+        ),
+        _ => String::new(),
+    };
+    format!(
+        "<section><h2>Turning and standing still</h2><p>The vial turns on while a frame is shown, which blurs every frame over its arc. The large numbers count this \
+         ({} positions per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.{window} \
+         More frames per turn bring the two together.</p></section>",
+        turning.sub_angles,
+    )
+}
+
+fn dose_plots(data: &ReportData<'_>) -> String {
+    format!(
+        "<div class=\"two\"><section><h2>How much dose part and void get</h2><p class=\"muted\">Voxels per bin, on a logarithmic scale. The further the two hills are apart, \
+         the safer the print.</p>{}</section><section><h2>How much the threshold matters</h2><p class=\"muted\">Overlap of print and part if the resin gels at this dose. A broad plateau \
+         forgives errors of exposure.</p>{}</section></div>",
+        histogram_plot(data),
+        iou_plot(data),
+    )
+}
+
+fn histogram_plot(data: &ReportData<'_>) -> String {
+    let histogram = &data.evaluation.histogram;
+    let column = |c: usize| {
+        histogram
+            .counts
+            .iter()
+            .map(|n| n[c] as f64)
+            .collect::<Vec<f64>>()
+    };
+    let (part, void) = (column(0), column(1));
+    let most = part.iter().chain(&void).copied().fold(1.0, f64::max);
+    let [low, high] = histogram.range;
+    let mut plot = Plot::new(
+        Axis::linear("response to the dose", low, high),
+        Axis::log("voxels", 1.0, most),
+    );
+    if let Some([lower, upper]) = data.window {
+        plot.band(lower, upper, "window", "objective's window");
+    }
+    plot.steps(histogram.range, &void, "void", "void");
+    plot.steps(histogram.range, &part, "part", "part");
+    if let Some(threshold) = data.evaluation.gel_threshold {
+        plot.line_at(threshold, "gel", "gel threshold");
+    }
+    plot.svg("Histogram of the dose in part and void")
+}
+
+fn iou_plot(data: &ReportData<'_>) -> String {
+    let curve = &data.evaluation.curve;
+    let [low, high] = data.evaluation.histogram.range;
+    let mut plot = Plot::new(
+        Axis::linear("gel threshold", low, high),
+        Axis::linear("IoU", 0.0, 1.0),
+    );
+    if let Some(standing) = data.standing {
+        plot.line(&standing.curve, "still", "standing still");
+    }
+    plot.line(
+        curve,
+        "accent",
+        if data.standing.is_some() {
+            "turning"
+        } else {
+            "IoU"
+        },
+    );
+    if let (Some(threshold), Some(iou)) = (
+        data.evaluation.gel_threshold,
+        data.evaluation.measures.get("iou"),
+    ) {
+        plot.line_at(
+            threshold,
+            "gel",
+            &format!("threshold {}", significant(threshold, 3)),
+        );
+        plot.dot([threshold, iou], "gel");
+    }
+    plot.svg("IoU against the gel threshold")
+}
+
+fn slices_section(data: &ReportData<'_>) -> String {
+    let fates: String = FATES
+        .iter()
+        .filter(|(_, name)| !name.is_empty())
+        .map(|([r, g, b, a], name)| {
+            format!(
+                "<span><i style=\"background:rgba({r},{g},{b},{:.2})\"></i>{name}</span>",
+                f64::from(*a) / 255.0
+            )
+        })
+        .collect();
+    format!(
+        "<section><h2>Slices through the middle of the part</h2><p class=\"muted\">What was asked for, the dose with the part's outline in white, and what the print would get wrong. \
+         Where a pixel stands for several voxels, it shows the worst of them.</p>{}<div class=\"legends\">{}<div class=\"fates\">{fates}</div></div></section>",
+        slices(data),
+        dose_bar(data),
+    )
+}
+
+fn history(rows: &[HistoryRow]) -> String {
+    let Some(last) = rows.last() else {
+        return String::new();
+    };
+    let plots: String = [
+        ("Loss", "loss", series(rows, |r| r.loss)),
+        (
+            "Projected gradient",
+            "norm",
+            series(rows, |r| r.projected_gradient),
+        ),
+    ]
+    .iter()
+    .map(|(title, label, points)| {
+        format!(
+            "<section><h2>{title}</h2>{}</section>",
+            history_plot(title, label, points)
+        )
+    })
+    .collect();
+    format!(
+        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. The model's calls are the honest measure of work: a method may need several in one iteration.</p>",
+        last.iteration,
+        last.forward_calls,
+        last.adjoint_calls,
+        significant(last.seconds, 3),
+    )
+}
+
+fn series(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> f64) -> Vec<[f64; 2]> {
+    rows.iter()
+        .map(|r| [(r.forward_calls + r.adjoint_calls) as f64, value(r)])
+        .filter(|p| p[1].is_finite())
+        .collect()
+}
+
+fn history_plot(title: &str, label: &str, points: &[[f64; 2]]) -> String {
+    let last = points.last().map_or(1.0, |p| p[0]);
+    let positive = || points.iter().map(|p| p[1]).filter(|v| *v > 0.0);
+    let (low, high) = (
+        positive().fold(f64::INFINITY, f64::min),
+        positive().fold(0.0, f64::max),
+    );
+    let y = if high > 0.0 {
+        Axis::log(label, low, high)
+    } else {
+        let low = points.iter().map(|p| p[1]).fold(0.0, f64::min);
+        Axis::linear(label, low, 0.0)
+    };
+    let mut plot = Plot::new(
+        Axis::linear("model calls (dose and pull-back)", 0.0, last),
+        y,
+    );
+    plot.line(points, "accent", "");
+    plot.svg(&format!("{title} against model calls"))
+}
+
+fn patterns(data: &ReportData<'_>) -> String {
+    data.lights
+        .iter()
+        .map(|light| {
+            let of = if light.name.is_empty() { String::new() } else { format!(" of light {}", escape(light.name)) };
+            format!(
+                "<section><h2>Light patterns{of}</h2><p class=\"muted\">One row of all frames (a sinogram), and some frames as the projector shows them. \
+                 White is {} (mJ/mm² or relative) over the whole exposure.</p>{}{}</section>",
+                significant(f64::from(light.full_scale), 4),
+                sinogram(light.patterns, light.full_scale),
+                strip(light.patterns, light.full_scale),
+            )
+        })
+        .collect()
+}
+
+fn table(data: &ReportData<'_>) -> String {
+    let columns: Vec<(&str, String, &Evaluation)> = [
+        ("Turning", Some(data.evaluation)),
+        ("Standing still", data.standing),
+        ("Optimisation", data.optimisation),
+    ]
+    .into_iter()
+    .filter_map(|(name, e)| {
+        e.map(|e| {
+            (
+                name,
+                format!("{} µm voxels", significant(e.grid.pitch_mm * 1e3, 3)),
+                e,
+            )
+        })
+    })
+    .collect();
+    let heads: String = columns
+        .iter()
+        .map(|(name, grid, _)| format!("<th>{name}<br>{grid}</th>"))
+        .collect();
+    let mut rows = String::new();
+    for kind in METRICS {
+        let better = match kind.better {
+            Better::Higher => " ↑",
+            Better::Lower => " ↓",
+            Better::Neutral => "",
+        };
+        let unit = match kind.unit {
+            "response" | "" => "",
+            "mm" => "µm",
+            unit => unit,
+        };
+        let _ = write!(
+            rows,
+            "<tr><td>{}{better} <span class=\"unit\">{unit}</span><small>{}</small></td>",
+            escape(kind.title),
+            escape(kind.summary)
+        );
+        for (i, (_, _, evaluation)) in columns.iter().enumerate() {
+            let (value, _) = shown(kind, evaluation.measures.get(kind.name), 4);
+            let class = if i == 0 { " class=\"head\"" } else { "" };
+            let _ = write!(rows, "<td{class}>{value}</td>");
+        }
+        rows.push_str("</tr>");
+    }
+    format!(
+        "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
+         the last one is what the optimisation itself saw.</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
+    )
+}
+
+fn times_and_movies(data: &ReportData<'_>) -> String {
+    let mut out = String::new();
+    if !data.movies.is_empty() {
+        let rows: String = data
+            .movies
+            .iter()
+            .map(|movie| {
+                let c = &movie.check;
+                format!(
+                    "<tr><td>{}</td><td class=\"head\">{} of 255</td><td class=\"head\">{}</td><td>{} /s</td><td>{}</td><td>{} × {}</td><td>{} MB</td></tr>",
+                    escape(&movie.file),
+                    c.largest_error,
+                    significant(c.rms_error, 2),
+                    significant(c.frame_rate, 4),
+                    c.frames,
+                    c.width,
+                    c.height,
+                    significant(c.bytes as f64 / 1e6, 3),
+                )
+            })
+            .collect();
+        let _ = write!(
+            out,
+            "<section><h2>Movie</h2><p class=\"muted\">Written, then decoded again and compared with the frames. H.264 is lossy: the PNG frames are exact.</p>\
+             <div class=\"scroll\"><table><thead><tr><th>File</th><th>Largest<br>grey error</th><th>rms<br>grey error</th><th>Rate</th><th>Frames</th><th>Pixels</th><th>Size</th></tr></thead><tbody>{rows}</tbody></table></div></section>"
+        );
+    }
+    let longest = data.timings.iter().map(|t| t.seconds).fold(0.0, f64::max);
+    if longest > 0.0 {
+        let total: f64 = data.timings.iter().map(|t| t.seconds).sum();
+        let rows: String = data
+            .timings
+            .iter()
+            .map(|t| {
+                format!(
+                    "{}<div><i style=\"width:{:.1}%\"></i></div><span>{} s</span>",
+                    format_args!("<label>{}</label>", escape(&t.name)),
+                    100.0 * t.seconds / longest,
+                    significant(t.seconds, 3),
+                )
+            })
+            .collect();
+        let _ = write!(
+            out,
+            "<section><h2>Where the time went</h2><p class=\"muted\">{} s in all.</p><div class=\"time\">{rows}</div></section>",
+            significant(total, 3),
+        );
+    }
+    out
+}
+
+fn job(data: &ReportData<'_>) -> String {
+    if data.job_text.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<section><details><summary>The job, with every default</summary><pre>{}</pre></details></section>",
+        escape(data.job_text)
+    )
+}

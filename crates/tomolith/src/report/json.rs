@@ -1,0 +1,142 @@
+//! `report.json`.
+//!
+//! ```text
+//! schema        "tomolith.report/1"
+//! part          name of the part
+//! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
+//!               with gel_threshold, sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
+//!               and standing_still: the same without turning
+//! optimisation  the same on the optimisation's grid
+//! published     numbers with other authors' signs or normalisations
+//! lights        frames, size and scale of each light's patterns
+//! history       how many iterations and model calls, and the last loss
+//! movies        what a decoder makes of each movie
+//! warnings      sentences
+//! run           program, date and times: all that may differ between two equal runs
+//! ```
+//!
+//! What is not defined is null; no number is infinite or not a number.
+
+use super::ReportData;
+use crate::metrics::Evaluation;
+use crate::metrics::scan::Spread;
+use serde_json::{Map, Value, json};
+
+/// A number, or null.
+fn number(value: impl Into<Option<f64>>) -> Value {
+    value
+        .into()
+        .filter(|v| v.is_finite())
+        .map_or(Value::Null, Value::from)
+}
+
+/// The report as JSON.
+#[must_use]
+pub fn report_json(data: &ReportData<'_>) -> Value {
+    let mut evaluation = evaluation_json(data.evaluation);
+    let standing = data
+        .standing
+        .map_or(Value::Null, |s| Value::Object(evaluation_json(s)));
+    evaluation.insert("standing_still".to_owned(), standing);
+    let lights: Vec<Value> = data
+        .lights
+        .iter()
+        .map(|light| {
+            let grid = &light.patterns.grid;
+            json!({
+                "name": light.name,
+                "wavelength_nm": number(light.wavelength_nm),
+                "frames": grid.frames(),
+                "rows": grid.rows,
+                "columns": grid.columns,
+                "pitch_mm": number(grid.pitch_mm),
+                "bits": light.bits,
+                "full_scale": number(f64::from(light.full_scale)),
+            })
+        })
+        .collect();
+    let history = data.history.last().map(|last| {
+        json!({
+            "iterations": last.iteration,
+            "loss": number(last.loss),
+            "projected_gradient": number(last.projected_gradient),
+            "forward_calls": last.forward_calls,
+            "adjoint_calls": last.adjoint_calls,
+        })
+    });
+    let movies: Vec<Value> = data
+        .movies
+        .iter()
+        .map(|movie| {
+            json!({
+                "file": movie.file,
+                "frames": movie.check.frames,
+                "frame_rate": number(movie.check.frame_rate),
+                "width": movie.check.width,
+                "height": movie.check.height,
+                "largest_error_of_255": movie.check.largest_error,
+                "rms_error_of_255": number(movie.check.rms_error),
+            })
+        })
+        .collect();
+    let timings: Map<String, Value> = data
+        .timings
+        .iter()
+        .map(|t| (t.name.clone(), number(t.seconds)))
+        .collect();
+    json!({
+        "schema": "tomolith.report/1",
+        "part": data.part,
+        "evaluation": evaluation,
+        "optimisation": data.optimisation.map(evaluation_json),
+        "published": data.published,
+        "lights": lights,
+        "history": history,
+        "movies": movies,
+        "warnings": data.warnings,
+        "run": {
+            "program": data.program,
+            "created": data.created,
+            "timings_s": timings,
+        },
+    })
+}
+
+fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
+    let mut map: Map<String, Value> = evaluation
+        .measures
+        .0
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), number(*value)))
+        .collect();
+    let grid = &evaluation.grid;
+    let rest = [
+        ("gel_threshold", number(evaluation.gel_threshold)),
+        ("sub_angles", evaluation.sub_angles.into()),
+        (
+            "grid",
+            json!({
+                "shape_zyx": grid.shape,
+                "pitch_mm": number(grid.pitch_mm),
+                "center_xyz_mm": grid.center_mm.map(number),
+            }),
+        ),
+        ("part", spread_json(evaluation.part)),
+        ("void", spread_json(evaluation.void)),
+        ("notes", json!(evaluation.notes)),
+    ];
+    map.extend(rest.map(|(name, value)| (name.to_owned(), value)));
+    map
+}
+
+fn spread_json(spread: Option<Spread>) -> Value {
+    spread.map_or(Value::Null, |s| {
+        json!({
+            "voxels": s.count,
+            "min": number(f64::from(s.min)),
+            "max": number(f64::from(s.max)),
+            "mean": number(s.mean),
+            "deviation": number(s.deviation),
+        })
+    })
+}

@@ -1,0 +1,203 @@
+//! Small pictures for the page: colour maps, and PNG files inside of the HTML.
+
+use rayon::prelude::*;
+use std::fmt::Write as _;
+
+/// Red, green, blue, opacity.
+pub(super) type Colour = [u8; 4];
+
+/// Anchors of the colour maps viridis and inferno (matplotlib, CC0), evenly spaced.
+const VIRIDIS: [u32; 11] = [
+    0x0044_0154,
+    0x0048_2475,
+    0x0041_4487,
+    0x0035_5f8d,
+    0x002a_788e,
+    0x0021_918c,
+    0x0022_a884,
+    0x0044_bf70,
+    0x007a_d151,
+    0x00bd_df26,
+    0x00fd_e725,
+];
+const INFERNO: [u32; 11] = [
+    0x0000_0004,
+    0x0016_0b39,
+    0x0042_0a68,
+    0x006a_176e,
+    0x0093_2667,
+    0x00bc_3754,
+    0x00dd_513a,
+    0x00f3_7819,
+    0x00fc_a50a,
+    0x00f6_d746,
+    0x00fc_ffa4,
+];
+
+/// A colour map for doses.
+pub(super) fn viridis(t: f64) -> Colour {
+    between(&VIRIDIS, t)
+}
+
+/// A colour map for light.
+pub(super) fn inferno(t: f64) -> Colour {
+    between(&INFERNO, t)
+}
+
+fn between(anchors: &[u32; 11], t: f64) -> Colour {
+    let place = t.clamp(0.0, 1.0) * 10.0;
+    let i = (place as usize).min(9);
+    let f = place - i as f64;
+    let channel = |shift: u32| {
+        let at = |i: usize| f64::from(anchors[i] >> shift & 0xff);
+        (at(i) + f * (at(i + 1) - at(i))).round() as u8
+    };
+    [channel(16), channel(8), channel(0), 255]
+}
+
+/// An image of palette indices, row 0 on top.
+pub(super) struct Picture {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    pub(super) pixels: Vec<u8>,
+}
+
+impl Picture {
+    /// Fills an image pixel by pixel: `index(column, row)`.
+    pub(super) fn new(
+        width: usize,
+        height: usize,
+        index: impl Fn(usize, usize) -> u8 + Sync,
+    ) -> Self {
+        let pixels = (0..width * height)
+            .into_par_iter()
+            .with_min_len(4096)
+            .map(|i| index(i % width, i / width))
+            .collect();
+        Picture {
+            width,
+            height,
+            pixels,
+        }
+    }
+
+    /// As a PNG in a `data:` address; empty when there is no pixel or the encoder refuses.
+    pub(super) fn data_uri(&self, palette: &[Colour]) -> String {
+        let mut text = String::from("data:image/png;base64,");
+        match self.png(palette) {
+            Ok(bytes) => {
+                base64(&bytes, &mut text);
+                text
+            }
+            Err(_) => String::from("data:,"),
+        }
+    }
+
+    fn png(&self, palette: &[Colour]) -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_palette(
+            palette
+                .iter()
+                .flat_map(|c| [c[0], c[1], c[2]])
+                .collect::<Vec<u8>>(),
+        );
+        encoder.set_trns(palette.iter().map(|c| c[3]).collect::<Vec<u8>>());
+        // Neighbouring indices are no neighbouring numbers: prediction does not help
+        encoder.set_filter(png::Filter::NoFilter);
+        encoder.set_compression(png::Compression::High);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&self.pixels)?;
+        writer.finish()?;
+        Ok(bytes)
+    }
+}
+
+/// Whole factor by which an edge is reduced so that it has at most `most` pixels.
+pub(super) fn reduction(width: usize, height: usize, most: usize) -> usize {
+    width.max(height).div_ceil(most.max(1)).max(1)
+}
+
+fn base64(bytes: &[u8], out: &mut String) {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    out.reserve(bytes.len().div_ceil(3) * 4);
+    for group in bytes.chunks(3) {
+        let word =
+            group.iter().fold(0u32, |w, &b| w << 8 | u32::from(b)) << (8 * (3 - group.len()));
+        for i in 0..4 {
+            out.push(if i <= group.len() {
+                char::from(DIGITS[(word >> (18 - 6 * i) & 63) as usize])
+            } else {
+                '='
+            });
+        }
+    }
+}
+
+/// `#rrggbb`.
+pub(super) fn hex(colour: Colour) -> String {
+    let mut text = String::from("#");
+    for channel in &colour[..3] {
+        // Writing into a string cannot fail
+        let _ = write!(text, "{channel:02x}");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_of_the_standard_examples() {
+        for (bytes, text) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            let mut out = String::new();
+            base64(bytes.as_bytes(), &mut out);
+            assert_eq!(out, text);
+        }
+    }
+
+    #[test]
+    fn a_picture_comes_back_with_its_colours() {
+        let picture = Picture::new(3, 2, |x, y| (x + 3 * y) as u8);
+        let palette: Vec<Colour> = (0..6)
+            .map(|i| [i * 40, 255 - i * 40, 7, if i == 0 { 0 } else { 255 }])
+            .collect();
+        let bytes = picture.png(&palette).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(pixels, palette.as_flattened());
+    }
+
+    #[test]
+    fn colour_maps_run_from_dark_to_bright() {
+        for map in [viridis, inferno] {
+            let light = |t| map(t)[..3].iter().map(|&c| u32::from(c)).sum::<u32>();
+            assert!(
+                (0..20).all(|i| light(f64::from(i) / 20.0) < light(f64::from(i + 1) / 20.0) + 12)
+            );
+            assert!(light(0.0) < 170 && light(1.0) > 450);
+            assert_eq!(map(-1.0), map(0.0));
+            assert_eq!(map(9.0), map(1.0));
+        }
+        assert_eq!(hex(viridis(0.0)), "#440154");
+    }
+
+    #[test]
+    fn large_edges_are_reduced_to_fit() {
+        assert_eq!(reduction(480, 100, 480), 1);
+        assert_eq!(reduction(100, 481, 480), 2);
+        assert_eq!(reduction(0, 0, 480), 1);
+    }
+}

@@ -1,0 +1,114 @@
+//! A spur gear with a bore.
+//!
+//! Tip diameter `size`, module m = size/(teeth + 2), teeth 2.25·m deep (the standard full depth) with straight flanks that
+//! leave half of the pitch circle to the teeth: a tooth is 0.72 of its pitch wide at the root circle and 0.28 at the tip.
+//! Volume: area of the [wheel](super::wheel) minus the bore, times the height.
+//!
+//! ```
+//! use tomolith::{kind::Section, target::{Placement, Shape, phantom::Phantom}};
+//! let section = Section::new("target.phantom", serde_json::json!("gear"));
+//! let gear = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let volume = gear.volume_mm3().unwrap();
+//! // Between the discs of the root circle (radius 3 − 2.25·6/14 = 2.036) and of the tip circle, less a bore of 2 mm
+//! assert!(volume > 3.0 * 3.1416 * (2.036f64.powi(2) - 1.0) && volume < 3.0 * 3.1416 * (9.0 - 1.0));
+//! ```
+
+use super::wheel::Wheel;
+use super::{Body, BuildForm, Form, Prism, positive, rims};
+use crate::error::{Error, Result};
+use crate::kind::{Kind, Section};
+use crate::units::Mm;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "gear",
+    summary: "A spur gear with a bore",
+    example: "[target]\nphantom.gear = { size_mm = 6.0, height_mm = 3.0, teeth = 12, bore_mm = 2.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the gear.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Diameter over the tips of the teeth, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Number of teeth (4 to 500)
+    teeth: u32,
+    /// Diameter of the bore, mm (≥ 0, less than the root circle)
+    bore_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(6.0),
+            height_mm: Mm(3.0),
+            teeth: 12,
+            bore_mm: Mm(2.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
+    )?;
+    let refused = |key: &str, found: String, accepted: &str| {
+        Err(Error::config(key, found, accepted).under(&section.path))
+    };
+    if !(4..=500).contains(&p.teeth) {
+        return refused(
+            "teeth",
+            p.teeth.to_string(),
+            "a number of teeth from 4 to 500",
+        );
+    }
+    let tip = p.size_mm.0 / 2.0;
+    let module = p.size_mm.0 / f64::from(p.teeth + 2);
+    let half_pitch = PI / f64::from(p.teeth);
+    let wheel = Wheel {
+        count: p.teeth,
+        root: tip - 2.25 * module,
+        tip,
+        root_angle: 0.72 * half_pitch,
+        tip_angle: 0.28 * half_pitch,
+    };
+    let bore = p.bore_mm.0 / 2.0;
+    if !(bore >= 0.0 && bore < wheel.root) {
+        return refused(
+            "bore_mm",
+            format!(
+                "{} mm in a root circle of {:.3} mm",
+                p.bore_mm.0,
+                2.0 * wheel.root
+            ),
+            "a diameter ≥ 0 below the root circle",
+        );
+    }
+    let half = p.height_mm.0 / 2.0;
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |p| {
+                // Without a bore the axis is no wall
+                let hole = if bore > 0.0 {
+                    bore - p[0].hypot(p[1])
+                } else {
+                    f64::NEG_INFINITY
+                };
+                wheel.distance(p).max(hole)
+            }),
+            z: [-half, half],
+        }]),
+        hull: rims(tip, [-half, half]),
+        round: 0.0,
+        volume_mm3: Some((wheel.area() - PI * bore * bore) * 2.0 * half),
+    })
+}

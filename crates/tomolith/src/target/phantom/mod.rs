@@ -1,0 +1,334 @@
+//! Phantoms: parts by formula.
+//!
+//! *What must it do, and who does it.* A phantom is a [`Form`]: a distance to its surface, the points that span it, and
+//! its volume where a closed form is known. [`PHANTOMS`] is the table; [`sampling`] turns a form into inside fractions.
+
+mod box_with_hole;
+mod chiral;
+mod cylinder;
+mod gear;
+mod gyroid;
+pub mod sampling;
+mod siemens_star;
+mod sphere;
+mod wheel;
+
+use super::Shape;
+use super::placing::{Map, Placement, bounds};
+use crate::error::{Error, Result};
+use crate::grid::{Volume, VolumeGrid};
+use crate::kind::{Kind, Section};
+use crate::units::Mm;
+
+/// Signed distance to an outline in the plane, mm: negative inside, growing by at most 1 per mm.
+pub type Outline = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
+
+/// Signed distance to a surface, mm: negative inside, growing by at most 1 per mm.
+pub type Surface = Box<dyn Fn([f64; 3]) -> f64 + Send + Sync>;
+
+/// An outline drawn from the height `z[0]` to `z[1]`.
+pub struct Prism {
+    /// The outline.
+    pub outline: Outline,
+    /// Lower and upper end, mm.
+    pub z: [f64; 2],
+}
+
+/// What fills the form.
+pub enum Body {
+    /// The union of prisms; where two share heights, one outline lies in the other.
+    Prisms(Vec<Prism>),
+    /// The inside of a surface.
+    Solid(Surface),
+}
+
+/// A part by formula, in a frame of its own.
+pub struct Form {
+    /// What fills it.
+    pub body: Body,
+    /// Points whose convex hull, widened by `round`, has the form's box whichever way it is turned.
+    pub hull: Vec<[f64; 3]>,
+    /// Radius of a ball about every hull point, mm.
+    pub round: f64,
+    /// Its volume, where a closed form is known, mm³.
+    pub volume_mm3: Option<f64>,
+}
+
+/// Builds a form from its section.
+pub type BuildForm = fn(&Section) -> Result<Form>;
+
+/// Every phantom.
+pub static PHANTOMS: &[Kind<BuildForm>] = &[
+    cylinder::KIND,
+    sphere::KIND,
+    box_with_hole::KIND,
+    gear::KIND,
+    siemens_star::KIND,
+    gyroid::KIND,
+    chiral::KIND,
+];
+
+/// A placed form.
+pub struct Phantom {
+    name: &'static str,
+    form: Form,
+    map: Map,
+    bounds_mm: [[f64; 3]; 2],
+}
+
+impl std::fmt::Debug for Phantom {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Phantom")
+            .field("name", &self.name)
+            .field("map", &self.map)
+            .field("bounds_mm", &self.bounds_mm)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Phantom {
+    /// The phantom named in `section` (a name, or a table `{gear = {…}}`), placed; errors of the placement name keys
+    /// under `target`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when the name or a parameter is not accepted.
+    pub fn build(section: &Section, placement: &Placement, target: &str) -> Result<Self> {
+        let (kind, parameters) = section.kind(PHANTOMS)?;
+        let form = (kind.build)(&parameters)?;
+        let map = placement.map(&form.hull, form.round, target)?;
+        let bounds_mm = bounds(
+            form.hull.iter().map(|&p| map.apply(p)),
+            form.round * map.scale,
+        );
+        Ok(Phantom {
+            name: kind.name,
+            form,
+            map,
+            bounds_mm,
+        })
+    }
+
+    /// Its name in the table.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
+impl Shape for Phantom {
+    fn bounds_mm(&self) -> [[f64; 3]; 2] {
+        self.bounds_mm
+    }
+
+    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
+        sampling::inside_fractions(&self.form.body, &self.map, grid)
+    }
+
+    fn volume_mm3(&self) -> Option<f64> {
+        self.form.volume_mm3.map(|v| v * self.map.scale.powi(3))
+    }
+}
+
+/// Refuses lengths that are not positive.
+fn positive(section: &Section, lengths: &[(&str, Mm)]) -> Result<()> {
+    for &(key, Mm(value)) in lengths {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(
+                Error::config(key, format!("{value} mm"), "a length > 0").under(&section.path)
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Points on two circles about the z axis, a degree apart, for the hull of something round.
+fn rims(radius: f64, z: [f64; 2]) -> Vec<[f64; 3]> {
+    (0..720)
+        .map(|i| {
+            let (sin, cos) = f64::from(i % 360).to_radians().sin_cos();
+            [radius * cos, radius * sin, z[(i / 360) as usize]]
+        })
+        .collect()
+}
+
+/// The corners of a box about the origin.
+fn corners([x, y, z]: [f64; 3]) -> Vec<[f64; 3]> {
+    (0..8)
+        .map(|i| {
+            let side = |bit: i32, half: f64| if i & bit == 0 { -half } else { half };
+            [side(1, x), side(2, y), side(4, z)]
+        })
+        .collect()
+}
+
+/// Signed distance to a rectangle with half edges `half` about `center`.
+fn rectangle(p: [f64; 2], center: [f64; 2], half: [f64; 2]) -> f64 {
+    let d = [0, 1].map(|i| (p[i] - center[i]).abs() - half[i]);
+    let outside = d[0].max(0.0).hypot(d[1].max(0.0));
+    outside + d[0].max(d[1]).min(0.0)
+}
+
+/// Signed distance to a box with half edges `half` about the origin.
+fn cuboid(p: [f64; 3], half: [f64; 3]) -> f64 {
+    let d: [f64; 3] = std::array::from_fn(|i| p[i].abs() - half[i]);
+    let outside = d.iter().map(|v| v.max(0.0).powi(2)).sum::<f64>().sqrt();
+    outside + d[0].max(d[1]).max(d[2]).min(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::target::Resolution;
+    use crate::target::default_grid;
+    use serde_json::json;
+
+    fn phantom(value: serde_json::Value, placement: &Placement) -> Phantom {
+        Phantom::build(&Section::new("target.phantom", value), placement, "target").unwrap()
+    }
+
+    fn sampled_volume(shape: &dyn Shape, longest: usize) -> f64 {
+        let grid = default_grid(shape.bounds_mm(), Resolution::Shape([longest; 3])).unwrap();
+        let volume = shape.sample(&grid).unwrap();
+        assert!(volume.values.iter().all(|v| (0.0..=1.0).contains(v)));
+        volume.values.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
+    }
+
+    #[test]
+    fn every_phantom_has_its_closed_volume_upright_and_tilted() {
+        let tilted = Placement {
+            rotate_deg: [33.0, 21.0, 10.0],
+            scale: Some(1.3),
+            ..Placement::default()
+        };
+        for kind in PHANTOMS {
+            for placement in [Placement::default(), tilted] {
+                let shape = phantom(json!(kind.name), &placement);
+                let coarse = sampled_volume(&shape, 40);
+                let fine = sampled_volume(&shape, 80);
+                let exact = shape.volume_mm3().unwrap_or(fine);
+                let (e1, e2) = (coarse / exact - 1.0, fine / exact - 1.0);
+                assert!(
+                    e1.abs() < 4e-3 && e2.abs() < 1e-3,
+                    "{}: {e1:e}, {e2:e}",
+                    kind.name
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn no_phantom_leaves_its_box() {
+        let placement = Placement {
+            rotate_deg: [25.0, 40.0, -15.0],
+            ..Placement::default()
+        };
+        for kind in PHANTOMS {
+            let shape = phantom(json!(kind.name), &placement);
+            let [low, high] = shape.bounds_mm();
+            let grid = default_grid([low, high], Resolution::Shape([36; 3])).unwrap();
+            let volume = shape.sample(&grid).unwrap();
+            let half = grid.pitch_mm / 2.0;
+            // The rims of round parts are polygons of 360 corners: they miss the circle by 4e-5 of the radius
+            let slack = half + 1e-3;
+            for iz in 0..grid.shape[0] {
+                for iy in 0..grid.shape[1] {
+                    for ix in 0..grid.shape[2] {
+                        let p = [grid.x(ix), grid.y(iy), grid.z(iz)];
+                        let out = (0..3).any(|i| p[i] < low[i] - slack || p[i] > high[i] + slack);
+                        assert!(
+                            !out || *volume.at(iz, iy, ix) == 0.0,
+                            "{} at {p:?}",
+                            kind.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bad_parameters_name_their_key() {
+        for (value, start) in [
+            (json!({"gear": {"teeth": 2}}), "target.phantom.gear.teeth"),
+            (
+                json!({"gear": {"bore_mm": 9.0}}),
+                "target.phantom.gear.bore_mm",
+            ),
+            (
+                json!({"sphere": {"size_mm": -1}}),
+                "target.phantom.sphere.size_mm",
+            ),
+            (
+                json!({"sphere": {"radius": 1}}),
+                "target.phantom.sphere.radius",
+            ),
+            (json!("gaer"), "target.phantom.gaer: unknown kind `gaer`"),
+            (
+                json!({"gyroid": {"cells": 0}}),
+                "target.phantom.gyroid.cells",
+            ),
+            (
+                json!({"box_with_hole": {"hole_mm": 7}}),
+                "target.phantom.box_with_hole.hole_mm",
+            ),
+            (
+                json!({"siemens_star": {"hub_mm": 7}}),
+                "target.phantom.siemens_star.hub_mm",
+            ),
+        ] {
+            let section = Section::new("target.phantom", value);
+            let text = Phantom::build(&section, &Placement::default(), "target")
+                .unwrap_err()
+                .to_string();
+            assert!(text.starts_with(start), "{text}");
+        }
+    }
+
+    #[test]
+    fn every_example_builds() {
+        for kind in PHANTOMS {
+            let table: toml::Table = kind.example.parse().unwrap();
+            let value = serde_json::to_value(&table["target"]["phantom"]).unwrap();
+            phantom(value, &Placement::default());
+        }
+    }
+
+    #[test]
+    fn the_chiral_part_differs_from_its_mirror_image_in_every_turn() {
+        let turned = |rotate_deg| {
+            let shape = phantom(
+                json!("chiral"),
+                &Placement {
+                    rotate_deg,
+                    ..Placement::default()
+                },
+            );
+            let grid = VolumeGrid::centered([32, 32, 32], 0.25);
+            shape.sample(&grid).unwrap()
+        };
+        let part = turned([0.0; 3]);
+        let solid: f64 = part.values.iter().map(|&v| f64::from(v)).sum();
+        let mirrored = |iz: usize, iy: usize, ix: usize| *part.at(iz, iy, 31 - ix);
+        for rx in [0.0, 90.0, 180.0, 270.0] {
+            for ry in [0.0, 90.0, 180.0, 270.0] {
+                for rz in [0.0, 90.0, 180.0, 270.0] {
+                    let other = turned([rx, ry, rz]);
+                    let mut difference = 0.0;
+                    for iz in 0..32 {
+                        for iy in 0..32 {
+                            for ix in 0..32 {
+                                difference +=
+                                    f64::from((other.at(iz, iy, ix) - mirrored(iz, iy, ix)).abs());
+                            }
+                        }
+                    }
+                    assert!(
+                        difference > 0.1 * solid,
+                        "{rx} {ry} {rz}: {}",
+                        difference / solid
+                    );
+                }
+            }
+        }
+    }
+}
