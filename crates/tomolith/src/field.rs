@@ -16,6 +16,7 @@
 //! assert_eq!(x.dot(&y), 3.0 * 2.0 * 3.0); // three elements, 2·3 each
 //! ```
 
+pub(crate) mod group;
 mod pairs;
 
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};

@@ -2,8 +2,11 @@
 
 use crate::error::Result;
 use crate::field::{Field, HostField};
-use crate::grid::{PatternGrid, Volume, VolumeGrid};
+#[cfg(test)]
+use crate::grid::Volume;
+use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
+#[cfg(test)]
 use crate::target::{Target, label, label_voxels};
 use std::ops::Range;
 
@@ -75,6 +78,7 @@ impl SmallModel {
     }
 
     /// A ring with three notches, and its labels within the inscribed circle.
+    #[cfg(test)]
     pub(crate) fn ring(&self) -> (Target, Volume<u8>) {
         let grid = self.layout().grid.clone();
         let n = grid.shape[1] as f64;

@@ -47,11 +47,13 @@
 
 use super::Objective;
 use crate::error::{Error, Result};
+use crate::field::group::Group;
 use crate::field::{BLOCK, Field, HostField, LANES, Lanes};
 use crate::response::Response;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
+use wide::f32x8;
 
 /// For p < 1: below this distance from the band the power is replaced by its chord.
 pub const CHORD: f32 = 1e-4;
@@ -323,23 +325,26 @@ impl BandObjective {
         }
     }
 
-    /// S over a chunk of doses that begins at `group`; `doses` become responses, and `slopes` becomes ∂S/∂d.
+    /// S over a chunk of doses that begins at `group`; `slopes` becomes ∂S/∂d.
     #[inline]
-    fn chunk(&self, group: usize, doses: &mut [Lanes], slopes: &mut [Lanes]) -> f64 {
-        let mut inner = [Lanes::default(); CHUNK];
-        let identity = self.response.is_identity();
-        if !identity {
-            for (doses, inner) in doses.iter_mut().zip(&mut inner) {
-                self.response.lanes(doses, inner);
-            }
+    fn chunk(&self, group: usize, doses: &[Lanes], slopes: &mut [Lanes]) -> f64 {
+        if self.response.is_identity() {
+            return self.penalty(group, doses, slopes);
         }
-        let sum = self.penalty(group, doses, slopes);
-        if !identity {
-            for (slopes, inner) in slopes.iter_mut().zip(&inner) {
-                for (slope, inner) in slopes.0.iter_mut().zip(&inner.0) {
-                    *slope *= inner;
-                }
-            }
+        let mut responses = [Lanes::default(); CHUNK];
+        let mut inner = [Lanes::default(); CHUNK];
+        let responses = &mut responses[..doses.len()];
+        responses.copy_from_slice(doses);
+        for (response, inner) in responses.iter_mut().zip(&mut inner) {
+            self.response.lanes(response, inner);
+        }
+        let sum = self.penalty(group, responses, slopes);
+        for (slope, inner) in slopes.iter_mut().zip(&inner) {
+            slope
+                .0
+                .iter_mut()
+                .zip(&inner.0)
+                .for_each(|(slope, inner)| *slope *= inner);
         }
         sum
     }
@@ -361,9 +366,9 @@ const CHUNK: usize = 32;
 /// Groups of sixteen per block of a parallel loop.
 const GROUPS: usize = BLOCK / LANES;
 
-/// One term w·e^p and its derivative, for a signed distance r from the band (e = |r|).
+/// Terms w·|r|^p and their derivatives, for signed distances r from the band.
 trait Penalty: Copy + Sync {
-    fn at(self, distance: f32, weight: f32) -> (f32, f32);
+    fn at(self, distance: f32x8, weight: f32x8) -> (f32x8, f32x8);
 }
 
 #[derive(Clone, Copy)]
@@ -371,9 +376,9 @@ struct Square;
 
 impl Penalty for Square {
     #[inline(always)]
-    fn at(self, distance: f32, weight: f32) -> (f32, f32) {
+    fn at(self, distance: f32x8, weight: f32x8) -> (f32x8, f32x8) {
         let slope = weight * distance;
-        (slope * distance, 2.0 * slope)
+        (slope * distance, slope + slope)
     }
 }
 
@@ -382,13 +387,11 @@ struct Distance;
 
 impl Penalty for Distance {
     #[inline(always)]
-    fn at(self, distance: f32, weight: f32) -> (f32, f32) {
-        let slope = if distance == 0.0 {
-            0.0
-        } else {
-            weight.copysign(distance)
-        };
-        (weight * distance.abs(), slope)
+    fn at(self, distance: f32x8, weight: f32x8) -> (f32x8, f32x8) {
+        let zero = f32x8::ZERO;
+        let rise = distance.simd_gt(zero) & weight;
+        let fall = distance.simd_lt(zero) & weight;
+        (weight * distance.abs(), rise - fall)
     }
 }
 
@@ -404,76 +407,75 @@ impl Power {
         let chord = if p < 1.0 { CHORD } else { 0.0 };
         Power { p: p as f32, chord }
     }
+
+    fn one(self, distance: f32, weight: f32) -> (f32, f32) {
+        let e = distance.abs();
+        if e == 0.0 || weight == 0.0 {
+            return (weight * e, 0.0);
+        }
+        // `max` hides a NaN; the distance brings it back
+        let rise = e.max(self.chord).powf(self.p - 1.0);
+        let slope = if e < self.chord { rise } else { self.p * rise };
+        (weight * rise * e, weight * slope.copysign(distance))
+    }
 }
 
 impl Penalty for Power {
-    #[inline(always)]
-    fn at(self, distance: f32, weight: f32) -> (f32, f32) {
-        let e = distance.abs();
-        if e == 0.0 {
-            return (0.0, 0.0);
-        }
-        let rise = e.max(self.chord).powf(self.p - 1.0);
-        let slope = if e < self.chord { rise } else { self.p * rise };
-        // Adding the distance itself keeps a NaN, which `max` would hide
+    fn at(self, distance: f32x8, weight: f32x8) -> (f32x8, f32x8) {
+        let (distance, weight) = (distance.to_array(), weight.to_array());
+        let terms: [(f32, f32); 8] = std::array::from_fn(|i| self.one(distance[i], weight[i]));
         (
-            weight * rise * e,
-            weight * slope.copysign(distance) + 0.0 * distance,
+            f32x8::from(terms.map(|t| t.0)),
+            f32x8::from(terms.map(|t| t.1)),
         )
     }
 }
 
 /// Sixteen bands.
-trait BandLanes {
-    fn at(&self, i: usize) -> Band;
+struct BandLanes {
+    lower: Group,
+    upper: Group,
+    weight: Group,
 }
 
-impl BandLanes for Band {
+impl BandLanes {
+    /// One band for all.
     #[inline(always)]
-    fn at(&self, _: usize) -> Band {
-        *self
+    fn alike(band: &Band) -> Self {
+        let all = |v: f32| Group([f32x8::splat(v); 2]);
+        BandLanes {
+            lower: all(band.lower),
+            upper: all(band.upper),
+            weight: all(band.weight),
+        }
     }
-}
 
-struct Mixed {
-    lower: [f32; LANES],
-    upper: [f32; LANES],
-    weight: [f32; LANES],
-}
-
-impl BandLanes for Mixed {
     #[inline(always)]
-    fn at(&self, i: usize) -> Band {
-        Band::new(self.lower[i], self.upper[i], self.weight[i])
+    fn mixed(band: impl Fn(usize) -> Band) -> Self {
+        let bands: [Band; LANES] = std::array::from_fn(band);
+        BandLanes {
+            lower: Group::of(&bands.map(|b| b.lower)),
+            upper: Group::of(&bands.map(|b| b.upper)),
+            weight: Group::of(&bands.map(|b| b.weight)),
+        }
     }
-}
 
-/// Adds the penalties of sixteen voxels to eight running sums, and their derivatives to `slope`.
-#[inline(always)]
-fn add_lanes(
-    bands: &impl BandLanes,
-    m: &Lanes,
-    slope: &mut Lanes,
-    sums: &mut [f64; 8],
-    penalty: impl Penalty,
-) {
-    let mut values = [0.0f32; LANES];
-    for i in 0..LANES {
-        let band = bands.at(i);
-        // Comparisons that let a NaN through, which f32::max would hide
-        let above = m.0[i] - band.upper;
-        let above = if above < 0.0 { 0.0 } else { above };
-        let below = band.lower - m.0[i];
-        let below = if below < 0.0 { 0.0 } else { below };
-        let (value, rise) = penalty.at(above - below, band.weight);
-        values[i] = value;
-        slope.0[i] += rise;
-    }
-    for i in 0..8 {
-        sums[i] += f64::from(values[i]);
-    }
-    for i in 0..8 {
-        sums[i] += f64::from(values[i + 8]);
+    /// Adds the penalties of sixteen voxels to eight running sums; gives their derivatives.
+    #[inline(always)]
+    fn penalize(&self, m: Group, sums: &mut [f64; 8], penalty: impl Penalty) -> Group {
+        let zero = f32x8::ZERO;
+        let [(value0, slope0), (value1, slope1)] = [0, 1].map(|half| {
+            let m = m.0[half];
+            let above = (m - self.upper.0[half]).fast_max(zero);
+            let below = (self.lower.0[half] - m).fast_max(zero);
+            // The last term is 0, but not for a NaN, which the others may have lost
+            penalty.at(above - below + m * zero, self.weight.0[half])
+        });
+        let values = (value0 + value1).to_array();
+        for i in 0..8 {
+            sums[i] += f64::from(values[i]);
+        }
+        Group([slope0, slope1])
     }
 }
 
@@ -488,26 +490,31 @@ impl Bands {
     ) -> f64 {
         let mut sums = [0.0f64; 8];
         let range = group * LANES..(group + responses.len()) * LANES;
-        let lanes = responses.iter().zip(slopes.iter_mut());
+        let lanes = responses
+            .iter()
+            .map(|m| Group::of(&m.0))
+            .zip(slopes.iter_mut());
         match self {
             Bands::Labels { labels, table } => {
                 let labels = labels[range].as_chunks::<LANES>().0;
                 for ((m, slope), labels) in lanes.zip(labels) {
-                    *slope = Lanes::default();
-                    if u128::from_le_bytes(*labels) == u128::from(labels[0]) * EVERY_BYTE {
-                        let band = table[usize::from(labels[0])];
-                        if band.weight != 0.0 {
-                            add_lanes(&band, m, slope, &mut sums, penalty);
-                        }
+                    let band = &table[usize::from(labels[0])];
+                    *slope = if u128::from_le_bytes(*labels) != u128::from(labels[0]) * EVERY_BYTE {
+                        let bands = BandLanes::mixed(|i| table[usize::from(labels[i])]);
+                        Lanes(bands.penalize(m, &mut sums, penalty).to_array())
+                    } else if band.weight != 0.0 {
+                        Lanes(
+                            BandLanes::alike(band)
+                                .penalize(m, &mut sums, penalty)
+                                .to_array(),
+                        )
                     } else {
-                        let bands = Mixed::of(|i| table[usize::from(labels[i])]);
-                        add_lanes(&bands, m, slope, &mut sums, penalty);
-                    }
+                        Lanes::default()
+                    };
                 }
             }
             Bands::Shared { inside, part, void } => {
                 for ((m, slope), shares) in lanes.zip(inside[range].as_chunks::<LANES>().0) {
-                    *slope = Lanes::default();
                     let share = |i: usize, band: &Band, s: fn(f32) -> f32| {
                         let counts = shares[i] >= 0.0;
                         band.weighing(if counts {
@@ -516,10 +523,11 @@ impl Bands {
                             0.0
                         })
                     };
-                    let parts = Mixed::of(|i| share(i, part, |s| s));
-                    add_lanes(&parts, m, slope, &mut sums, penalty);
-                    let voids = Mixed::of(|i| share(i, void, |s| 1.0 - s));
-                    add_lanes(&voids, m, slope, &mut sums, penalty);
+                    let parts = BandLanes::mixed(|i| share(i, part, |s| s));
+                    let voids = BandLanes::mixed(|i| share(i, void, |s| 1.0 - s));
+                    let rise = parts.penalize(m, &mut sums, penalty);
+                    let both = rise.zip(voids.penalize(m, &mut sums, penalty), |a, b| a + b);
+                    *slope = Lanes(both.to_array());
                 }
             }
             Bands::Voxels {
@@ -530,14 +538,13 @@ impl Bands {
                 let arrays =
                     [lower, upper, weight].map(|a| a[range.clone()].as_chunks::<LANES>().0);
                 for (k, (m, slope)) in lanes.enumerate() {
-                    *slope = Lanes::default();
-                    let [lower, upper, weight] = arrays.map(|a| a[k]);
-                    let bands = Mixed {
+                    let [lower, upper, weight] = arrays.map(|a| Group::of(&a[k]));
+                    let bands = BandLanes {
                         lower,
                         upper,
                         weight,
                     };
-                    add_lanes(&bands, m, slope, &mut sums, penalty);
+                    *slope = Lanes(bands.penalize(m, &mut sums, penalty).to_array());
                 }
             }
         }
@@ -548,30 +555,19 @@ impl Bands {
 /// A 1 in every byte: times a byte, it is sixteen of them.
 const EVERY_BYTE: u128 = u128::MAX / 255;
 
-impl Mixed {
-    #[inline(always)]
-    fn of(band: impl Fn(usize) -> Band) -> Self {
-        let bands: [Band; LANES] = std::array::from_fn(band);
-        Mixed {
-            lower: bands.map(|b| b.lower),
-            upper: bands.map(|b| b.upper),
-            weight: bands.map(|b| b.weight),
-        }
-    }
-}
-
 /// Sums of blocks, added in order: the result does not depend on how many threads there are.
 fn in_order(partial: impl IndexedParallelIterator<Item = f64>) -> f64 {
     partial.collect::<Vec<f64>>().iter().sum()
 }
 
-/// dose + α·step of a chunk.
+/// dose ← dose + α·step
 #[inline]
-fn along(doses: &mut [Lanes], dose: &[Lanes], step: &[Lanes], alpha: f32) {
-    for ((out, dose), step) in doses.iter_mut().zip(dose).zip(step) {
-        for i in 0..LANES {
-            out.0[i] = dose.0[i] + alpha * step.0[i];
-        }
+fn move_by(dose: &mut [Lanes], step: &[Lanes], alpha: f32) {
+    for (dose, step) in dose.iter_mut().zip(step) {
+        dose.0
+            .iter_mut()
+            .zip(&step.0)
+            .for_each(|(dose, step)| *dose += alpha * step);
     }
 }
 
@@ -579,12 +575,10 @@ impl Objective<HostField> for BandObjective {
     fn value(&self, dose: &HostField) -> f64 {
         let blocks = dose.lanes()[self.groups()].par_chunks(GROUPS).enumerate();
         self.loss(in_order(blocks.map(|(b, block)| {
-            let (mut m, mut slopes) = ([Lanes::default(); CHUNK], [Lanes::default(); CHUNK]);
+            let mut slopes = [Lanes::default(); CHUNK];
             let mut sum = 0.0;
             for (c, dose) in block.chunks(CHUNK).enumerate() {
-                let n = dose.len();
-                m[..n].copy_from_slice(dose);
-                sum += self.chunk(b * GROUPS + c * CHUNK, &mut m[..n], &mut slopes[..n]);
+                sum += self.chunk(b * GROUPS + c * CHUNK, dose, &mut slopes[..dose.len()]);
             }
             sum
         })))
@@ -600,14 +594,10 @@ impl Objective<HostField> for BandObjective {
             .zip(grad.lanes_mut()[self.groups()].par_chunks_mut(GROUPS))
             .enumerate();
         let sum = in_order(blocks.map(|(b, (dose, grad))| {
-            let mut m = [Lanes::default(); CHUNK];
-            let mut sum = 0.0;
-            for (c, (dose, grad)) in dose.chunks(CHUNK).zip(grad.chunks_mut(CHUNK)).enumerate() {
-                let n = dose.len();
-                m[..n].copy_from_slice(dose);
-                sum += self.chunk(b * GROUPS + c * CHUNK, &mut m[..n], grad);
-            }
-            sum
+            let chunks = dose.chunks(CHUNK).zip(grad.chunks_mut(CHUNK)).enumerate();
+            let sum =
+                chunks.map(|(c, (dose, grad))| self.chunk(b * GROUPS + c * CHUNK, dose, grad));
+            sum.sum()
         }));
         self.finish(sum, grad)
     }
@@ -623,8 +613,9 @@ impl Objective<HostField> for BandObjective {
                 let (mut sum, mut slope) = (0.0, 0.0);
                 for (c, (dose, step)) in dose.chunks(CHUNK).zip(step.chunks(CHUNK)).enumerate() {
                     let n = dose.len();
-                    along(&mut m[..n], dose, step, alpha);
-                    sum += self.chunk(b * GROUPS + c * CHUNK, &mut m[..n], &mut slopes[..n]);
+                    m[..n].copy_from_slice(dose);
+                    move_by(&mut m[..n], step, alpha);
+                    sum += self.chunk(b * GROUPS + c * CHUNK, &m[..n], &mut slopes[..n]);
                     slope += dot(&slopes[..n], step);
                 }
                 (sum, slope)
@@ -645,16 +636,15 @@ impl Objective<HostField> for BandObjective {
             .zip(step.lanes_mut()[self.groups()].par_chunks_mut(GROUPS))
             .enumerate();
         let sum = in_order(blocks.map(|(b, (dose, step))| {
-            let mut m = [Lanes::default(); CHUNK];
-            let mut sum = 0.0;
-            let chunks = dose.chunks_mut(CHUNK).zip(step.chunks_mut(CHUNK));
-            for (c, (dose, step)) in chunks.enumerate() {
-                let n = dose.len();
-                along(&mut m[..n], dose, step, alpha);
-                dose.copy_from_slice(&m[..n]);
-                sum += self.chunk(b * GROUPS + c * CHUNK, &mut m[..n], step);
-            }
-            sum
+            let chunks = dose
+                .chunks_mut(CHUNK)
+                .zip(step.chunks_mut(CHUNK))
+                .enumerate();
+            let sum = chunks.map(|(c, (dose, step))| {
+                move_by(dose, step, alpha);
+                self.chunk(b * GROUPS + c * CHUNK, dose, step)
+            });
+            sum.sum()
         }));
         self.finish(sum, step)
     }
@@ -676,8 +666,15 @@ impl BandObjective {
     }
 }
 
-/// Σ over a chunk, in f64.
+/// Σ aᵢ·bᵢ of a chunk: products in f32, the sum in f64.
 #[inline]
 fn dot(a: &[Lanes], b: &[Lanes]) -> f64 {
-    crate::field::dot_block(bytemuck::cast_slice(a), bytemuck::cast_slice(b))
+    let mut sums = [0.0f64; 8];
+    for (a, b) in a.iter().zip(b) {
+        let products = Group::of(&a.0).products(Group::of(&b.0)).to_array();
+        for i in 0..8 {
+            sums[i] += f64::from(products[i]);
+        }
+    }
+    sums.iter().sum()
 }
