@@ -4,10 +4,10 @@
 //!
 //! ```
 //! use tomolith::io::csv::{HistoryRow, history_text};
-//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: 1e-3, step: 1.0, forward_calls: 2, adjoint_calls: 2, seconds: 0.25 };
+//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: 1e-3, step: 1.0, forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None };
 //! assert_eq!(
 //!     history_text(&[row]),
-//!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds\n1,0.5,0.001,1,2,2,0.25\n"
+//!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n1,0.5,0.001,1,2,2,0.25,0.875,\n"
 //! );
 //! ```
 
@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// What is known after one iteration.
+/// What is known after one iteration. Metrics are measured as often as they cost little.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct HistoryRow {
     /// Iteration, 0 = the start.
@@ -34,26 +34,37 @@ pub struct HistoryRow {
     pub adjoint_calls: usize,
     /// Wall time since the start, s.
     pub seconds: f64,
+    /// Best IoU on the optimisation's own grid, where it was measured.
+    pub iou: Option<f64>,
+    /// Process window on the optimisation's own grid, where it was measured.
+    pub process_window: Option<f64>,
+}
+
+/// A number, or nothing where it was not measured.
+fn text_of(value: Option<f64>) -> String {
+    value.map(|v| v.to_string()).unwrap_or_default()
 }
 
 /// The table as text.
 #[must_use]
 pub fn history_text(rows: &[HistoryRow]) -> String {
     let mut text = String::from(
-        "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds\n",
+        "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n",
     );
     for r in rows {
         // Writing into a string cannot fail
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{}",
             r.iteration,
             r.loss,
             r.projected_gradient,
             r.step,
             r.forward_calls,
             r.adjoint_calls,
-            r.seconds
+            r.seconds,
+            text_of(r.iou),
+            text_of(r.process_window),
         );
     }
     text

@@ -35,6 +35,9 @@ pub struct Document {
     overrides: BTreeMap<String, String>,
 }
 
+/// What a target can be; a job names one of them.
+const TARGETS: [&str; 3] = ["mesh", "phantom", "image"];
+
 impl Document {
     /// Reads a file: JSON when its name ends in `.json`, TOML otherwise.
     ///
@@ -146,10 +149,27 @@ impl Document {
         };
         match insert(&mut self.root, &steps, value, "") {
             Ok(path) => {
+                self.replace_target(&path);
                 self.overrides.insert(path, assignment.to_owned());
                 Ok(())
             }
             Err(found) => refuse(&found),
+        }
+    }
+
+    /// A target given on the command line takes the place of the job's; its file is relative to the current folder.
+    fn replace_target(&mut self, path: &str) {
+        let Some(chosen) = TARGETS.iter().find(|name| path == format!("target.{name}")) else {
+            return;
+        };
+        let Some(Value::Object(target)) = self.root.get_mut("target") else {
+            return;
+        };
+        target.retain(|key, _| key == chosen || !TARGETS.contains(&key.as_str()));
+        if let Some(Value::String(file)) = target.get_mut(*chosen).filter(|_| *chosen != "phantom")
+            && let Ok(absolute) = std::path::absolute(&*file)
+        {
+            *file = absolute.to_string_lossy().into_owned();
         }
     }
 

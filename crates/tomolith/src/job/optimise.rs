@@ -14,8 +14,10 @@ use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
 };
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::time::Instant;
 
 /// What an optimisation came to.
 pub(crate) struct Optimised {
@@ -27,6 +29,26 @@ pub(crate) struct Optimised {
     pub(crate) model: String,
     /// Voxel-angle updates of one model call.
     pub(crate) updates: u64,
+    /// Metrics on the own grid, where they were measured.
+    qualities: Vec<Quality>,
+}
+
+impl Optimised {
+    /// The metrics after an iteration, where they were measured.
+    pub(crate) fn quality_at(&self, iteration: usize) -> Option<Quality> {
+        self.qualities
+            .iter()
+            .copied()
+            .find(|q| q.iteration == iteration)
+    }
+}
+
+/// Metrics after an iteration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quality {
+    iteration: usize,
+    pub(crate) iou: Option<f64>,
+    pub(crate) process_window: Option<f64>,
 }
 
 /// Runs the optimiser of a job, or goes on from the checkpoint in its folder.
@@ -89,10 +111,11 @@ pub(crate) fn optimise(
     let updates = model.updates();
     let mut watch = Watch {
         scene,
-        voxels,
-        layout: &model.outputs()[0],
         updates,
+        labels: model.outputs()[0].field_of(&voxels.labels),
         first: None,
+        qualities: Vec::new(),
+        measuring_s: 0.0,
         progress,
     };
     let ran = optimize::run(
@@ -103,6 +126,7 @@ pub(crate) fn optimise(
         Some(&mut checkpoints),
         &mut [&mut watch],
     );
+    let qualities = watch.qualities;
     let raw: Vec<Patterns> = model
         .patterns()
         .iter()
@@ -114,6 +138,7 @@ pub(crate) fn optimise(
             outcome,
             model: plan.reason,
             updates,
+            qualities,
         }),
         stopped => {
             keep(scene, &raw, &folder.checkpoint(), progress)?;
@@ -162,35 +187,69 @@ fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progr
     Ok(())
 }
 
-/// Tells progress, and stops at the loss or IoU that was asked for.
+/// Metrics may take this share of an optimisation's time.
+const MEASURING_SHARE: f64 = 0.02;
+
+/// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
 struct Watch<'a> {
     scene: &'a Scene,
-    voxels: &'a Voxels,
-    layout: &'a crate::models::DoseLayout,
     updates: u64,
+    /// Labels in the order of the dose field; the padding is outside.
+    labels: Vec<u8>,
     /// Norm of the first projected gradient.
     first: Option<f64>,
+    qualities: Vec<Quality>,
+    /// Time spent on metrics.
+    measuring_s: f64,
     progress: &'a mut dyn Progress,
 }
 
 impl Watch<'_> {
-    fn reached(&self, report: &StepReport<'_, HostField>) -> bool {
+    fn reached(&mut self, report: &StepReport<'_, HostField>) -> bool {
         let stop = &self.scene.spec.stop;
-        report.row.loss <= stop.loss
-            || stop
-                .iou
-                .is_some_and(|asked| self.iou(report.dose).is_some_and(|iou| iou >= asked))
+        let (loss, asked) = (stop.loss, stop.iou);
+        let quality = self.measure(report, asked.is_some());
+        let enough = asked
+            .zip(quality.and_then(|q| q.iou))
+            .is_some_and(|(asked, iou)| iou >= asked);
+        report.row.loss <= loss || enough
     }
 
-    fn iou(&self, dose: &HostField) -> Option<f64> {
-        let dose = self.layout.volume_of(dose.as_slice());
-        let response = self.scene.responses(dose).ok()?;
-        Some(
-            Scan::new(&self.voxels.labels.values, &response.values)
-                .ok()?
-                .best_plateau()?
-                .iou,
-        )
+    /// Metrics of the dose at hand: always when they decide, else as long as they cost little.
+    fn measure(&mut self, report: &StepReport<'_, HostField>, always: bool) -> Option<Quality> {
+        let elapsed = report.row.seconds;
+        let affordable = self.measuring_s <= MEASURING_SHARE * elapsed;
+        if !(always || affordable) {
+            return None;
+        }
+        let start = Instant::now();
+        let quality = self.quality(report.row.iteration, report.dose);
+        self.measuring_s += start.elapsed().as_secs_f64();
+        self.qualities.extend(quality);
+        quality
+    }
+
+    fn quality(&self, iteration: usize, dose: &HostField) -> Option<Quality> {
+        let response = self.scene.response().ok()?;
+        let values: Cow<'_, [f32]> = if response.is_identity() {
+            Cow::Borrowed(dose.as_slice())
+        } else {
+            Cow::Owned(
+                dose.as_slice()
+                    .par_iter()
+                    .map(|&d| response.value(d))
+                    .collect(),
+            )
+        };
+        let scan = Scan::new(&self.labels, &values).ok()?;
+        let (part, void) = (scan.part(), scan.void());
+        Some(Quality {
+            iteration,
+            iou: scan.best_plateau().map(|plateau| plateau.iou),
+            process_window: part
+                .zip(void)
+                .map(|(part, void)| f64::from(part.min) - f64::from(void.max)),
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use super::kinds::{Family, families, with_defaults};
-use super::spec::{Angles, JobSpec, ProjectorSpec};
+use super::spec::{Angles, JobSpec, ProjectorSpec, default_objective};
 use super::validate;
 use crate::error::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -94,6 +94,9 @@ impl Job {
         spec.response = with_defaults(pages("response"), &spec.response);
         spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
         spec.start = with_defaults(pages("start"), &spec.start);
+        if spec.objective.is_none() && spec.objectives.is_none() {
+            spec.objective = Some(default_objective());
+        }
         for objective in spec
             .objective
             .iter_mut()

@@ -44,7 +44,7 @@ pub struct JobSpec {
     pub vial: VialSpec,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
-    /// What is minimised: one kind, `[objective.KIND]`.
+    /// What is minimised: one kind, `[objective.KIND]`; `threshold` when there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objective: Option<Value>,
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
@@ -521,6 +521,11 @@ impl Angles {
     }
 }
 
+/// The objective of a job that names none: the threshold preset with its defaults.
+pub(crate) fn default_objective() -> Value {
+    Value::String("threshold".to_owned())
+}
+
 impl JobSpec {
     /// Reads the tables of a document; ranges are not checked yet.
     ///
@@ -546,7 +551,7 @@ impl JobSpec {
     /// The objectives, one section each, with their key paths.
     ///
     /// # Errors
-    /// [`Error::Config`] when there is none, or both `objective` and `objectives`.
+    /// [`Error::Config`] when `objectives` is empty, or both are given.
     pub fn objectives(&self) -> Result<Vec<Section>> {
         match (&self.objective, &self.objectives) {
             (Some(one), None) => Ok(vec![Section::new("objective", one.clone())]),
@@ -560,11 +565,12 @@ impl JobSpec {
                 "both `objective` and `objectives`",
                 "one of the two",
             )),
-            _ => Err(Error::config(
-                "objective",
-                "the key is missing",
-                "a table [objective.KIND], for example [objective.threshold]",
+            (None, Some(_)) => Err(Error::config(
+                "objectives",
+                "an empty list",
+                "at least one entry, or no such key",
             )),
+            (None, None) => Ok(vec![Section::new("objective", default_objective())]),
         }
     }
 

@@ -325,6 +325,10 @@ fn history(optimised: &Optimised) -> Vec<HistoryRow> {
         forward_calls: row.forward as usize,
         adjoint_calls: row.adjoint as usize,
         seconds: row.seconds,
+        iou: optimised.quality_at(row.iteration).and_then(|q| q.iou),
+        process_window: optimised
+            .quality_at(row.iteration)
+            .and_then(|q| q.process_window),
     };
     optimised.outcome.history.iter().map(row).collect()
 }

@@ -312,8 +312,19 @@ fn history(rows: &[HistoryRow]) -> String {
             "norm",
             series(rows, |r| r.projected_gradient),
         ),
+        (
+            "Voxels that would print wrongly",
+            "1 − IoU",
+            measured(rows, |r| r.iou.map(|v| 1.0 - v)),
+        ),
+        (
+            "Process window",
+            "response",
+            measured(rows, |r| r.process_window),
+        ),
     ]
     .iter()
+    .filter(|(_, _, points)| points.len() > 1)
     .map(|(title, label, points)| {
         format!(
             "<section><h2>{title}</h2>{}</section>",
@@ -337,6 +348,11 @@ fn series(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> f64) -> Vec<[f64; 
         .collect()
 }
 
+/// A series with gaps: metrics are not measured after every iteration.
+fn measured(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> Option<f64>) -> Vec<[f64; 2]> {
+    series(rows, |r| value(r).unwrap_or(f64::NAN))
+}
+
 fn history_plot(title: &str, label: &str, points: &[[f64; 2]]) -> String {
     let last = points.last().map_or(1.0, |p| p[0]);
     let positive = || points.iter().map(|p| p[1]).filter(|v| *v > 0.0);
@@ -344,11 +360,11 @@ fn history_plot(title: &str, label: &str, points: &[[f64; 2]]) -> String {
         positive().fold(f64::INFINITY, f64::min),
         positive().fold(0.0, f64::max),
     );
-    let y = if high > 0.0 {
+    let least = points.iter().map(|p| p[1]).fold(0.0, f64::min);
+    let y = if high > 0.0 && least >= 0.0 {
         Axis::log(label, low, high)
     } else {
-        let low = points.iter().map(|p| p[1]).fold(0.0, f64::min);
-        Axis::linear(label, low, 0.0)
+        Axis::linear(label, least, high)
     };
     let mut plot = Plot::new(
         Axis::linear("model calls (dose and pull-back)", 0.0, last),

@@ -1,6 +1,6 @@
 //! The inner loop: `out[z] += Σ weight · source[slot][z]` over a block of z lanes.
 //!
-//! Dose and adjoint both end here. A block of up to [`MAX_BLOCK`] × 16 lanes is held in registers while the sources
+//! Dose and adjoint both end here. A block of up to 16 × 16 lanes is held in registers while the sources
 //! stream by; per entry and 16 lanes that is one load and one fused multiply-add. The path is chosen at run time
 //! (AVX-512, AVX2 + FMA, NEON, plain); `TOMOLITH_ISA` = `avx512`, `avx2`, `neon` or `scalar` forces one.
 #![expect(
