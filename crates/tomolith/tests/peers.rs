@@ -1,6 +1,11 @@
 //! Dose volumes of another program, when they are at hand: `TOMOLITH_REFERENCE=folder cargo test --release --test peers --
 //! --ignored`. The numbers of a run are in docs/validation.md.
 
+#![expect(
+    clippy::print_stderr,
+    reason = "prints the numbers that go into docs/validation.md"
+)]
+
 use ndarray_npy::NpzReader;
 use std::fs::File;
 use std::path::PathBuf;

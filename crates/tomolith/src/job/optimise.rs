@@ -3,12 +3,13 @@
 use super::folder::RunFolder;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
+use super::spec::JobSpec;
 use crate::error::{Error, Result};
-use crate::field::{BLOCK, HostField};
+use crate::field::{BLOCK, Field, HostField};
 use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::scan::Scan;
-use crate::models::{Run, planner};
+use crate::models::{DoseModel, Run, planner};
 use crate::optimize::start::StartInput;
 use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
@@ -77,11 +78,8 @@ pub(crate) fn optimise(
     });
     let model = plan.model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
-    let limits = Limits {
-        min: spec.bounds.min,
-        max: spec.bounds.max.unwrap_or(f64::INFINITY),
-    };
-    let limits = vec![limits; spec.light.len()];
+    let start = starting_patterns(scene, voxels, model, cancel)?;
+    let limits = limits(spec, &start);
     let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
     let mut checkpoints = Checkpoints::new(
@@ -92,15 +90,7 @@ pub(crate) fn optimise(
     let mut x = if resumes(&checkpoints, resume, progress)? {
         model.new_patterns()?
     } else {
-        let (target, labels, response) = (&voxels.target, &voxels.labels, scene.response()?);
-        let input = StartInput {
-            model,
-            target,
-            labels,
-            response: response.as_ref(),
-            limits: &limits,
-        };
-        scene.start()?.patterns(&input, cancel)?
+        start
     };
 
     let stop = Stop {
@@ -145,6 +135,45 @@ pub(crate) fn optimise(
             Err(stopped.err().unwrap_or(Error::Cancelled))
         }
     }
+}
+
+/// Where the optimisation begins: within the bounds that the job gives.
+fn starting_patterns(
+    scene: &Scene,
+    voxels: &Voxels,
+    model: &dyn DoseModel<Field = HostField>,
+    cancel: &Run,
+) -> Result<HostField> {
+    let bounds = &scene.spec.bounds;
+    let limits = Limits {
+        min: bounds.min,
+        max: bounds.max.unwrap_or(f64::INFINITY),
+    };
+    let response = scene.response()?;
+    let input = StartInput {
+        model,
+        target: &voxels.target,
+        labels: &voxels.labels,
+        response: response.as_ref(),
+        limits: &vec![limits; scene.spec.light.len()],
+    };
+    scene.start()?.patterns(&input, cancel)
+}
+
+/// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
+/// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them.
+fn limits(spec: &JobSpec, start: &HostField) -> Vec<Limits> {
+    let largest = f64::from(start.max_abs());
+    let natural = if largest > spec.bounds.min {
+        largest
+    } else {
+        f64::INFINITY
+    };
+    let limits = Limits {
+        min: spec.bounds.min,
+        max: spec.bounds.max.unwrap_or(natural),
+    };
+    vec![limits; spec.light.len()]
 }
 
 /// Whether there is a checkpoint to go on from; it is removed when the run is not to be resumed.

@@ -218,7 +218,7 @@ pub enum Angles {
 pub struct BoundsSpec {
     /// Smallest value, ≥ 0.
     pub min: f64,
-    /// Largest value; none when left out.
+    /// Largest value; when left out, the largest pixel of the start (none for a dark start).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
 }

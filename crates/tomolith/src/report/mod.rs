@@ -182,7 +182,7 @@ mod tests {
                 adjoint_calls: i,
                 seconds: i as f64,
                 iou: Some(1.0 - 0.5f64.powi(1 + i as i32)),
-                process_window: (i % 2 == 0).then_some(0.01 * i as f64),
+                process_window: i.is_multiple_of(2).then_some(0.01 * i as f64),
             };
             Sample {
                 labels: Volume {
