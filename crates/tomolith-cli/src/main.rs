@@ -108,7 +108,7 @@ fn prepare(manner: Manner) -> Result<()> {
         return Ok(());
     };
     rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.get())
+        .num_threads(usize::from(threads))
         .build_global()
         .map_err(|e| {
             Error::config(
@@ -119,16 +119,15 @@ fn prepare(manner: Manner) -> Result<()> {
         })
 }
 
-/// The first Ctrl-C asks the run to stop cleanly, the second ends the process.
+/// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
 fn cancel_on_ctrl_c() -> Arc<Run> {
     let run = Arc::new(Run::new());
     let asked = Arc::clone(&run);
     // Without a handler Ctrl-C still ends the process, only less cleanly
     let _ = ctrlc::set_handler(move || {
-        if asked.is_cancelled() {
+        if asked.cancel() >= 2 {
             std::process::exit(i32::from(CANCELLED));
         }
-        asked.cancel();
     });
     run
 }

@@ -25,7 +25,7 @@ use std::f64::consts::TAU;
 pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
     if !(rpm.is_finite() && rpm > 0.0) {
         return Err(Error::config(
-            "printer.rpm",
+            "output.rpm",
             format!("found {rpm}"),
             "a finite number > 0, turns a minute",
         ));

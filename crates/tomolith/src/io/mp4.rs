@@ -87,7 +87,7 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64) -> Result<(
     set.check()?;
     if !(frame_rate.is_finite() && frame_rate > 0.0 && frame_rate <= 10_000.0) {
         return Err(Error::config(
-            "printer.rpm",
+            "output.rpm",
             format!("a movie of {frame_rate} frames a second"),
             "a rate > 0 and at most 10,000 frames a second",
         ));

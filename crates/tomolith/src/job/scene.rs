@@ -64,7 +64,8 @@ impl Scene {
         RunFolder::check(&job.folder())?;
         let optics = Optics::new(&spec)?;
         try_kinds(&spec)?;
-        let shape = target::build(&spec.target, &job.base(), "target")?;
+        let shape =
+            target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         optics.must_hold(shape.as_ref())?;
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -231,6 +232,29 @@ fn start(spec: &JobSpec) -> Result<Box<dyn Start>> {
     let section = Section::new("start", spec.start.clone());
     let (kind, inner) = section.kind(STARTS)?;
     (kind.build)(&inner)
+}
+
+/// Says which key named the file that could not be read.
+fn at_target(spec: &JobSpec, error: Error) -> Error {
+    let key = if spec.target.mesh.is_some() {
+        "target.mesh"
+    } else {
+        "target.image"
+    };
+    match error {
+        Error::Io { .. } => Error::config(key, error.to_string(), "a file that can be read"),
+        Error::Mesh { ref accepted, .. } | Error::Format { ref accepted, .. } => {
+            let accepted = accepted.clone();
+            let text = error.to_string();
+            let found = text
+                .split("; accepted: ")
+                .next()
+                .unwrap_or(&text)
+                .to_owned();
+            Error::config(key, found, accepted)
+        }
+        other => other,
+    }
 }
 
 fn objectives(spec: &JobSpec, input: &ObjectiveInput<'_>) -> Result<Sum<HostField>> {

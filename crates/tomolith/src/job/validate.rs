@@ -4,6 +4,11 @@ use super::spec::{Angles, JobSpec, LightSpec};
 use crate::error::{Error, Result};
 use std::collections::BTreeSet;
 
+/// Fastest turn of a vial, 1/min.
+const MOST_RPM: f64 = 1000.0;
+/// Strongest absorption, 1/mm: light is gone within a hundredth of a millimetre.
+const MOST_ABSORPTION: f64 = 100.0;
+
 /// Most pixels along an edge, most voxels along an edge.
 const LARGEST_EDGE: usize = 16_384;
 /// Most frames of a light.
@@ -56,6 +61,13 @@ fn resin(spec: &JobSpec) -> Result<()> {
         INDEX,
     )?;
     not_negative("resin.absorption_per_mm", resin.absorption_per_mm, "1/mm")?;
+    if resin.absorption_per_mm > MOST_ABSORPTION {
+        return Err(Error::config(
+            "resin.absorption_per_mm",
+            format!("found {}", resin.absorption_per_mm),
+            format!("at most {MOST_ABSORPTION} per mm: light must reach the part"),
+        ));
+    }
     if resin.absorption_per_mm == 0.0 && !resin.pure_radon {
         return Err(Error::config(
             "resin.absorption_per_mm",
@@ -232,6 +244,13 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
     })?;
     positive("output.rpm", spec.output.rpm, "turns per minute")?;
+    if spec.output.rpm > MOST_RPM {
+        return Err(Error::config(
+            "output.rpm",
+            format!("found {}", spec.output.rpm),
+            format!("at most {MOST_RPM} turns per minute"),
+        ));
+    }
     if spec
         .output
         .folder

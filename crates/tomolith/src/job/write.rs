@@ -300,10 +300,20 @@ fn movies(
     Ok(checks)
 }
 
-/// The predicted surface, from the dose on the optimisation's voxels at the threshold of the evaluation.
+/// Evaluations of more voxels than this print the mean dose of the optimisation's voxels: the surface itself would be a
+/// file of hundreds of MB.
+const LARGEST_PRINT: usize = 200_000_000;
+
+/// The predicted surface: the one that the evaluation measures, unless that is too large for a file.
 fn print(scene: &Scene, voxels: &Voxels, judged: &Judged, path: &Path) -> Result<()> {
-    let response = scene.responses(judged.dose.clone())?;
-    let mut print = Print::new(&voxels.labels, &response)?;
+    let mean;
+    let (labels, response) = if judged.response.grid.len() <= LARGEST_PRINT {
+        (&judged.fine.labels, &judged.response)
+    } else {
+        mean = scene.responses(judged.dose.clone())?;
+        (&voxels.labels, &mean)
+    };
+    let mut print = Print::new(labels, response)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }

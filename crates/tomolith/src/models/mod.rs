@@ -13,12 +13,16 @@ use crate::error::Result;
 use crate::field::Field;
 pub use layout::{DoseLayout, PatternLayout, Quantity};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 /// What long work carries along: a way to be stopped.
+///
+/// An optimisation is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
+/// one breaks into the step.
 #[derive(Debug, Default)]
 pub struct Run {
-    cancel: AtomicBool,
+    requests: AtomicU32,
+    patient: AtomicBool,
 }
 
 impl Run {
@@ -28,15 +32,31 @@ impl Run {
         Self::default()
     }
 
-    /// Asks everything that carries this run to stop soon.
-    pub fn cancel(&self) {
-        self.cancel.store(true, Ordering::Relaxed);
+    /// Asks everything that carries this run to stop soon; returns how often that was asked before.
+    pub fn cancel(&self) -> u32 {
+        self.requests.fetch_add(1, Ordering::Relaxed)
     }
 
     /// Whether a stop was asked for.
     #[must_use]
+    pub fn is_stop_asked(&self) -> bool {
+        self.requests.load(Ordering::Relaxed) > 0
+    }
+
+    /// Whether work must stop now, in the middle of what it does.
+    #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        self.cancel.load(Ordering::Relaxed)
+        let enough = if self.patient.load(Ordering::Relaxed) {
+            2
+        } else {
+            1
+        };
+        self.requests.load(Ordering::Relaxed) >= enough
+    }
+
+    /// Whether the first request may wait for the end of the step at hand.
+    pub fn set_patient(&self, patient: bool) {
+        self.patient.store(patient, Ordering::Relaxed);
     }
 }
 

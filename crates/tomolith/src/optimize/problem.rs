@@ -115,8 +115,13 @@ impl<'a, F: Field> Problem<'a, F> {
 
     /// Whether the user asked to stop.
     #[must_use]
-    pub fn is_cancelled(&self) -> bool {
-        self.run.is_cancelled()
+    pub fn is_stop_asked(&self) -> bool {
+        self.run.is_stop_asked()
+    }
+
+    /// Whether a first request to stop waits for the end of a step.
+    pub fn set_patient(&self, patient: bool) {
+        self.run.set_patient(patient);
     }
 
     /// F(x), counted.

@@ -164,12 +164,17 @@ pub fn run<F: Field>(
         });
     };
     let mut checkpoints = checkpoints;
+    problem.set_patient(true);
     let result = loop {
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
+            if let Some(checkpoints) = checkpoints.as_deref_mut() {
+                checkpoints.write(state.saved(problem, optimizer, x))?;
+            }
             break Ok(reason);
         }
         match state.step(problem, optimizer, x) {
             Ok(()) => {}
+            // A step that was broken into has lost the position: the last checkpoint stays
             Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
             Err(error) => break Err(error),
         }
@@ -177,12 +182,7 @@ pub fn run<F: Field>(
             checkpoints.write(state.saved(problem, optimizer, x))?;
         }
     };
-    // A cancelled step may have lost the position; the last whole checkpoint stays
-    if let (Some(checkpoints), Ok(reason)) = (checkpoints, &result)
-        && *reason != StopReason::Cancelled
-    {
-        checkpoints.write(state.saved(problem, optimizer, x))?;
-    }
+    problem.set_patient(false);
     if let Some(best) = state.best.take() {
         *x = best;
     }
@@ -304,7 +304,7 @@ impl<F: Field> State<F> {
         }
         let first = self.history.iter().find_map(|row| row.projected_gradient);
         let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
-        if problem.is_cancelled() {
+        if problem.is_stop_asked() {
             Some(StopReason::Cancelled)
         } else if row.loss == 0.0 {
             Some(StopReason::ZeroLoss)
