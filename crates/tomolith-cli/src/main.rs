@@ -13,6 +13,7 @@ use screen::{Screen, say};
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use tomolith::job::{self, Job};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
@@ -119,12 +120,23 @@ fn prepare(manner: Manner) -> Result<()> {
         })
 }
 
+/// Requests to stop that follow each other within this time are one.
+const ECHO: Duration = Duration::from_millis(300);
+
 /// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
 fn cancel_on_ctrl_c() -> Arc<Run> {
     let run = Arc::new(Run::new());
     let asked = Arc::clone(&run);
     // Without a handler Ctrl-C still ends the process, only less cleanly
+    let mut last: Option<Instant> = None;
     let _ = ctrlc::set_handler(move || {
+        // Shells and wrappers may deliver one request twice
+        if last
+            .replace(Instant::now())
+            .is_some_and(|before| before.elapsed() < ECHO)
+        {
+            return;
+        }
         if asked.cancel() >= 2 {
             std::process::exit(i32::from(CANCELLED));
         }
