@@ -5,7 +5,8 @@
 
 use super::build::Optics;
 use crate::error::Result;
-use crate::field::{Field, HostField, LANES};
+use crate::field::{Field, HostField};
+use crate::models::layout::row_of;
 use crate::grid::VolumeGrid;
 use crate::models::{Run, planner};
 use std::time::Instant;
@@ -84,12 +85,12 @@ impl Extent {
 
     fn lanes(&self, factor: usize) -> f64 {
         let [nz, ny, nx] = self.grid.shape.map(|n| n * factor);
-        (nz.next_multiple_of(LANES) * ny * nx) as f64
+        (row_of(nz) * ny * nx) as f64
     }
 
     /// Bytes of the pixels brought to the voxels' heights, which the model keeps between calls.
     fn scratch(&self, factor: usize) -> f64 {
-        (self.columns * (self.grid.shape[0] * factor).next_multiple_of(LANES) * 4) as f64
+        (self.columns * row_of(self.grid.shape[0] * factor) * 4) as f64
     }
 
     /// Memory of the optimisation, MB.

@@ -1,7 +1,7 @@
 //! How a model's fields are laid out, and the way to and from arrays in file order.
 //!
 //! Inside, z is the fastest axis: the geometry of one slice serves all heights, so a kernel walks along z. A dose field
-//! holds rows of lanes `[y][x][z]`, each row padded to a multiple of 16 floats (64 bytes). A pattern field holds only
+//! holds rows of lanes `[y][x][z]`, each row padded to whole vectors of 16 floats (64 bytes; see [`row_of`]). A pattern field holds only
 //! *active* pixels: for each (frame, column) one run of rows, from low z to high z.
 //!
 //! ```
@@ -30,6 +30,21 @@ pub enum Quantity {
     Amplitude,
 }
 
+/// Floats that a row of `nz` voxels takes: `nz` rounded up to whole vectors of 16, and long rows to an odd number of
+/// them. Rows a power of two apart would all compete for the same few sets of the caches.
+///
+/// ```
+/// use tomolith::models::layout::row_of;
+/// assert_eq!(row_of(20), 32); // two vectors
+/// assert_eq!(row_of(256), 272); // seventeen vectors instead of sixteen
+/// ```
+#[must_use]
+pub fn row_of(nz: usize) -> usize {
+    let vectors = nz.div_ceil(LANES);
+    let spread = vectors >= 8 && vectors.is_multiple_of(2);
+    (vectors + usize::from(spread)) * LANES
+}
+
 /// The dose of one species: where its voxels lie in the model's field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DoseLayout {
@@ -39,7 +54,7 @@ pub struct DoseLayout {
     pub grid: VolumeGrid,
     /// First element in the field.
     pub offset: usize,
-    /// Floats per (y, x) row: nz rounded up to a multiple of 16; the padding stays zero.
+    /// Floats per (y, x) row: [`row_of`] nz; the padding stays zero.
     pub row: usize,
 }
 
@@ -47,7 +62,7 @@ impl DoseLayout {
     /// The layout of a grid, starting at `offset`.
     #[must_use]
     pub fn new(species: &str, grid: VolumeGrid, offset: usize) -> Self {
-        let row = grid.shape[0].next_multiple_of(LANES);
+        let row = row_of(grid.shape[0]);
         DoseLayout {
             species: species.to_owned(),
             grid,

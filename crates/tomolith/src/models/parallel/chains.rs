@@ -146,6 +146,12 @@ pub(super) const GUARD: usize = MOST_TAPS;
 /// Strips that cover a voxel at most: the narrowest of a chain are [`NARROWEST_IN_CHAIN`] wide.
 const MOST_TAPS: usize = 5;
 
+/// Edge of a patch of voxels that are gathered one after the other: the columns of a few frames that light it stay in the
+/// first-level cache.
+const PATCH: usize = 4;
+/// Patches along the edge of a tile.
+const PATCHES: usize = TILE / PATCH;
+
 /// For each voxel of a tile: the first strip of a chain that covers some of it, and the weights of it and the next.
 #[derive(Clone)]
 pub(super) struct Taps {
@@ -159,6 +165,8 @@ pub(super) struct Taps {
     /// Position of voxel (x, y) in the arrays is `x·per_x + y·per_y`.
     per_x: usize,
     per_y: usize,
+    /// Bit `x + PATCHES·y` says whether patch (x, y) is lit.
+    lit: u16,
     strip: [u8; TILE * TILE],
     weight: [[f32; TILE * TILE]; MOST_TAPS],
 }
@@ -172,6 +180,7 @@ impl Default for Taps {
             taps: 0,
             per_x: 1,
             per_y: TILE,
+            lit: 0,
             strip: [0; TILE * TILE],
             weight: [[0.0; TILE * TILE]; MOST_TAPS],
         }
@@ -190,7 +199,7 @@ impl Taps {
 mod avx512 {
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
-    use super::{Chain, GUARD, LANES, MOST_TAPS, Taps};
+    use super::{Chain, GUARD, LANES, MOST_TAPS, PATCH, PATCHES, Taps};
     use std::arch::x86_64::*;
 
     /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
@@ -379,12 +388,16 @@ mod avx512 {
             self.step = c.step;
             self.count = chain.count as u32;
             self.taps = 0;
+            self.lit = 0;
             (self.per_x, self.per_y) = if along_x { (TILE, 1) } else { (1, TILE) };
             // Two registers hold 32 edges, four 64
             if chain.count < 32 {
                 self.find_among::<2>(chain, local);
             } else {
                 self.find_among::<4>(chain, local);
+            }
+            if along_x {
+                self.lit = transposed(self.lit);
             }
         }
 
@@ -451,12 +464,14 @@ mod avx512 {
             let at = row * TILE;
             let mut from = _mm512_max_ps(low, look(edge, strip));
             let mut current = strip;
+            let mut seen: __mmask16 = 0;
             for tap in 0..MOST_TAPS {
                 let exists = _mm512_mask_cmple_epi32_mask(inside, current, last);
                 let following = _mm512_add_epi32(current, one);
                 let upper = look(edge, following);
                 let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
                 let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(exists, cover, _mm512_setzero_ps());
+                seen |= lit;
                 if lit != 0 && tap >= self.taps {
                     // Rows before this one had no such tap
                     for weights in &mut self.weight[self.taps..=tap] {
@@ -471,11 +486,22 @@ mod avx512 {
                 from = upper;
                 current = following;
             }
+            for x in (0..PATCHES).filter(|x| (seen >> (x * PATCH)) & 0xf != 0) {
+                self.lit |= 1 << (x + PATCHES * (row / PATCH));
+            }
             let narrow = _mm512_cvtepi32_epi8(_mm512_maskz_mov_epi32(inside, strip));
             let to = &mut self.strip[at..at + 16];
             // SAFETY: sixteen bytes.
             unsafe { _mm_storeu_si128(to.as_mut_ptr().cast(), narrow) };
         }
+    }
+
+    /// Bits of 4 × 4 patches with x and y exchanged.
+    fn transposed(bits: u16) -> u16 {
+        (0..PATCHES * PATCHES)
+            .filter(|i| bits >> i & 1 == 1)
+            .map(|i| 1 << (i / PATCHES + PATCHES * (i % PATCHES)))
+            .sum()
     }
 
     /// Entries `i` (below 16·H) of a table in registers.
@@ -520,52 +546,108 @@ mod avx512 {
             );
         }
         macro_rules! by_count {
-        ($($n:literal)*) => {
-            match block.count {
-                $($n => for (y, line) in rows.iter_mut().enumerate() {
-                    for (x, voxel) in line.chunks_exact_mut(stride).enumerate() {
-                        // SAFETY: AVX-512F is enabled here; every slot of every chain lies in `source` and the block
-                        // inside the rows, as asserted above; x and y are below the edge of a tile.
-                        unsafe { gather::<$n>(voxel, source, chains, [x, y], block) }
-                    }
-                },)*
-                _ => unreachable!("blocks have 1 to 16 vectors"),
-            }
-        };
-    }
+            ($($n:literal)*) => {
+                match block.count {
+                    // SAFETY: AVX-512F is enabled here; every slot of every chain lies in `source` and the block inside
+                    // the rows, as asserted above.
+                    $($n => unsafe { gather_patches::<$n>(rows, source, chains, block) },)*
+                    _ => unreachable!("blocks have 1 to 16 vectors"),
+                }
+            };
+        }
         by_count!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
     }
 
+    /// Where a chain's weights and lanes begin: what the gathering of a voxel needs of [`Taps`].
+    #[derive(Clone, Copy)]
+    struct Feed {
+        strip: *const u8,
+        weight: *const f32,
+        taps: usize,
+        /// Lanes of the block in strip 0, and floats from one strip to the next.
+        lanes: *const f32,
+        hop: isize,
+        per_x: usize,
+        per_y: usize,
+    }
+
+    impl Feed {
+        fn new(taps: &Taps, source: &[f32], block: Block) -> Self {
+            let stride = block.row * LANES;
+            let first = (taps.slot as usize + GUARD) * stride + block.first * LANES;
+            Feed {
+                strip: taps.strip.as_ptr(),
+                weight: taps.weight.as_ptr().cast(),
+                taps: taps.taps,
+                lanes: source[first..].as_ptr(),
+                hop: taps.step as isize * stride as isize,
+                per_x: taps.per_x,
+                per_y: taps.per_y,
+            }
+        }
+    }
+
+    /// Voxels of a tile, patch by patch.
+    ///
     /// # Safety
-    /// Slots of all taps are rows of `source`; the block lies inside rows, `out` is one row; x, y < [`TILE`].
+    /// Slots of all taps are rows of `source`; the block lies inside rows; a tile has at most [`TILE`] rows of [`TILE`].
     #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn gather<const N: usize>(
-        out: &mut [f32],
+    unsafe fn gather_patches<const N: usize>(
+        rows: &mut [&mut [f32]],
         source: &[f32],
         chains: &[&Taps],
-        [x, y]: [usize; 2],
         block: Block,
     ) {
         let stride = block.row * LANES;
+        let all: Vec<(u16, Feed)> = chains
+            .iter()
+            .map(|taps| (taps.lit, Feed::new(taps, source, block)))
+            .collect();
+        let mut feeds = Vec::with_capacity(all.len());
+        for (patch_y, lines) in rows.chunks_mut(PATCH).enumerate() {
+            let across = lines[0].len() / stride;
+            for first_x in (0..across).step_by(PATCH) {
+                let bit = 1 << (first_x / PATCH + PATCHES * patch_y);
+                feeds.clear();
+                feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| f.1));
+                if feeds.is_empty() {
+                    continue;
+                }
+                for (y, line) in lines.iter_mut().enumerate() {
+                    let y = patch_y * PATCH + y;
+                    let voxels = &mut line[first_x * stride..(first_x + PATCH).min(across) * stride];
+                    for (x, voxel) in voxels.chunks_exact_mut(stride).enumerate() {
+                        let out = &mut voxel[block.first * LANES..];
+                        // SAFETY: the caller's promise; x and y are below the edge of a tile.
+                        unsafe { gather::<N>(out, &feeds, [first_x + x, y]) }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds to N vectors of one voxel.
+    ///
+    /// # Safety
+    /// The feeds' lanes are readable for every strip of every tap; `out` has N vectors; x, y < [`TILE`].
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[Feed], [x, y]: [usize; 2]) {
         // SAFETY: the caller's promise.
         unsafe {
-            let base = source.as_ptr().add(block.first * LANES);
-            let to = out.as_mut_ptr().add(block.first * LANES);
+            let to = out.as_mut_ptr();
             let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-            for taps in chains {
-                let at = x * taps.per_x + y * taps.per_y;
-                let strip = *taps.strip.get_unchecked(at) as isize;
-                let hop = taps.step as isize * stride as isize;
-                let mut from = base
-                    .add((taps.slot as usize + GUARD) * stride)
-                    .offset(strip * hop);
-                for weight in taps.weight.get_unchecked(..taps.taps) {
-                    let weight = _mm512_set1_ps(*weight.get_unchecked(at));
+            for feed in feeds {
+                let at = x * feed.per_x + y * feed.per_y;
+                let mut from = feed.lanes.offset(*feed.strip.add(at) as isize * feed.hop);
+                let mut weight = feed.weight.add(at);
+                for _ in 0..feed.taps {
+                    let factor = _mm512_set1_ps(*weight);
                     for (v, sum) in sums.iter_mut().enumerate() {
-                        *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);
+                        *sum = _mm512_fmadd_ps(factor, _mm512_loadu_ps(from.add(v * 16)), *sum);
                     }
-                    from = from.wrapping_offset(hop);
+                    from = from.wrapping_offset(feed.hop);
+                    weight = weight.wrapping_add(TILE * TILE);
                 }
             }
             for (v, sum) in sums.iter().enumerate() {

@@ -222,10 +222,11 @@ impl Parallel {
     /// Blocks of lanes of nearly equal length.
     fn blocks(&self) -> Vec<Block> {
         let row = self.row();
-        let count = row.div_ceil(MAX_BLOCK);
+        let used = self.outputs[0].grid.shape[0].div_ceil(LANES);
+        let count = used.div_ceil(MAX_BLOCK);
         (0..count)
             .map(|i| {
-                let (first, end) = (i * row / count, (i + 1) * row / count);
+                let (first, end) = (i * used / count, (i + 1) * used / count);
                 Block {
                     row,
                     first,
