@@ -6,8 +6,8 @@
 use super::build::Optics;
 use crate::error::Result;
 use crate::field::{Field, HostField};
-use crate::models::layout::row_of;
 use crate::grid::VolumeGrid;
+use crate::models::layout::row_of;
 use crate::models::{Run, planner};
 use std::time::Instant;
 

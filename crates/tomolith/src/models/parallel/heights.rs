@@ -48,6 +48,26 @@ impl Taps {
         }
     }
 
+    /// As [`apply`](Self::apply) where [`consecutive`](Self::consecutive) says `start`: `source` holds elements from
+    /// `source_first` on and is 0 elsewhere, `out` those from `out_first` on.
+    fn apply_shifted(
+        &self,
+        start: usize,
+        (source, source_first): (&[f32], usize),
+        (out, out_first): (&mut [f32], usize),
+    ) {
+        out.fill(0.0);
+        for (tap, weights) in self.weights.iter().enumerate() {
+            let wanted = start + tap + out_first;
+            let skipped = source_first.saturating_sub(wanted).min(out.len());
+            let from = wanted.saturating_sub(source_first).min(source.len());
+            let weights = &weights[out_first + skipped..];
+            for ((o, &w), &s) in out[skipped..].iter_mut().zip(weights).zip(&source[from..]) {
+                *o += w * s;
+            }
+        }
+    }
+
     fn new(count: usize, sources: usize, overlap: impl Fn(usize, usize) -> f64) -> Self {
         let spans: Vec<(usize, usize)> = (0..count)
             .map(|i| {
@@ -151,6 +171,10 @@ impl Heights {
         buffer: &mut [f32],
     ) {
         let low = run.bottom as usize;
+        if let Some(start) = self.to_lanes.consecutive {
+            let lanes = &mut lanes[..self.lanes];
+            return (self.to_lanes).apply_shifted(start, (values, low), (lanes, 0));
+        }
         buffer.fill(0.0);
         buffer[low..low + values.len()].copy_from_slice(values);
         self.to_lanes
@@ -166,6 +190,10 @@ impl Heights {
         buffer: &mut [f32],
         rows: &mut [f32],
     ) {
+        if let Some(start) = self.to_rows.consecutive {
+            let out = (values, run.bottom as usize);
+            return (self.to_rows).apply_shifted(start, (&lanes[..self.lanes], 0), out);
+        }
         buffer[..self.lanes].copy_from_slice(&lanes[..self.lanes]);
         buffer[self.lanes..].fill(0.0);
         self.to_rows

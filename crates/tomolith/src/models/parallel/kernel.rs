@@ -111,15 +111,19 @@ pub(super) fn accumulate(
     let Block { row, first, count } = block;
     assert!(count <= MAX_BLOCK && first + count <= row && out.len() >= count * LANES);
     let rows = source.len() / (row * LANES);
-    let highest = entries.slots.iter().fold(0, |m, &slot| m.max(slot));
+    let highest = match isa {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX-512F was detected (Isa values other than Scalar come from `available`).
+        Isa::Avx512 => unsafe { x86::highest(entries.slots) },
+        _ => highest(entries.slots),
+    };
     assert!(
         (highest as usize) < rows || entries.slots.is_empty(),
         "slot outside the source"
     );
     match isa {
         #[cfg(target_arch = "x86_64")]
-        // SAFETY: AVX-512F was detected (Isa values other than Scalar come from `available`); slots and block lie inside
-        // the slices, as asserted above.
+        // SAFETY: AVX-512F was detected, as above; slots and block lie inside the slices, as just asserted.
         Isa::Avx512 => unsafe { x86::avx512(out, source, entries, block) },
         #[cfg(target_arch = "x86_64")]
         // SAFETY: as above, AVX2 and FMA.
@@ -129,6 +133,12 @@ pub(super) fn accumulate(
         Isa::Neon => unsafe { arm::neon(out, source, entries, block) },
         _ => scalar(out, source, entries, block),
     }
+}
+
+/// The highest slot, 0 when there is none.
+#[inline]
+fn highest(slots: &[u32]) -> u32 {
+    slots.iter().fold(0, |m, &slot| m.max(slot))
 }
 
 /// The plain twin.
@@ -156,6 +166,12 @@ macro_rules! call {
 mod x86 {
     use super::{Block, Entries, LANES};
     use std::arch::x86_64::*;
+
+    /// [`highest`](super::highest), sixteen at a time: the common instruction set has no maximum of integers.
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn highest(slots: &[u32]) -> u32 {
+        super::highest(slots)
+    }
 
     /// # Safety
     /// AVX-512F; slots inside `source`, the block inside rows and `out`.

@@ -317,15 +317,16 @@ impl Parallel {
                 lanes.fill(0.0);
                 let first = i * chunk;
                 for (index, tile) in self.tiles.iter().enumerate() {
-                    for frame in first..(first + chunk).min(frames) {
+                    for group in plan.groups(first..(first + chunk).min(frames)) {
                         if run.is_cancelled() {
                             return;
                         }
-                        let own = &mut lanes[(frame - first) * plan.columns * row..]
-                            [..plan.columns * row];
+                        let per_frame = plan.columns * row;
+                        let own = &mut lanes
+                            [(group.start - first) * per_frame..(group.end - first) * per_frame];
                         plan.collect_tile(
                             self.path,
-                            frame,
+                            group,
                             (index, tile, nx),
                             &blocks,
                             (cotangent, own),

@@ -200,11 +200,11 @@ impl LightPlan {
             );
     }
 
-    /// Adds to the lanes of one frame what the cotangent of one tile gives.
+    /// Adds to the lanes of a group of frames what the cotangent of one tile gives.
     pub(super) fn collect_tile(
         &self,
         path: KernelPath,
-        frame: usize,
+        frames: Range<usize>,
         (index, tile, nx): (usize, &Tile, usize),
         blocks: &[Block],
         (cotangent, lanes): (&[f32], &mut [f32]),
@@ -212,18 +212,22 @@ impl LightPlan {
     ) {
         found.clear();
         let place = (tile, Slots::within_plane(tile, nx));
-        for i in self.of_frame[frame].clone() {
-            self.enumerate(
-                path,
-                i,
-                self.meetings[index * self.beams.len() + i],
-                place,
-                found,
-            );
+        for frame in frames.clone() {
+            let before = found.runs.len();
+            for i in self.of_frame[frame].clone() {
+                let meeting = self.meetings[index * self.beams.len() + i];
+                self.enumerate(path, i, meeting, place, found);
+            }
+            let columns_before = ((frame - frames.start) * self.columns) as u32;
+            for run in &mut found.runs[before..] {
+                run.column += columns_before;
+            }
         }
-        let first_slot = frame * self.columns;
+        found.sort_by_place();
+        let first_slot = frames.start * self.columns;
         for &block in blocks {
-            for run in &found.runs {
+            for &i in &found.by_place {
+                let run = &found.runs[i as usize];
                 if self.is_lit_in(first_slot + run.column as usize, block) {
                     let from = (run.column as usize * block.row + block.first) * LANES;
                     let out = &mut lanes[from..from + block.count * LANES];

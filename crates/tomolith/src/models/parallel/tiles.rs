@@ -83,9 +83,14 @@ impl Deposit {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripRun {
     pub(super) column: u32,
+    /// Where it crosses the middle of the tile: one of [`PLACES`], from one side to the other.
+    pub(super) place: u8,
     pub(super) begin: u32,
     pub(super) end: u32,
 }
+
+/// Places of strips across a tile: one per voxel, and those beyond either side.
+pub(super) const PLACES: usize = 3 * TILE;
 
 /// Buffer of the enumerator: what a beam lights in a tile, strip after strip.
 #[derive(Default)]
@@ -94,6 +99,8 @@ pub(super) struct TileEntries {
     pub(super) slots: Vec<u32>,
     pub(super) weights: Vec<f32>,
     pub(super) runs: Vec<StripRun>,
+    /// Their order after [`sort_by_place`](Self::sort_by_place).
+    pub(super) by_place: Vec<u32>,
 }
 
 /// How voxels of a tile are numbered: voxel (x, y) of the tile is `first + y·per_y + x`.
@@ -144,6 +151,13 @@ impl Local {
             across_step: step[across],
             origin: [tile.start[along] as f32, tile.start[across] as f32],
         }
+    }
+
+    /// Place of an edge `[offset, slope]`.
+    pub(super) fn place(&self, [offset, slope]: [f32; 2]) -> u8 {
+        let middle = self.origin[0] + 0.5 * self.rows as f32;
+        let across = offset + slope * middle - self.origin[1];
+        (across + TILE as f32).clamp(0.0, (PLACES - 1) as f32) as u8
     }
 
     /// Whether a strip may light the tile (never wrong when it says no).
@@ -238,15 +252,20 @@ impl TileEntries {
             }
             let begin = self.slots.len() as u32;
             self.add_strip(strip, local, deposit);
-            self.end_run(strip.column, begin);
+            self.end_run(strip.column, local.place(strip.edges[0]), begin);
         }
     }
 
     /// Closes the entries of one strip.
-    pub(super) fn end_run(&mut self, column: u32, begin: u32) {
+    pub(super) fn end_run(&mut self, column: u32, place: u8, begin: u32) {
         let end = self.slots.len() as u32;
         if end > begin {
-            self.runs.push(StripRun { column, begin, end });
+            self.runs.push(StripRun {
+                column,
+                place,
+                begin,
+                end,
+            });
         }
     }
 
@@ -310,6 +329,23 @@ impl TileEntries {
                 self.slots.push(base + i as u32 * local.across_step);
                 self.weights.push(cover * per_voxel);
             }
+        }
+    }
+
+    /// Runs by place, so that strips of neighbouring frames that cover the same voxels follow each other.
+    pub(super) fn sort_by_place(&mut self) {
+        let mut next = [0u32; PLACES + 1];
+        for run in &self.runs {
+            next[run.place as usize + 1] += 1;
+        }
+        for i in 1..next.len() {
+            next[i] += next[i - 1];
+        }
+        self.by_place.resize(self.runs.len(), 0);
+        for (i, run) in self.runs.iter().enumerate() {
+            let to = &mut next[run.place as usize];
+            self.by_place[*to as usize] = i as u32;
+            *to += 1;
         }
     }
 
