@@ -14,7 +14,7 @@ use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::mp4::{check_movie, write_movie};
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
-use crate::io::stl::write_stl;
+use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::Print;
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
@@ -108,7 +108,7 @@ pub(crate) fn all(
             ("label", VtiValues::U8(&voxels.labels.values)),
         ],
     )?;
-    print(scene, voxels, judged, &new.join("print.stl"))?;
+    print(scene, judged, &new.join("print.stl"))?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -300,30 +300,16 @@ fn movies(
     Ok(checks)
 }
 
-/// Evaluations of more voxels than this print the mean dose of the optimisation's voxels: the surface itself would be a
-/// file of hundreds of MB.
-const LARGEST_PRINT: usize = 200_000_000;
-
-/// The predicted surface: the one that the evaluation measures, unless that is too large for a file.
-fn print(scene: &Scene, voxels: &Voxels, judged: &Judged, path: &Path) -> Result<()> {
-    let mean;
-    let (labels, response) = if judged.response.grid.len() <= LARGEST_PRINT {
-        (&judged.fine.labels, &judged.response)
-    } else {
-        mean = scene.responses(judged.dose.clone())?;
-        (&voxels.labels, &mean)
-    };
-    let mut print = Print::new(labels, response)?;
+/// The predicted surface, the one that the evaluation measures, on all of its voxels.
+fn print(scene: &Scene, judged: &Judged, path: &Path) -> Result<()> {
+    let mut print = Print::new(&judged.fine.labels, &judged.response)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
-    let surface = print.surface();
-    write_stl(
-        path,
-        &format!("{}, predicted print", scene.name),
-        &surface.corners,
-        &surface.triangles,
-    )
+    let title = format!("{}, predicted print", scene.name);
+    write_stl_pieces(path, &title, |put| {
+        print.surface_pieces(|piece| put(&piece.corners, &piece.triangles))
+    })
 }
 
 fn history(optimised: &Optimised) -> Vec<HistoryRow> {

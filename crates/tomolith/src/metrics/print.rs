@@ -16,7 +16,7 @@
 //! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
 //! ```
 
-use super::isosurface::{Surface, beyond, isosurface_of};
+use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{SurfaceDistance, surface_distance};
 use crate::error::{Error, Result};
@@ -211,6 +211,21 @@ impl<'a> Print<'a> {
             return Surface::default();
         };
         isosurface_of(self.grid(), threshold, |i| self.printed_value(i, threshold))
+    }
+
+    /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
+    ///
+    /// # Errors
+    /// What `take` refuses.
+    pub fn surface_pieces<E>(
+        &self,
+        take: impl FnMut(&Surface) -> std::result::Result<(), E>,
+    ) -> std::result::Result<(), E> {
+        let Some(threshold) = self.gel_threshold() else {
+            return Ok(());
+        };
+        let value = |i| self.printed_value(i, threshold);
+        isosurface_pieces(self.grid(), threshold, value, take)
     }
 
     /// Response of a voxel, nothing outside of the resin.
