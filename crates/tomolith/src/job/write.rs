@@ -17,6 +17,7 @@ use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::Print;
+use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
 use std::path::Path;
 
@@ -163,7 +164,7 @@ fn report(
         history,
         movies,
         job_text: &resolved.to_toml()?,
-        warnings: done.warnings.clone(),
+        warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
         timings,
     };
     write_json(&folder.join("report.json"), &data)?;
@@ -313,20 +314,22 @@ fn print(scene: &Scene, judged: &Judged, path: &Path) -> Result<()> {
 }
 
 fn history(optimised: &Optimised) -> Vec<HistoryRow> {
-    let row = |row: &crate::optimize::Row| HistoryRow {
-        iteration: row.iteration,
-        loss: row.loss,
-        projected_gradient: row.projected_gradient.unwrap_or(f64::NAN),
-        step: row.step.unwrap_or(f64::NAN),
-        forward_calls: row.forward as usize,
-        adjoint_calls: row.adjoint as usize,
-        seconds: row.seconds,
-        iou: optimised.quality_at(row.iteration).and_then(|q| q.iou),
-        process_window: optimised
-            .quality_at(row.iteration)
-            .and_then(|q| q.process_window),
+    let rows = &optimised.outcome.history;
+    let line = |row: &Row| {
+        let quality = optimised.quality_at(row.iteration);
+        HistoryRow {
+            iteration: row.iteration,
+            loss: row.loss,
+            projected_gradient: relative_gradient(rows, row),
+            step: row.step,
+            forward_calls: row.forward as usize,
+            adjoint_calls: row.adjoint as usize,
+            seconds: row.seconds,
+            iou: quality.and_then(|q| q.iou),
+            process_window: quality.and_then(|q| q.process_window),
+        }
     };
-    optimised.outcome.history.iter().map(row).collect()
+    rows.iter().map(line).collect()
 }
 
 #[cfg(test)]
