@@ -21,8 +21,11 @@ const BYTES_PER_PIXEL: f64 = 10.0;
 const BASE_MB: f64 = 60.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
-/// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some for the surface.
+/// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
 const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
+/// Bytes of print.stl per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50 bytes
+/// each) where the cube has one voxel's face on each of its six sides.
+const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
 /// Measuring a print, above all the distances of surfaces: seconds per voxel of the finer grid.
 const MEASURE_S: f64 = 1.5e-7;
 /// Pattern vectors of an optimiser beside its memory of 2m.
@@ -118,7 +121,9 @@ impl Extent {
     pub(crate) fn disk_mb(&self) -> u64 {
         let voxels = self.grid.len() as f64;
         let checkpoint = self.active_pixels as f64 * 4.0 * (2 * self.memory + VECTORS) as f64;
+        let fine = voxels * self.refine.pow(3) as f64;
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
+            + fine.powf(2.0 / 3.0) * BYTES_PER_FACE_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + checkpoint;
         (10.0 + bytes / 1e6) as u64

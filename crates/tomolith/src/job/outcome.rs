@@ -17,6 +17,45 @@ pub struct Quality {
     pub pw: Measure,
     /// The threshold.
     pub threshold: Measure,
+    /// How well grey values are reproduced; None for a target of part and void.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey: Option<Grey>,
+}
+
+/// The headline numbers of a grey print, in units of the response.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Grey {
+    /// Half width of the band.
+    pub half_width: f64,
+    /// Share of the voxels in the band.
+    pub in_band: Measure,
+    /// Root of the mean square error.
+    pub rms_error: Measure,
+    /// Largest error where a grey value of at least ½ was asked for.
+    pub max_error_part: Measure,
+    /// Largest error where less was asked for.
+    pub max_error_void: Measure,
+}
+
+impl Quality {
+    /// Names of the numbers for people, and the numbers.
+    fn columns(&self) -> ([String; 4], [Measure; 4]) {
+        match &self.grey {
+            None => (
+                ["IoU", "VER", "PW", "threshold"].map(str::to_owned),
+                [self.iou, self.ver, self.pw, self.threshold],
+            ),
+            Some(g) => (
+                [
+                    format!("in ±{}", g.half_width),
+                    "rms error".to_owned(),
+                    "max bright".to_owned(),
+                    "max dark".to_owned(),
+                ],
+                [g.in_band, g.rms_error, g.max_error_part, g.max_error_void],
+            ),
+        }
+    }
 }
 
 /// The end of a run.
@@ -54,15 +93,12 @@ impl fmt::Display for Summary {
         if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
             writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
         }
-        writeln!(
-            f,
-            "{:>28} {:>8} {:>8} {:>8} {:>10}",
-            "", "IoU", "VER", "PW", "threshold"
-        )?;
+        let ([a, b, c, d], _) = self.evaluation.columns();
+        writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
         let mut row = |name: &str, q: &Quality| {
             let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
-            let [iou, ver, pw, threshold] = [q.iou, q.ver, q.pw, q.threshold].map(number);
-            writeln!(f, "{name:>28} {iou:>8} {ver:>8} {pw:>8} {threshold:>10}")
+            let [a, b, c, d] = q.columns().1.map(number);
+            writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
         if let Some(optimisation) = &self.optimisation {
             row("optimised, on its own grid", optimisation)?;
@@ -73,7 +109,7 @@ impl fmt::Display for Summary {
             let verdict = if self.is_met() { "met" } else { "NOT met" };
             writeln!(
                 f,
-                "{:>28} {asked:8.4} {verdict}",
+                "{:>28} {asked:9.4} {verdict}",
                 "asked (evaluate.require_iou)"
             )?;
         }

@@ -8,7 +8,7 @@ use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use crate::error::{Error, Result};
 use crate::field::HostField;
-use crate::grid::{Volume, VolumeGrid};
+use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::models::DoseLayout;
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
@@ -23,6 +23,8 @@ use std::sync::Arc;
 const LEAST_MEMORY: usize = 3;
 /// Share of the free memory that a run may plan with.
 const USABLE: f64 = 0.9;
+/// Parts of a voxel that are rounding of the job's lengths.
+const ROUNDING: f64 = 1e-6;
 
 /// A job that can be run.
 pub(crate) struct Scene {
@@ -313,7 +315,7 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
         shape: counts,
         ..
     } = &spec.grid;
-    match (pitch_mm, counts) {
+    let grid = match (pitch_mm, counts) {
         (Some(pitch), Some([x, y, z])) => Ok(VolumeGrid {
             shape: [*z, *y, *x],
             pitch_mm: pitch.0,
@@ -325,6 +327,31 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
             let grid = default_grid(bounds, Resolution::Pitch(pitch)).map_err(under)?;
             Ok(cut(&grid, optics.vial.resin_wall().inscribed_radius()))
         }
+    }?;
+    let rows = &optics.lights[0].pixels;
+    Ok(on_rows(grid, rows, [bounds[0][2], bounds[1][2]]))
+}
+
+/// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.
+///
+/// Slices as high as the rows, but half a row beside them, see the mean of two rows: patterns whose rows alternate between
+/// bright and dark would look even to the optimisation, and nothing would damp them. On a gear with
+/// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
+/// target (`[low, high]` along z, mm) stays where it is.
+fn on_rows(grid: VolumeGrid, rows: &PatternGrid, target: [f64; 2]) -> VolumeGrid {
+    let edge = rows.rows as f64 / 2.0 * rows.pitch_mm;
+    let up = (edge - grid.bounds_mm()[0][2]) / grid.pitch_mm;
+    // Rounding of lengths decides neither whether nor, at half a voxel, which way
+    let part = up - (up - ROUNDING).round();
+    let mut moved = grid.clone();
+    moved.center_mm[2] += part * grid.pitch_mm;
+    let [low, high] = moved.bounds_mm();
+    let slack = ROUNDING * grid.pitch_mm;
+    let holds = low[2] <= target[0] + slack && high[2] >= target[1] - slack;
+    if part.abs() > ROUNDING && holds {
+        moved
+    } else {
+        grid
     }
 }
 
@@ -390,6 +417,29 @@ mod tests {
             "{low:?} {high:?}"
         );
         assert_eq!(super::cut(&grid, 10.0), grid);
+    }
+
+    #[test]
+    fn slices_lie_on_the_rows_of_the_pixels() {
+        let grid = |slices, z| VolumeGrid {
+            shape: [slices, 4, 4],
+            pitch_mm: 0.1,
+            center_mm: [0.0, 0.0, z],
+        };
+        let rows = |count| PatternGrid::full_turn(3, 0.0, count, 8, 0.1);
+        let moved =
+            |slices, z, count| on_rows(grid(slices, z), &rows(count), [-0.5, 0.5]).center_mm[2];
+        // Even slices about the middle of even rows, and odd ones of odd rows, stay; others move by half a voxel
+        assert_eq!((moved(20, 0.0, 32), moved(21, 0.0, 33)), (0.0, 0.0));
+        assert!(
+            (moved(21, 0.0, 32) - 0.05).abs() < 1e-9,
+            "{}",
+            moved(21, 0.0, 32)
+        );
+        assert!((moved(20, 0.03, 32) - 0.0).abs() < 1e-9);
+        assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
+        // Ten slices hold the target only where they are
+        assert_eq!(moved(10, 0.0, 33), 0.0);
     }
 
     #[test]

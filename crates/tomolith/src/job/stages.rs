@@ -4,7 +4,7 @@ use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::judge::judge;
 use super::optimise::optimise;
-use super::outcome::{Plan, Quality, Summary};
+use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -304,5 +304,12 @@ fn quality(evaluation: &Evaluation) -> Quality {
         ver: get("ver"),
         pw: get("pw"),
         threshold: evaluation.gel_threshold,
+        grey: evaluation.half_width.map(|half_width| Grey {
+            half_width,
+            in_band: get("in_band"),
+            rms_error: get("rms_error"),
+            max_error_part: get("max_error_part"),
+            max_error_void: get("max_error_void"),
+        }),
     }
 }
