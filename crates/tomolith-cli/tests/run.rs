@@ -344,7 +344,7 @@ fn ctrl_c_ends_with_130_and_keeps_the_best() {
 fn a_loss_that_is_no_number_stops_with_the_iteration() {
     let bench = Bench::new();
     let output =
-        bench.tomolith("run job.toml --set objective.threshold.exponent=1e6 --set bounds.min=50.0");
+        bench.tomolith("run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6");
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("at iteration 0"), "{message}");

@@ -2,6 +2,7 @@
 
 use super::folder::RunFolder;
 use super::progress::{Event, Progress};
+use super::read::with_every_default;
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
@@ -16,6 +17,7 @@ use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
 };
 use rayon::prelude::*;
+use serde_json::Value;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -82,11 +84,13 @@ pub(crate) fn optimise(
     let limits = limits(spec, &start);
     let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
+    let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
-        fingerprint(scene, voxels)?,
+        fingerprint(&tables, voxels),
         &spec.checkpoint,
-    )?;
+    )?
+    .describing(tables);
     let mut x = if resumes(&checkpoints, resume, progress)? {
         model.new_patterns()?
     } else {
@@ -129,6 +133,8 @@ pub(crate) fn optimise(
             updates,
             qualities,
         }),
+        // A checkpoint that does not fit: nothing was done
+        Err(error @ Error::Format { .. }) => Err(begin_anew(error)),
         stopped => {
             keep(scene, &raw, &folder.checkpoint(), progress)?;
             Err(stopped.err().unwrap_or(Error::Cancelled))
@@ -179,12 +185,14 @@ fn limits(spec: &JobSpec, start: &HostField) -> Vec<Limits> {
 fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress) -> Result<bool> {
     let file = checkpoints.file();
     if !resume {
-        if file.exists() {
-            std::fs::remove_file(&file).map_err(|e| Error::io(&file, e))?;
+        for earlier in [file.with_file_name(KEPT), file] {
+            if earlier.exists() {
+                std::fs::remove_file(&earlier).map_err(|e| Error::io(&earlier, e))?;
+            }
         }
         return Ok(false);
     }
-    let checkpoint = checkpoints.open()?;
+    let checkpoint = checkpoints.open().map_err(begin_anew)?;
     let text = match &checkpoint {
         Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
         None => "no checkpoint to resume: starting anew".to_owned(),
@@ -193,10 +201,29 @@ fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress)
     Ok(checkpoint.is_some())
 }
 
-/// The best patterns of a run that did not end well.
+/// A checkpoint that cannot be used: first what to do, then why.
+fn begin_anew(error: Error) -> Error {
+    match error {
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => Error::config(
+            "--resume",
+            format!("leave it out to begin anew: {} is {found}", path.display()),
+            accepted,
+        ),
+        other => other,
+    }
+}
+
+/// The best patterns of a run that did not end well, in the checkpoint folder.
+const KEPT: &str = "patterns.npz";
+
+/// Writes the best patterns of a run that did not end well.
 fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progress) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
-    let path = folder.join("patterns.npz");
+    let path = folder.join(KEPT);
     let pairs: Vec<PatternPair<'_>> = raw
         .iter()
         .enumerate()
@@ -309,14 +336,38 @@ impl Observer<HostField> for Watch<'_> {
     }
 }
 
-/// What makes a checkpoint belong to this job: its tables but those that change no iteration, and the voxels.
-fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
-    let mut tables =
-        serde_json::to_value(&scene.spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+/// The tables of a job that a checkpoint depends on, with every default written out.
+fn tables(spec: &JobSpec) -> Result<Value> {
+    let mut tables = serde_json::to_value(with_every_default(spec.clone()))
+        .map_err(|e| Error::config("", e.to_string(), "a job"))?;
     if let Some(map) = tables.as_object_mut() {
-        for unimportant in ["target", "stop", "checkpoint", "evaluate", "output"] {
+        for unimportant in ["stop", "checkpoint", "evaluate", "output"] {
             map.remove(unimportant);
         }
+    }
+    as_floats(&mut tables);
+    Ok(tables)
+}
+
+/// 2 and 2.0 are the same number, however a job writes it.
+fn as_floats(value: &mut Value) {
+    match value {
+        Value::Number(number) => {
+            if let Some(float) = number.as_f64() {
+                *value = Value::from(float);
+            }
+        }
+        Value::Array(list) => list.iter_mut().for_each(as_floats),
+        Value::Object(map) => map.values_mut().for_each(as_floats),
+        _ => {}
+    }
+}
+
+/// What makes a checkpoint belong to this job: its tables, and the voxels in place of the target's table.
+fn fingerprint(tables: &Value, voxels: &Voxels) -> u64 {
+    let mut tables = tables.clone();
+    if let Some(map) = tables.as_object_mut() {
+        map.remove("target");
     }
     let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
     let inside: Vec<u64> = voxels
@@ -331,7 +382,7 @@ fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
         hash(bytemuck::cast_slice(&labels)),
         hash(bytemuck::cast_slice(&inside)),
     ];
-    Ok(hash(bytemuck::cast_slice(&parts)))
+    hash(bytemuck::cast_slice(&parts))
 }
 
 /// FNV-1a, 64 bits.

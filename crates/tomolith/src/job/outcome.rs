@@ -147,8 +147,12 @@ pub struct Plan {
     pub available_memory_mb: Option<u64>,
     /// Size of the run folder, MB.
     pub disk_mb: u64,
-    /// Time of the whole run on this machine, s.
+    /// Time of the whole run on this machine when all iterations are needed, s.
     pub seconds: f64,
+    /// The most iterations there will be.
+    pub iterations: usize,
+    /// Part of the time that is the optimisation's, s; less when it ends early.
+    pub optimisation_s: f64,
     /// Measured updates per second.
     pub updates_per_s: f64,
     /// Choices that were made.
@@ -189,9 +193,11 @@ impl fmt::Display for Plan {
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;
         writeln!(
             f,
-            "{:>12} about {} ({:.1} G updates/s)",
+            "{:>12} at most {} iterations: {}; evaluation and files: {} ({:.1} G updates/s as busy as this machine is)",
             "time",
-            duration(self.seconds),
+            self.iterations,
+            duration(self.optimisation_s),
+            duration(self.seconds - self.optimisation_s),
             self.updates_per_s / 1e9
         )?;
         for note in &self.notes {
@@ -220,6 +226,7 @@ fn words(reason: StopReason) -> &'static str {
 /// Seconds, minutes or hours.
 fn duration(seconds: f64) -> String {
     match seconds {
+        s if s < 10.0 => format!("{s:.1} s"),
         s if s < 100.0 => format!("{s:.0} s"),
         s if s < 6000.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.1} h", s / 3600.0),

@@ -1,7 +1,7 @@
 //! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
 
 use super::build::Optics;
-use super::estimate::Extent;
+use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
@@ -21,6 +21,8 @@ use std::sync::Arc;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
+/// Largest weight of an objective: its gradient is still a number in f32.
+const MOST_WEIGHT: f64 = 1e9;
 /// Share of the free memory that a run may plan with.
 const USABLE: f64 = 0.9;
 /// Parts of a voxel that are rounding of the job's lengths.
@@ -65,9 +67,9 @@ impl Scene {
         let spec = job.spec.clone();
         RunFolder::check(&job.folder())?;
         let optics = Optics::new(&spec)?;
-        try_kinds(&spec)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
+        try_kinds(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -96,10 +98,11 @@ impl Scene {
         scene.fit_memory()?;
         let disk = available_disk_mb(&job.folder());
         require(
+            "output.folder",
             "disk for the run folder",
             scene.extent.disk_mb(),
             disk,
-            "free some, or choose another output.folder",
+            "a folder on a larger disk, or a smaller job",
         )?;
         Ok(scene)
     }
@@ -129,19 +132,21 @@ impl Scene {
                 "memory is short: the evaluation's grid is {refine} times as fine, not {asked}"
             ));
         }
-        let advice = "take a larger grid.pitch_mm, or fewer light.angles or pixels";
-        require(
-            "memory for the optimisation",
-            self.extent.optimisation_mb(),
-            free,
-            advice,
-        )?;
-        require(
-            "memory for the evaluation",
-            self.extent.evaluation_mb(),
-            free,
-            advice,
-        )
+        for (what, [voxels_mb, pixels_mb]) in [
+            ("memory for the optimisation", self.extent.optimisation()),
+            ("memory for the evaluation", self.extent.evaluation()),
+        ] {
+            let (key, accepted) = if voxels_mb >= pixels_mb {
+                let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
+                (grid_key(&self.spec), accepted)
+            } else {
+                let accepted = "fewer pixels or angles (light.pixels, light.angles)";
+                (pixels_key(&self.spec), accepted)
+            };
+            let needed_mb = estimate::whole_mb([voxels_mb, pixels_mb]);
+            require(&key, what, needed_mb, free, accepted)?;
+        }
+        Ok(())
     }
 
     /// The finer grid of the evaluation.
@@ -154,7 +159,8 @@ impl Scene {
     /// # Errors
     /// As [`target::voxelise`].
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
-        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)?;
+        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
+            .map_err(|e| at_grid(&self.spec, e))?;
         let labels = label_voxels(
             &target,
             self.optics.counts(self.spec.grid.region, &self.grid),
@@ -218,6 +224,54 @@ impl Voxels {
     }
 }
 
+/// The key that says how many voxels there are.
+fn grid_key(spec: &JobSpec) -> String {
+    let key = if spec.grid.shape.is_some() {
+        "grid.shape"
+    } else {
+        "grid.pitch_mm"
+    };
+    key.to_owned()
+}
+
+/// The key of the light with the most pixels.
+fn pixels_key(spec: &JobSpec) -> String {
+    let pixels = |i: &usize| {
+        let light = &spec.light[*i];
+        light.pixels.iter().product::<usize>() * light.angles.count()
+    };
+    let largest = (0..spec.light.len()).max_by_key(pixels).unwrap_or(0);
+    format!("light[{largest}].pixels")
+}
+
+/// Says which key asked for voxels that the memory does not hold.
+fn at_grid(spec: &JobSpec, error: Error) -> Error {
+    match error {
+        Error::Resources {
+            what,
+            needed_mb,
+            available_mb,
+            advice,
+        } => Error::config(
+            grid_key(spec),
+            format!("{what}: {needed_mb} MB needed, {available_mb} MB available"),
+            advice,
+        ),
+        other => other,
+    }
+}
+
+/// Says which key named what cannot be used with this target.
+fn at_section(path: &str, error: Error) -> Error {
+    match error {
+        Error::Unsupported { what, reason } => {
+            let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
+            Error::config(path, format!("{what}, but {found}"), accepted)
+        }
+        other => other,
+    }
+}
+
 fn response(spec: &JobSpec) -> Result<Arc<dyn Response>> {
     let section = Section::new("response", spec.response.clone());
     let (kind, inner) = section.kind(RESPONSES)?;
@@ -276,20 +330,28 @@ fn objectives(spec: &JobSpec, input: &ObjectiveInput<'_>) -> Result<Sum<HostFiel
                 )
             })?,
         };
+        if !(0.0..=MOST_WEIGHT).contains(&weight) {
+            return Err(Error::config(
+                format!("{}.weight", section.path),
+                format!("found {weight}"),
+                format!("a number from 0 to {MOST_WEIGHT:e}"),
+            ));
+        }
         let (kind, inner) = section.kind(OBJECTIVES)?;
-        parts.push((weight, (kind.build)(&inner, input)?));
+        let objective = (kind.build)(&inner, input).map_err(|e| at_section(&inner.path, e))?;
+        parts.push((weight, objective));
     }
     Sum::new(parts)
 }
 
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-fn try_kinds(spec: &JobSpec) -> Result<()> {
+fn try_kinds(spec: &JobSpec, grey: bool) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let target = Target {
         name: String::new(),
         inside: Volume::filled(grid, 1.0),
-        grey: false,
+        grey,
     };
     let labels = label_voxels(&target, |_| true);
     let response = response(spec)?;
