@@ -1,7 +1,7 @@
 //! What is wrong with a mesh, in words, and the mesh made closed and outward.
 //!
 //! A solid is what lies where the winding number is positive. That needs a closed surface that looks outward, so a mesh
-//! goes through five steps, and every change is said in [`Diagnosis::sentences`]:
+//! goes through six steps, and every change is said in [`Diagnosis::sentences`]:
 //!
 //! 1. **Orientation**: neighbours that disagree (an edge used twice in the same direction) are turned, the minority of a
 //!    patch to the majority.
@@ -10,11 +10,13 @@
 //! 3. **Inside out**: with negative volume as a whole, all triangles are turned.
 //! 4. **Shells**: a shell of negative volume inside another shell is a cavity and stays; one that lies in no shell is
 //!    turned.
-//! 5. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
+//! 5. **Crossings**: [edges that run through triangles](Crossings), of their own shell or of another, are counted and the
+//!    deepest is located; surfaces that touch, or lie in each other, do not cross.
+//! 6. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
 //!    intersect or lie in each other: their union counts) or below 0 (surfaces that pass through themselves; such
-//!    places count as outside). It finds overlaps that are thicker than 1/256 of the part; thinner ones, and
-//!    surfaces that only touch, go unnoticed and change the print by less than that.
+//!    places count as outside). It measures overlaps that are thicker than 1/256 of the part.
 
+mod crossings;
 mod edges;
 mod holes;
 mod overlaps;
@@ -22,6 +24,8 @@ mod shells;
 
 use crate::error::{Error, Result};
 use crate::io::mesh::{Mesh, dot, minus};
+pub use crossings::Crossings;
+use crossings::find_crossings;
 use edges::{Edges, agree, turn};
 use holes::close;
 use overlaps::find_overlaps;
@@ -56,6 +60,10 @@ pub struct Diagnosis {
     pub shell_volumes_mm3: Vec<f64>,
     /// Shells that were inside out on their own and were turned: a point on each.
     pub turned_shells_at: Vec<[f64; 3]>,
+    /// Edges that run through a triangle of their own shell.
+    pub own_crossings: Crossings,
+    /// Edges that run through a triangle of another shell.
+    pub shell_crossings: Crossings,
     /// Volume where the winding number is 2 or more, mm³.
     pub overlap_mm3: f64,
     /// A point there.
@@ -73,10 +81,11 @@ impl Diagnosis {
         self.shell_volumes_mm3.iter().sum()
     }
 
-    /// Whether the winding number was seen to be 0 or 1 everywhere.
+    /// Whether the winding number was seen to be 0 or 1 everywhere, and no surface crosses another.
     #[must_use]
     pub fn is_simple(&self) -> bool {
-        self.overlap_at.is_none() && self.negative_at.is_none()
+        let crossings = self.own_crossings.count + self.shell_crossings.count;
+        crossings == 0 && self.overlap_at.is_none() && self.negative_at.is_none()
     }
 
     /// One sentence for each thing that people should know; empty for a sound mesh.
@@ -119,21 +128,51 @@ impl Diagnosis {
                 place(at)
             ));
         }
+        said.extend(self.about_shells());
+        said.extend(self.about_itself());
+        said
+    }
+
+    /// Shells that intersect or lie in each other.
+    fn about_shells(&self) -> Option<String> {
+        let mut what = Vec::new();
+        if let Some(at) = self.shell_crossings.at {
+            let times = self.shell_crossings.count;
+            let near = place(at);
+            what.push(format!(
+                "intersect (edges run through triangles {times} times, the deepest near {near})"
+            ));
+        }
         if let Some(at) = self.overlap_at {
-            said.push(format!(
-                "Shells overlap or lie in each other over about {:.3} mm³, the longest stretch near {}; their union is printed.",
+            what.push(format!(
+                "overlap or lie in each other over about {:.3} mm³, the longest stretch near {}",
                 self.overlap_mm3,
                 place(at)
             ));
         }
+        let union = "their union is printed";
+        (!what.is_empty()).then(|| format!("Shells {}; {union}.", what.join(" and ")))
+    }
+
+    /// Surfaces that pass through themselves.
+    fn about_itself(&self) -> Option<String> {
+        let mut what = Vec::new();
+        if let Some(at) = self.own_crossings.at {
+            what.push(format!(
+                "edges run {} times through triangles of their own shell, the deepest near {}",
+                self.own_crossings.count,
+                place(at)
+            ));
+        }
         if let Some(at) = self.negative_at {
-            said.push(format!(
-                "The surface passes through itself: about {:.3} mm³ near {} lie inside out and count as outside.",
+            what.push(format!(
+                "about {:.3} mm³ near {} lie inside out and count as outside",
                 self.negative_mm3,
                 place(at)
             ));
         }
-        said
+        (!what.is_empty())
+            .then(|| format!("The surface passes through itself: {}.", what.join("; ")))
     }
 }
 
@@ -174,6 +213,7 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path) -> Result<(Mesh, Diagnosis)> 
             accepted: "a closed surface round a volume".to_owned(),
         });
     }
+    [found.own_crossings, found.shell_crossings] = find_crossings(&mesh);
     find_overlaps(&mesh, &mut found);
     Ok((mesh, found))
 }
@@ -261,6 +301,7 @@ mod tests {
         let at = diagnosis.overlap_at.unwrap();
         assert!(at.iter().all(|v| (1.0..=2.0).contains(v)), "{at:?}");
         assert!(diagnosis.sentences()[0].contains("their union is printed"));
+        assert!(diagnosis.shell_crossings.count > 0 && diagnosis.own_crossings.count == 0);
         // Shells that touch do not overlap
         let (_, diagnosis) = found(together(&[
             cuboid([0.0; 3], [2.0; 3]),
@@ -314,7 +355,12 @@ mod tests {
             "{} {exact}",
             diagnosis.negative_mm3
         );
-        assert!(diagnosis.sentences()[0].contains("passes through itself"));
+        assert!(diagnosis.own_crossings.count > 0 && !diagnosis.is_simple());
+        let said = diagnosis.sentences();
+        assert!(
+            said.len() == 1 && said[0].contains("passes through itself"),
+            "{said:?}"
+        );
     }
 
     #[test]

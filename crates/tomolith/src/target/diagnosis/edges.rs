@@ -47,6 +47,15 @@ impl Edges {
             .chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
     }
 
+    /// The sides of the edge between two vertices.
+    pub(super) fn of(&self, a: u32, b: u32) -> &[Side] {
+        let edge = (a.min(b), a.max(b));
+        let first = self.sides.partition_point(|s| (s.low, s.high) < edge);
+        let sides = &self.sides[first..];
+        let count = sides.iter().take_while(|s| (s.low, s.high) == edge).count();
+        &sides[..count]
+    }
+
     pub(super) fn count(&self, mesh: &Mesh, found: &mut Diagnosis) {
         for edge in self.iter() {
             let at = || {

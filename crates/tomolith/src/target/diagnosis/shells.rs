@@ -13,6 +13,16 @@ impl Groups {
         Groups((0..count as u32).collect())
     }
 
+    /// Vertices that triangles connect.
+    pub(super) fn of_shells(mesh: &Mesh) -> Self {
+        let mut groups = Groups::new(mesh.vertices.len());
+        for &[a, b, c] in &mesh.triangles {
+            groups.join(a, b);
+            groups.join(b, c);
+        }
+        groups
+    }
+
     pub(super) fn of(&mut self, mut item: u32) -> u32 {
         while self.0[item as usize] != item {
             let parent = self.0[item as usize];
@@ -38,11 +48,7 @@ struct Shell {
 }
 
 fn shells(mesh: &Mesh) -> Vec<Shell> {
-    let mut groups = Groups::new(mesh.vertices.len());
-    for &[a, b, c] in &mesh.triangles {
-        groups.join(a, b);
-        groups.join(b, c);
-    }
+    let mut groups = Groups::of_shells(mesh);
     let mut slot = vec![u32::MAX; mesh.vertices.len()];
     let mut shells: Vec<Shell> = Vec::new();
     for (t, triangle) in mesh.triangles.iter().enumerate() {
