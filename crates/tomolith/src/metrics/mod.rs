@@ -18,6 +18,7 @@ pub mod isosurface;
 pub mod nearest;
 pub mod over_mm3;
 pub mod print;
+pub mod published;
 pub mod pw;
 pub mod scan;
 pub mod surface;
@@ -27,6 +28,7 @@ pub mod under_mm3;
 pub mod ver;
 
 pub use evaluation::{Evaluation, Measures, evaluate};
+pub use published::{Published, published};
 
 /// A number, or none where it is not defined.
 pub type Measure = Option<f64>;

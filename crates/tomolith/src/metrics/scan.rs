@@ -54,7 +54,7 @@ const TABLES: usize = 16;
 const OPEN_AT_ONCE: usize = 4096;
 
 /// Whole numbers in the order of the floats: −0 and +0 are the same.
-fn key(value: f32) -> u32 {
+pub(super) fn key(value: f32) -> u32 {
     let bits = (value + 0.0).to_bits();
     if bits >> 31 == 1 {
         !bits
@@ -63,7 +63,7 @@ fn key(value: f32) -> u32 {
     }
 }
 
-fn value_of(key: u32) -> f32 {
+pub(super) fn value_of(key: u32) -> f32 {
     f32::from_bits(if key >> 31 == 1 {
         key & !(1 << 31)
     } else {
