@@ -19,13 +19,12 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Tables that are planned but not built, and what to do without them.
-const PLANNED: [(&str, &str); 4] = [
+const PLANNED: [(&str, &str); 3] = [
     ("bath", "a clear bath's index is vial.surrounding_index"),
     (
         "printer",
         "patterns are exported as they are: no canvas, no flips, no grey curve",
     ),
-    ("penalty", "no penalty on patterns yet"),
     ("coarse", "the optimisation runs on one grid"),
 ];
 
@@ -50,6 +49,9 @@ pub struct JobSpec {
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objectives: Option<Vec<Value>>,
+    /// What patterns cost by themselves, `[[penalties]]` with one kind each and `weight`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub penalties: Vec<Value>,
     /// What the material does with the dose, `[response.KIND]`.
     #[serde(default = "identity")]
     pub response: Value,
