@@ -3,6 +3,7 @@
 
 use crate::kind::{Kind, KindPage};
 use crate::objective::OBJECTIVES;
+use crate::objective::penalty::PENALTIES;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
 use crate::optimize::start::STARTS;
@@ -34,6 +35,7 @@ pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
         family("objective", "What is minimised", OBJECTIVES),
+        family("penalties", "What patterns cost by themselves", PENALTIES),
         family("optimizer", "How it is minimised", OPTIMIZERS),
         family("start", "Where it begins", STARTS),
         family(

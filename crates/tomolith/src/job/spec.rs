@@ -19,7 +19,7 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 5] = [
+const PLANNED: [(&str, &str, &str); 4] = [
     (
         "bath",
         "absorbing baths are not in this version",
@@ -29,11 +29,6 @@ const PLANNED: [(&str, &str, &str); 5] = [
         "printer",
         "models of machines are not in this version",
         "patterns are exported as they are: no canvas, no flips, no grey curve",
-    ),
-    (
-        "penalty",
-        "penalties on patterns are not in this version",
-        "what is minimised is [objective] alone",
     ),
     (
         "coarse",
@@ -69,6 +64,9 @@ pub struct JobSpec {
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objectives: Option<Vec<Value>>,
+    /// What patterns cost by themselves, `[[penalties]]` with one kind each and `weight`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub penalties: Vec<Value>,
     /// What the material does with the dose, `[response.KIND]`.
     #[serde(default = "identity")]
     pub response: Value,
