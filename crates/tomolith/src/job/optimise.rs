@@ -79,9 +79,14 @@ pub(crate) fn optimise(
     let model = plan.model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
     let start = starting_patterns(scene, voxels, model, cancel)?;
-    let limits = limits(spec, &start);
-    let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
+    let limits = limits(spec, &start, optimizer.normalises());
+    let mut problem =
+        Problem::new(model, &objective, &limits, cancel)?.with_bits(spec.bounds.bits)?;
+    if optimizer.needs().target.is_some() {
+        problem = problem.with_target(target_field(scene, voxels, model)?);
+    }
+    optimizer.needs().check(&problem)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
         fingerprint(scene, voxels)?,
@@ -96,6 +101,7 @@ pub(crate) fn optimise(
     let stop = Stop {
         iterations: spec.stop.iterations,
         projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
+        change: spec.stop.change.unwrap_or(0.0),
         seconds: spec.stop.wall_s,
     };
     let updates = model.updates();
@@ -137,6 +143,22 @@ pub(crate) fn optimise(
     }
 }
 
+/// The target as methods see it that compare doses with it themselves.
+fn target_field(
+    scene: &Scene,
+    voxels: &Voxels,
+    model: &dyn DoseModel<Field = HostField>,
+) -> Result<HostField> {
+    let input = StartInput {
+        model,
+        target: &voxels.target,
+        labels: &voxels.labels,
+        response: scene.response()?.as_ref(),
+        limits: &[],
+    };
+    input.target_field()
+}
+
 /// Where the optimisation begins: within the bounds that the job gives.
 fn starting_patterns(
     scene: &Scene,
@@ -161,10 +183,11 @@ fn starting_patterns(
 }
 
 /// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
-/// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them.
-fn limits(spec: &JobSpec, start: &HostField) -> Vec<Limits> {
+/// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them. A method that
+/// normalises its doses has a scale of its own, to which the start says nothing.
+fn limits(spec: &JobSpec, start: &HostField, normalises: bool) -> Vec<Limits> {
     let largest = f64::from(start.max_abs());
-    let natural = if largest > spec.bounds.min {
+    let natural = if largest > spec.bounds.min && !normalises {
         largest
     } else {
         f64::INFINITY

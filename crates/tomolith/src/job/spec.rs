@@ -221,6 +221,9 @@ pub struct BoundsSpec {
     /// Largest value; when left out, the largest pixel of the start (none for a dark start).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
+    /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bits: Option<u32>,
 }
 
 /// When the optimisation ends: at the first of these.
@@ -232,6 +235,9 @@ pub struct StopSpec {
     /// Norm of the projected gradient, relative to the start's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projected_gradient: Option<f64>,
+    /// Mean change of the loss over five steps, relative to the loss (0.001 in the BCLP paper).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<f64>,
     /// The loss; 0 always ends it.
     pub loss: f64,
     /// IoU on the optimisation grid, 0 to 1.
@@ -310,6 +316,7 @@ impl Default for StopSpec {
         StopSpec {
             iterations: 40,
             projected_gradient: None,
+            change: None,
             loss: 0.0,
             iou: None,
             wall_s: None,

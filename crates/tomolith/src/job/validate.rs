@@ -213,7 +213,11 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
             &format!("a number of at least bounds.min = {min}"),
         )?;
     }
+    optional(spec.bounds.bits.map(f64::from), |v| {
+        within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
+    })?;
     let stop = &spec.stop;
+    optional(stop.change, |v| positive("stop.change", v, ""))?;
     not_negative("stop.loss", stop.loss, "")?;
     optional(stop.projected_gradient, |v| {
         positive("stop.projected_gradient", v, "")
@@ -364,6 +368,9 @@ mod tests {
             ),
             ("bounds.min=-1", "bounds.min"),
             ("bounds.min=5", "bounds.max"),
+            ("bounds.bits=0", "bounds.bits"),
+            ("bounds.bits=17", "bounds.bits"),
+            ("stop.change=-1", "stop.change"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),
             ("stop.projected_gradient=-1", "stop.projected_gradient"),

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::field::{Bounds, Field, HostField};
 use crate::grid::Volume;
 use crate::kind::{Kind, Section};
-use crate::models::{DoseModel, Run};
+use crate::models::{DoseLayout, DoseModel, Run};
 use crate::response::Response;
 use crate::target::{Target, label};
 use rayon::prelude::*;
@@ -46,8 +46,8 @@ pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
 pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO];
 
 impl StartInput<'_> {
-    /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
-    fn wanted_dose(&self) -> Result<HostField> {
+    /// The layout of the model's first output, whose grid target and labels must share.
+    fn layout(&self) -> Result<&DoseLayout> {
         let layout = self
             .model
             .outputs()
@@ -68,6 +68,12 @@ impl StartInput<'_> {
                 });
             }
         }
+        Ok(layout)
+    }
+
+    /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
+    fn wanted_dose(&self) -> Result<HostField> {
+        let layout = self.layout()?;
         // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
         let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
         let (grey, part) = (self.target.grey, dose_of(1.0));
@@ -104,9 +110,41 @@ impl StartInput<'_> {
         if both > 0.0 && square > 0.0 {
             x.scale((both / square) as f32);
         }
+        self.bounded(x)
+    }
+
+    /// Brings patterns into the bounds.
+    fn bounded(&self, mut x: HostField) -> Result<HostField> {
         let zero = x.zeros_like();
         x.move_along(&zero, 0.0, &self.bounds()?);
         Ok(x)
+    }
+
+    /// The target per element of the dose field as a [`Problem`](super::Problem::with_target) wants it: 1 in the part and 0 in the
+    /// void, or grey values; −1 where a voxel does not count.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn target_field(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        let grey = self.target.grey;
+        let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
+        target
+            .values
+            .par_iter_mut()
+            .zip(&self.target.inside.values)
+            .zip(&self.labels.values)
+            .for_each(|((target, &inside), &label)| {
+                *target = match label {
+                    label::OUTSIDE => -1.0,
+                    _ if grey => inside,
+                    label::PART => 1.0,
+                    _ => 0.0,
+                };
+            });
+        let mut field = self.model.new_dose()?;
+        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&target));
+        Ok(field)
     }
 
     fn bounds(&self) -> Result<Bounds> {
