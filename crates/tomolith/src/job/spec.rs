@@ -59,6 +59,9 @@ pub struct JobSpec {
     /// The patterns to start from, `[start.KIND]`.
     #[serde(default = "fbp")]
     pub start: Value,
+    /// A start from coarser levels; none when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coarse: Option<CoarseSpec>,
     /// Limits of the pattern values.
     #[serde(default)]
     pub bounds: BoundsSpec,
@@ -210,6 +213,25 @@ pub enum Angles {
     },
     /// These azimuths.
     List(Vec<f64>),
+}
+
+/// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct CoarseSpec {
+    /// Number of coarser levels, 1 to 6.
+    pub levels: usize,
+    /// Iterations on each of them.
+    pub iterations: usize,
+}
+
+impl Default for CoarseSpec {
+    fn default() -> Self {
+        CoarseSpec {
+            levels: 1,
+            iterations: 20,
+        }
+    }
 }
 
 /// Limits of pattern values, in units of the response's dose.

@@ -216,6 +216,15 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     optional(spec.bounds.bits.map(f64::from), |v| {
         within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
     })?;
+    if let Some(coarse) = &spec.coarse {
+        within(
+            "coarse.levels",
+            coarse.levels as f64,
+            1.0,
+            6.0,
+            "1 to 6 levels",
+        )?;
+    }
     let stop = &spec.stop;
     optional(stop.change, |v| positive("stop.change", v, ""))?;
     not_negative("stop.loss", stop.loss, "")?;
@@ -369,6 +378,7 @@ mod tests {
             ("bounds.min=-1", "bounds.min"),
             ("bounds.min=5", "bounds.max"),
             ("bounds.bits=0", "bounds.bits"),
+            ("coarse.levels=9", "coarse.levels"),
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
             ("stop.iou=1.5", "stop.iou"),

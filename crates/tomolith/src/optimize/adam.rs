@@ -38,11 +38,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Schedule {
-    /// Step k is `step`/√k.
-    #[default]
-    Root,
     /// All steps are `step`.
+    #[default]
     Constant,
+    /// Step k is `step`/√k.
+    Root,
 }
 
 /// The parameters of Adam.
@@ -51,7 +51,7 @@ pub enum Schedule {
 pub struct Params {
     /// Length of the first step in units of x, above 0 (default 0.1)
     pub step: f64,
-    /// How it changes: "root" (default, step/√k) or "constant"
+    /// How it changes: "constant" (default) or "root" (step/√k)
     pub schedule: Schedule,
     /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
     pub beta_1: f64,
@@ -65,7 +65,7 @@ impl Default for Params {
     fn default() -> Self {
         Params {
             step: 0.1,
-            schedule: Schedule::Root,
+            schedule: Schedule::Constant,
             beta_1: 0.9,
             beta_2: 0.999,
             epsilon: 1e-8,

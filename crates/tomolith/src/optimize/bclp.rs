@@ -239,9 +239,9 @@ mod tests {
 
     #[test]
     fn alternate_handling_follows_s_10_step_by_step() {
-        // Part above 0.8, void below 0.2, p = q = 2, η = ½: even iterations of theirs correct the void, odd ones the part
+        // Part above 1.2, void below 0.4, p = q = 2, η = ½: even iterations of theirs correct the void, odd ones the part
         let case = Case::new();
-        let objective = case.objective("osmo", serde_json::json!({"d_h": 0.8, "d_l": 0.2}));
+        let objective = case.objective("osmo", serde_json::json!({"d_h": 1.2, "d_l": 0.4}));
         let params = Params {
             step: 0.5,
             alternate: true,
@@ -260,8 +260,8 @@ mod tests {
                 .iter()
                 .zip(&target)
                 .map(|(&f, &t)| match (t, k % 2) {
-                    (0.0, 0) => -(f - 0.2).max(0.0),
-                    (1.0, 1) => (0.8 - f).max(0.0),
+                    (0.0, 0) => -(f - 0.4).max(0.0),
+                    (1.0, 1) => (1.2 - f).max(0.0),
                     _ => 0.0,
                 })
                 .collect();

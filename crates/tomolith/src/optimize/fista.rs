@@ -345,14 +345,15 @@ mod tests {
     fn it_follows_beck_and_teboulle_step_by_step() {
         let case = Case::new();
         let objective = case.objective("l2", serde_json::json!({}));
-        let step = 0.5;
+        // Both rules restart near step 28; later losses are too alike for f32 to tell a rise
+        let step = 0.9;
         for restart in [Restart::None, Restart::Gradient, Restart::Loss] {
             let params = Params {
                 restart,
                 step: Some(step),
                 ..Params::default()
             };
-            let found = case.run(&*objective, &mut fista(params), 25, None);
+            let found = case.run(&*objective, &mut fista(params), 45, None);
             let marked = case.marked_target();
             let loss_and_slopes = |x: &[f64]| {
                 let dose = case.dense.forward(x);
@@ -366,7 +367,7 @@ mod tests {
             };
             let (mut x, mut before, mut t) = (case.start(), case.start(), 1.0f64);
             let mut restarts = 0;
-            for k in 1..=25 {
+            for k in 1..=45 {
                 let next = 0.5 * (1.0 + (1.0 + 4.0 * t * t).sqrt());
                 let beta = (t - 1.0) / next;
                 let y: Vec<f64> = x

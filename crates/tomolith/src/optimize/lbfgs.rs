@@ -490,7 +490,7 @@ mod tests {
         let stop = Stop {
             iterations: 300,
             projected_gradient: 1e-6,
-            seconds: None,
+            ..Stop::default()
         };
         let mut optimizer = Lbfgs::new(Params::default()).unwrap();
         let (x, outcome) = solve(&model, &*objective, &mut optimizer, &stop);

@@ -362,7 +362,7 @@ mod tests {
         // The void's correction, a hundredfold, takes all light at once
         let json = serde_json::json!({"d_h": 0.02, "d_l": 0.01});
         let objective = case.weighed_objective("osmo", json, 1000.0);
-        let (patterns, outcome) = case.try_run(&*objective, &mut osmo(Params::default()), 4, None);
+        let (patterns, outcome) = case.try_run(&objective, &mut osmo(Params::default()), 4, None);
         let refusal = outcome.unwrap_err().to_string();
         assert!(refusal.contains("zero everywhere"), "{refusal}");
         assert_near(patterns.as_slice(), &case.start(), 1e-6, "the start");

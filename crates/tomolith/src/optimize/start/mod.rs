@@ -4,6 +4,7 @@
 //! Whatever the method, the patterns lie within the bounds, and one forward call scales them so that the part gets its dose.
 
 pub mod fbp;
+pub mod given;
 pub mod level;
 
 use super::Limits;
@@ -43,7 +44,7 @@ pub trait Start: std::fmt::Debug + Send + Sync {
 pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
 
 /// Every start; the first is the default.
-pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO];
+pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO, given::KIND];
 
 impl StartInput<'_> {
     /// The layout of the model's first output, whose grid target and labels must share.
@@ -185,10 +186,28 @@ mod tests {
         })
     }
 
+    /// A file of uniform patterns whose mean part dose is near 1.
+    fn saved(model: &SmallModel, labels: &Volume<u8>, folder: &tempfile::TempDir) -> String {
+        let mut x = model.new_patterns().unwrap();
+        x.fill(1.0);
+        let [part, _] = contrast(model, labels, &x);
+        x.fill(0.95 / part as f32);
+        let shown = DoseModel::patterns(model)[0].patterns_of(x.as_slice());
+        let file = folder.path().join("patterns.npz");
+        let pair = crate::io::npy::PatternPair {
+            light: None,
+            shown: &shown,
+            raw: None,
+        };
+        crate::io::npy::write_patterns(&file, &[pair]).unwrap();
+        file.to_string_lossy().into_owned()
+    }
+
     #[test]
     fn every_row_keeps_the_bounds_and_gives_the_part_its_dose() {
         let model = SmallModel::new(32, 48, 3);
         let (target, labels) = model.ring();
+        let folder = tempfile::tempdir().unwrap();
         let responses: [&dyn Response; 2] =
             [&Identity, &Logistic::new(Default::default()).unwrap()];
         for row in STARTS {
@@ -201,7 +220,11 @@ mod tests {
                     response,
                     limits: &limits,
                 };
-                let start = (row.build)(&example(row)).unwrap();
+                let mut section = example(row);
+                if row.name == "patterns" {
+                    section.value["file"] = saved(&model, &labels, &folder).into();
+                }
+                let start = (row.build)(&section).unwrap();
                 let x = start.patterns(&input, &Run::new()).unwrap();
                 assert!(
                     x.as_slice().iter().all(|&v| v >= 0.0 && v.is_finite()),
