@@ -159,6 +159,13 @@ pub trait Field: Clone + Send + Sync {
     fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds);
     /// self ← P(x − t·gradient) − x, the projected gradient step of length t.
     fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums;
+    /// selfᵢ ← f(selfᵢ, otherᵢ): for the own formulas of a method.
+    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync);
+    /// Largest f(selfᵢ, otherᵢ), 0 at least; NaN if any is NaN.
+    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32;
+    /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
+    /// bound, the largest element takes its place.
+    fn quantise(&mut self, levels: u32, bounds: &Bounds);
     /// Secant sums of the step `self` between two gradients.
     fn secant(&self, before: &Self, after: &Self) -> Secant;
     /// Largest |selfᵢ|; NaN if any element is NaN.
@@ -256,6 +263,15 @@ impl HostField {
 fn clamp(value: f32, lower: f32, upper: f32) -> f32 {
     let value = if value < lower { lower } else { value };
     if value > upper { upper } else { value }
+}
+
+/// The larger of two numbers, NaN if one of them is.
+fn larger(a: f32, b: f32) -> f32 {
+    if a.is_nan() || b.is_nan() {
+        f32::NAN
+    } else {
+        a.max(b)
+    }
 }
 
 /// Σ aᵢ·bᵢ in f64, with eight running sums so that it vectorises.
@@ -389,25 +405,45 @@ impl Field for HostField {
     fn max_abs(&self) -> f32 {
         self.as_slice()
             .par_chunks(BLOCK)
-            .map(|block| {
-                block.iter().fold(0.0f32, |m, &v| {
-                    if m.is_nan() || v.is_nan() {
-                        f32::NAN
-                    } else {
-                        m.max(v.abs())
+            .map(|block| block.iter().map(|v| v.abs()).fold(0.0, larger))
+            .reduce(|| 0.0, larger)
+    }
+
+    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
+        self.update_blocks(other, |a, b| {
+            a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
+        });
+    }
+
+    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32 {
+        assert_eq!(self.len, other.len, "fields of different length");
+        self.as_slice()
+            .par_chunks(BLOCK)
+            .zip(other.as_slice().par_chunks(BLOCK))
+            .map(|(a, b)| a.iter().zip(b).map(|(&a, &b)| f(a, b)).fold(0.0, larger))
+            .reduce(|| 0.0, larger)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "at most 2¹⁶ levels")]
+    fn quantise(&mut self, levels: u32, bounds: &Bounds) {
+        let top = self.max_abs();
+        let steps = levels.saturating_sub(1).max(1) as f32;
+        bounds
+            .split_mut(self.as_mut_slice())
+            .into_par_iter()
+            .zip(&bounds.blocks)
+            .for_each(|(values, b)| {
+                let upper = if b.upper.is_finite() { b.upper } else { top };
+                let width = upper - b.lower;
+                if width > 0.0 {
+                    for value in values {
+                        let share = (clamp(*value, b.lower, upper) - b.lower) / width;
+                        // Half goes up, as in the patterns that are written
+                        let level = (share * steps + 0.5).floor() / steps;
+                        *value = clamp(b.lower + level * width, b.lower, upper);
                     }
-                })
-            })
-            .reduce(
-                || 0.0,
-                |a, b| {
-                    if a.is_nan() || b.is_nan() {
-                        f32::NAN
-                    } else {
-                        a.max(b)
-                    }
-                },
-            )
+                }
+            });
     }
 
     fn to_host(&self) -> Vec<f32> {
@@ -420,5 +456,31 @@ impl Field for HostField {
 
     fn copy_from_host(&mut self, values: &[f32]) {
         self.as_mut_slice().copy_from_slice(values);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_even_between_the_bounds_and_half_goes_up() {
+        let mut x = HostField::from_slice(&[-1.0, 0.0, 0.124, 0.125, 0.4, 0.99, 7.0]);
+        // Five levels on [0, 1]
+        x.quantise(5, &Bounds::uniform(7, 0.0, 1.0));
+        assert_eq!(x.as_slice(), [0.0, 0.0, 0.0, 0.25, 0.5, 1.0, 1.0]);
+        // One bit from ¼ to the largest element
+        let mut x = HostField::from_slice(&[0.0, 1.0, 2.25, 1.2]);
+        x.quantise(2, &Bounds::uniform(4, 0.25, f32::INFINITY));
+        assert_eq!(x.as_slice(), [0.25, 0.25, 2.25, 0.25]);
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_lost_in_the_largest() {
+        let x = HostField::from_slice(&[1.0, f32::NAN, 3.0]);
+        assert!(x.max_abs().is_nan());
+        assert!(x.largest_with(&x, |a, _| a).is_nan());
+        let y = HostField::from_slice(&[1.0, -5.0, 3.0]);
+        assert_eq!(y.largest_with(&y, |a, _| a), 3.0);
     }
 }

@@ -124,6 +124,17 @@ fn every_optimiser_pays_for_light_and_for_roughness() {
     let objective = objective(&model);
     let parts = [penalties(&model, 1.0, 0.0), penalties(&model, 0.0, 1.0)];
     for row in OPTIMIZERS {
+        let example = crate::kind::tests_of_rows::example(row);
+        let needs = (row.build)(&example).unwrap().needs();
+        if needs.unpenalised.is_some() {
+            let flag = Run::new();
+            let problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
+                .unwrap()
+                .with_penalties(penalties(&model, 1.0, 0.0));
+            let refused = needs.check(&problem).unwrap_err().to_string();
+            assert!(refused.contains("penalties"), "{}: {refused}", row.name);
+            continue;
+        }
         let run = |sparsity: f64, smoothness: f64| {
             let flag = Run::new();
             let mut problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
@@ -134,8 +145,7 @@ fn every_optimiser_pays_for_light_and_for_roughness() {
             let mut x = patterns(&model);
             let stop = Stop {
                 iterations: 25,
-                projected_gradient: 0.0,
-                seconds: None,
+                ..Stop::default()
             };
             crate::optimize::run(
                 &mut problem,

@@ -9,6 +9,7 @@
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
+mod coarse;
 pub mod document;
 mod estimate;
 pub mod folder;

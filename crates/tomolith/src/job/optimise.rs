@@ -1,5 +1,6 @@
 //! The optimisation of a job: from voxels to patterns.
 
+use super::coarse;
 use super::folder::RunFolder;
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
@@ -12,7 +13,7 @@ use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::{DoseModel, Run, planner};
-use crate::optimize::start::StartInput;
+use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
 };
@@ -80,11 +81,23 @@ pub(crate) fn optimise(
     });
     let model = plan.model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
-    let start = starting_patterns(scene, voxels, model, cancel)?;
-    let limits = limits(spec, &start);
-    let penalties = scene.penalties(model.patterns())?;
-    let mut problem = Problem::new(model, &objective, &limits, cancel)?.with_penalties(penalties);
+    let start = match coarse::solve(scene, cancel)? {
+        Some(levels) => {
+            progress.event(&Event::Note { text: levels.note });
+            starting_patterns(scene, voxels, model, &levels.start, cancel)?
+        }
+        None => starting_patterns(scene, voxels, model, scene.start()?.as_ref(), cancel)?,
+    };
     let mut optimizer = scene.optimizer()?;
+    let limits = limits(spec, &start, optimizer.normalises());
+    let penalties = scene.penalties(model.patterns())?;
+    let mut problem = Problem::new(model, &objective, &limits, cancel)?
+        .with_penalties(penalties)
+        .with_bits(spec.bounds.bits)?;
+    if optimizer.needs().target.is_some() {
+        problem = problem.with_target(target_field(scene, voxels, model)?);
+    }
+    optimizer.needs().check(&problem)?;
     let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
@@ -101,6 +114,7 @@ pub(crate) fn optimise(
     let stop = Stop {
         iterations: spec.stop.iterations,
         projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
+        change: spec.stop.change.unwrap_or(0.0),
         seconds: spec.stop.wall_s,
     };
     let updates = model.updates();
@@ -143,11 +157,29 @@ pub(crate) fn optimise(
     }
 }
 
-/// Where the optimisation begins: within the bounds that the job gives.
-fn starting_patterns(
+/// The target as methods see it that compare doses with it themselves.
+pub(super) fn target_field(
     scene: &Scene,
     voxels: &Voxels,
     model: &dyn DoseModel<Field = HostField>,
+) -> Result<HostField> {
+    let response = scene.response()?;
+    let input = StartInput {
+        model,
+        target: &voxels.target,
+        labels: &voxels.labels,
+        response: response.as_ref(),
+        limits: &[],
+    };
+    input.target_field()
+}
+
+/// Where the optimisation begins: within the bounds that the job gives.
+pub(super) fn starting_patterns(
+    scene: &Scene,
+    voxels: &Voxels,
+    model: &dyn DoseModel<Field = HostField>,
+    start: &dyn Start,
     cancel: &Run,
 ) -> Result<HostField> {
     let bounds = &scene.spec.bounds;
@@ -163,14 +195,15 @@ fn starting_patterns(
         response: response.as_ref(),
         limits: &vec![limits; scene.spec.light.len()],
     };
-    scene.start()?.patterns(&input, cancel)
+    start.patterns(&input, cancel)
 }
 
 /// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
-/// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them.
-fn limits(spec: &JobSpec, start: &HostField) -> Vec<Limits> {
+/// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them. A method that
+/// normalises its doses has a scale of its own, to which the start says nothing.
+pub(super) fn limits(spec: &JobSpec, start: &HostField, normalises: bool) -> Vec<Limits> {
     let largest = f64::from(start.max_abs());
-    let natural = if largest > spec.bounds.min {
+    let natural = if largest > spec.bounds.min && !normalises {
         largest
     } else {
         f64::INFINITY

@@ -216,6 +216,7 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::Iterations => "as many as were asked for",
         StopReason::ZeroLoss => "the loss is zero",
         StopReason::ProjectedGradient => "the projected gradient is small enough",
+        StopReason::Steady => "the loss hardly changes any more",
         StopReason::NoProgress => "no better patterns within the precision of the numbers",
         StopReason::Observer => "the loss or IoU that was asked for is reached",
         StopReason::WallTime => "the time is over",

@@ -67,7 +67,10 @@ impl Scene {
     }
 
     fn of_spec(job: &Job) -> Result<Self> {
-        let spec = job.spec.clone();
+        let mut spec = job.spec.clone();
+        if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file") {
+            *file = job.base().join(&*file).to_string_lossy().into_owned();
+        }
         RunFolder::check(&job.folder())?;
         let optics = Optics::new(&spec)?;
         let shape =

@@ -19,7 +19,7 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 4] = [
+const PLANNED: [(&str, &str, &str); 3] = [
     (
         "bath",
         "absorbing baths are not in this version",
@@ -29,11 +29,6 @@ const PLANNED: [(&str, &str, &str); 4] = [
         "printer",
         "models of machines are not in this version",
         "patterns are exported as they are: no canvas, no flips, no grey curve",
-    ),
-    (
-        "coarse",
-        "coarse grids are not in this version",
-        "the optimisation runs on one grid",
     ),
     (
         "resin.phase",
@@ -76,6 +71,9 @@ pub struct JobSpec {
     /// The patterns to start from, `[start.KIND]`.
     #[serde(default = "fbp")]
     pub start: Value,
+    /// A start from coarser levels; none when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coarse: Option<CoarseSpec>,
     /// Limits of the pattern values.
     #[serde(default)]
     pub bounds: BoundsSpec,
@@ -229,6 +227,25 @@ pub enum Angles {
     List(Vec<f64>),
 }
 
+/// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct CoarseSpec {
+    /// Number of coarser levels, 1 to 6.
+    pub levels: usize,
+    /// Iterations on each of them.
+    pub iterations: usize,
+}
+
+impl Default for CoarseSpec {
+    fn default() -> Self {
+        CoarseSpec {
+            levels: 1,
+            iterations: 20,
+        }
+    }
+}
+
 /// Limits of pattern values, in units of the response's dose.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
@@ -238,6 +255,9 @@ pub struct BoundsSpec {
     /// Largest value; when left out, the largest pixel of the start (none for a dark start).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
+    /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bits: Option<u32>,
 }
 
 /// When the optimisation ends: at the first of these.
@@ -249,6 +269,9 @@ pub struct StopSpec {
     /// Norm of the projected gradient, relative to the start's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projected_gradient: Option<f64>,
+    /// Mean change of the loss over five steps, relative to the loss (0.001 in the BCLP paper).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<f64>,
     /// The loss; 0 always ends it.
     pub loss: f64,
     /// IoU on the optimisation grid, 0 to 1.
@@ -327,6 +350,7 @@ impl Default for StopSpec {
         StopSpec {
             iterations: 40,
             projected_gradient: None,
+            change: None,
             loss: 0.0,
             iou: None,
             wall_s: None,

@@ -207,7 +207,7 @@ fn light(light: &LightSpec) -> Result<()> {
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
-    let BoundsSpec { min, max } = spec.bounds;
+    let BoundsSpec { min, max, bits } = spec.bounds;
     within(
         "bounds.min",
         min,
@@ -220,7 +220,20 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         let accepted = format!("from bounds.min = {min} to {MOST_LIGHT:e} mJ/mm²");
         within("bounds.max", max, min, MOST_LIGHT, &accepted)
     })?;
+    optional(bits.map(f64::from), |v| {
+        within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
+    })?;
+    if let Some(coarse) = &spec.coarse {
+        within(
+            "coarse.levels",
+            coarse.levels as f64,
+            1.0,
+            6.0,
+            "1 to 6 levels",
+        )?;
+    }
     let stop = &spec.stop;
+    optional(stop.change, |v| positive("stop.change", v, ""))?;
     not_negative("stop.loss", stop.loss, "")?;
     optional(stop.projected_gradient, |v| {
         positive("stop.projected_gradient", v, "")
@@ -373,6 +386,10 @@ mod tests {
             ("bounds.min=1e30", "bounds.min"),
             ("bounds.max=1e30", "bounds.max"),
             ("bounds.min=5", "bounds.max"),
+            ("bounds.bits=0", "bounds.bits"),
+            ("coarse.levels=9", "coarse.levels"),
+            ("bounds.bits=17", "bounds.bits"),
+            ("stop.change=-1", "stop.change"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),
             ("stop.projected_gradient=-1", "stop.projected_gradient"),

@@ -4,16 +4,27 @@
 //!
 //! **Automatic length** t is the Barzilai–Borwein length of the last step, s·s/s·y and s·y/y·y in turn (s the change of x, y that
 //! of the gradient, both only where x moved), and α the exact minimum on the feasible segment: the loss never rises.
-//! **Fixed length** t is given, α = 1, and the loss may rise.
+//! **Fixed length** t is given, α = 1, and the loss may rise. With momentum m the gradient is replaced by its running mean
+//! u ← m·u + (1 − m)·g, u = 0 at the start: the heavy ball as the VAMToolbox family writes it.
 //!
 //! **Source** Barzilai and Borwein, IMA J. Numer. Anal. 8 (1988) 141; Birgin, Martínez and Raydan, SIAM J. Optim. 10 (2000) 1196.
 //!
 //! **Parameters** see [`Params`]. **Cost** one forward and one adjoint call a step; 12 bytes read and 4 written per pixel to make
 //! the step, 12 for its secant, 12 to move. Memory: three pattern vectors (step and two gradients).
+//!
+//! ```
+//! use tomolith::kind::Section;
+//! use tomolith::optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "gradient").unwrap();
+//! let fixed = Section::new("optimizer.gradient", serde_json::json!({"step": 0.5, "momentum": 0.9}));
+//! assert!(!(row.build)(&fixed).unwrap().is_monotone()); // a fixed step may raise the loss
+//! let lost = Section::new("optimizer.gradient", serde_json::json!({"momentum": 0.9}));
+//! assert!((row.build)(&lost).is_err()); // an automatic length has no use for momentum
+//! ```
 
 use super::{
-    BuildOptimizer, Memory, Optimizer, Position, Problem, Recall, SavedArray, Step, recall_field,
-    recall_numbers,
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
+    recall_field, recall_numbers,
 };
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -27,6 +38,8 @@ use serde::{Deserialize, Serialize};
 pub struct Params {
     /// Fixed length t of a step, above 0, in units of x per unit of gradient; automatic when it is not given
     pub step: Option<f64>,
+    /// Share of the past in the running mean of gradients, 0 or above and below 1 (default 0); needs a fixed step
+    pub momentum: f64,
 }
 
 /// The projected gradient method.
@@ -90,6 +103,14 @@ impl<F: Field> Gradient<F> {
                 "a finite number above 0",
             ));
         }
+        momentum(params.momentum)?;
+        if params.momentum > 0.0 && params.step.is_none() {
+            return Err(Error::config(
+                "momentum",
+                format!("found {} without `step`", params.momentum),
+                "momentum with a fixed step; the automatic length has its own memory",
+            ));
+        }
         Ok(Gradient {
             params,
             length: 0.0,
@@ -115,12 +136,32 @@ impl<F: Field> Gradient<F> {
     }
 }
 
+/// Refuses a momentum outside [0, 1).
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(super) fn momentum(value: f64) -> Result<()> {
+    if (0.0..1.0).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::config(
+        "momentum",
+        format!("found {value}"),
+        "0 or above, below 1",
+    ))
+}
+
 impl<F: Field> Optimizer<F> for Gradient<F> {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
         let mut fields = self.fields.take().unwrap_or_else(|| Fields::like(x));
         std::mem::swap(&mut fields.gradient, &mut fields.before);
         problem.gradient(x, at, &mut fields.gradient)?;
+        if self.params.momentum > 0.0 {
+            let m = self.params.momentum as f32;
+            fields.gradient.scale(1.0 - m);
+            fields.gradient.axpy(m, &fields.before);
+        }
         self.length = match self.params.step {
             Some(step) => step,
             None if self.steps == 0 => {
@@ -156,6 +197,15 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
 
     fn is_monotone(&self) -> bool {
         self.params.step.is_none()
+    }
+
+    fn needs(&self) -> Needs {
+        Needs {
+            continuous: self.params.step.is_none().then_some(
+                "the automatic step length is searched along a line, which rounded patterns leave; give `step`",
+            ),
+            ..Needs::of("gradient")
+        }
     }
 
     fn memory(&self) -> Memory<'_> {

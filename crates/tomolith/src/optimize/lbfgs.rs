@@ -29,8 +29,8 @@
 //! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
 
 use super::{
-    BuildOptimizer, Memory, Optimizer, Position, Problem, Recall, SavedArray, Step, recall_field,
-    recall_numbers,
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
+    recall_field, recall_numbers,
 };
 use crate::error::{Error, Result};
 use crate::field::{Direction, Field, Latest, Pairs, Products};
@@ -317,6 +317,15 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         true
     }
 
+    fn needs(&self) -> Needs {
+        Needs {
+            continuous: Some(
+                "its pairs measure curvature along steps, which rounding changes, and its search walks a line",
+            ),
+            ..Needs::of("lbfgs")
+        }
+    }
+
     fn memory(&self) -> Memory<'_> {
         let mut arrays = Vec::new();
         if let Some(fields) = &self.fields {
@@ -481,7 +490,7 @@ mod tests {
         let stop = Stop {
             iterations: 300,
             projected_gradient: 1e-6,
-            seconds: None,
+            ..Stop::default()
         };
         let mut optimizer = Lbfgs::new(Params::default()).unwrap();
         let (x, outcome) = solve(&model, &*objective, &mut optimizer, &stop);

@@ -4,18 +4,32 @@
 //! objective, bounds) and [`Field`]s, no optics and no files. The loop around it, with stopping, history and checkpoints, is
 //! [`run()`]; where it begins is [`start`].
 
+pub mod adam;
+pub mod bclp;
+pub mod cal;
 pub mod checkpoint;
+pub mod filter;
+pub mod fista;
+#[cfg(test)]
+pub(crate) mod follow;
 pub mod gradient;
 pub mod lbfgs;
+pub mod needs;
+pub mod osmo;
+pub mod pm;
 pub mod problem;
+pub mod published;
 pub mod run;
 pub mod start;
+mod turns;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::kind::{Kind, Section};
 pub use checkpoint::{Checkpoints, Contents};
+pub use needs::Needs;
 pub use problem::{Counters, Limits, Position, Problem};
+pub use published::PublishedScale;
 pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run};
 pub use start::{STARTS, Start, StartInput};
 
@@ -31,6 +45,13 @@ pub trait Optimizer<F: Field>: Send {
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
     /// Whether no step raises the loss.
     fn is_monotone(&self) -> bool;
+    /// What it needs of a problem: [`run()`] refuses another one before any work.
+    fn needs(&self) -> Needs;
+    /// Whether it is published with doses divided by their largest: then its patterns have that scale, it follows a rule of its
+    /// own, and the loss only says which of its steps was the best.
+    fn normalises(&self) -> bool {
+        false
+    }
     /// What must be saved. Between steps only.
     fn memory(&self) -> Memory<'_>;
     /// Takes back what [`memory`](Self::memory) gave; `x` shows where fields live.
@@ -43,7 +64,8 @@ pub trait Optimizer<F: Field>: Send {
 /// What a step did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Norm of the projected gradient at the beginning of the step: ‖P(x − t·g) − x‖/t.
+    /// Norm of the projected gradient at the beginning of the step: ‖P(x − t·g) − x‖/t; that of the correction, for methods
+    /// with a rule of their own.
     pub projected_gradient: f64,
     /// α of the feasible segment, or the step length of a fixed step; 0 when no better point was found.
     pub length: f64,
@@ -125,7 +147,16 @@ pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Re
 pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
 
 /// Every optimiser.
-pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[lbfgs::KIND, gradient::KIND];
+pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[
+    lbfgs::KIND,
+    gradient::KIND,
+    fista::KIND,
+    adam::KIND,
+    osmo::KIND,
+    cal::KIND,
+    pm::KIND,
+    bclp::KIND,
+];
 
 #[cfg(test)]
 mod tests {

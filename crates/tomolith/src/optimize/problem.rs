@@ -52,6 +52,10 @@ pub struct Problem<'a, F: Field> {
     objective: &'a dyn Objective<F>,
     penalties: Penalties<F>,
     bounds: Bounds,
+    /// Levels of a pixel, when patterns are rounded in every step.
+    levels: Option<u32>,
+    /// Target per element of the dose field, below 0 where a voxel does not count.
+    target: Option<F>,
     run: &'a Run,
     /// What was done so far.
     pub counters: Counters,
@@ -93,6 +97,8 @@ impl<'a, F: Field> Problem<'a, F> {
             objective,
             penalties: Penalties::default(),
             bounds,
+            levels: None,
+            target: None,
             run,
             counters: Counters::default(),
         })
@@ -111,6 +117,33 @@ impl<'a, F: Field> Problem<'a, F> {
         &self.penalties
     }
 
+    /// The same problem with patterns of so many bits: every step ends on one of 2^bits levels, even between the bounds
+    /// (without an upper one, up to the largest pixel). None: no rounding.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for other than 1 to 16 bits.
+    pub fn with_bits(mut self, bits: Option<u32>) -> Result<Self> {
+        if let Some(bits) = bits
+            && !(1..=16).contains(&bits)
+        {
+            return Err(Error::config(
+                "bounds.bits",
+                format!("found {bits}"),
+                "1 to 16 bits, or no such key for patterns that are not rounded",
+            ));
+        }
+        self.levels = bits.map(|bits| 1 << bits);
+        Ok(self)
+    }
+
+    /// The same problem with its target as a dose field, for methods that [need](super::Needs::target) one: 1 in the part and 0
+    /// in the void, or grey values; below 0 where a voxel does not count.
+    #[must_use]
+    pub fn with_target(mut self, target: F) -> Self {
+        self.target = Some(target);
+        self
+    }
+
     /// The model.
     #[must_use]
     pub fn model(&self) -> &'a dyn DoseModel<Field = F> {
@@ -127,6 +160,29 @@ impl<'a, F: Field> Problem<'a, F> {
     #[must_use]
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
+    }
+
+    /// The levels that pixels are rounded to in every step, or None.
+    #[must_use]
+    pub fn levels(&self) -> Option<u32> {
+        self.levels
+    }
+
+    /// The target, as given to [`with_target`](Self::with_target).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when there is none.
+    pub fn target(&self) -> Result<&F> {
+        self.target.as_ref().ok_or_else(|| Error::Unsupported {
+            what: "a method that looks at the target".to_owned(),
+            reason: "the problem was built without one".to_owned(),
+        })
+    }
+
+    /// Whether there is a target.
+    #[must_use]
+    pub fn has_target(&self) -> bool {
+        self.target.is_some()
     }
 
     /// Whether the user asked to stop.
@@ -166,13 +222,108 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(())
     }
 
-    /// Brings x into the bounds, and evaluates it.
+    /// F′(x)ᵀ d: a dose field as the pixels see it, counted; with a linear model x may be any patterns.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn project(&mut self, x: &F, dose: &F, patterns: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.pullback(x, dose, patterns, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.adjoint += 1;
+        done
+    }
+
+    /// L at any dose, and ∂L/∂dose written over `cotangent`; no model call.
+    pub fn objective_at(&mut self, dose: &F, cotangent: &mut F) -> f64 {
+        self.timed(|objective, _| objective.value_and_gradient(dose, cotangent))
+    }
+
+    /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn evaluate(&mut self, x: &mut F, at: &mut Position<F>) -> Result<()> {
+        self.settle(x);
+        self.measure(x, at)
+    }
+
+    /// Dose, loss and cotangent of patterns that need no bringing into the bounds.
+    fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        self.dose(x, dose)?;
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
+        Ok(())
+    }
+
+    /// Evaluates patterns of any scale after scaling them so that the largest dose of the voxels that count is 1; returns the
+    /// largest dose before. Patterns that the bounds cut then cost a second forward call, and the largest dose is another.
+    /// `scratch` is overwritten.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when the dose is zero everywhere, or there is no target; [`Error::Cancelled`].
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    pub fn evaluate_scaled(
+        &mut self,
+        x: &mut F,
+        scratch: &mut F,
+        at: &mut Position<F>,
+    ) -> Result<f64> {
+        self.dose(x, &mut at.dose)?;
+        let counted = |dose: f32, target: f32| if target < 0.0 { 0.0 } else { dose };
+        let largest = f64::from(at.dose.largest_with(self.target()?, counted));
+        if largest == 0.0 {
+            return Err(Error::Unsupported {
+                what: "normalising by the largest dose".to_owned(),
+                reason: "the dose became zero everywhere; thresholds nearer to the ceiling, or another start, keep light"
+                    .to_owned(),
+            });
+        }
+        let scale = (1.0 / largest) as f32;
+        x.scale(scale);
+        at.dose.scale(scale);
+        let cut = scratch.project_step(x, x, 0.0, &self.bounds).square > 0.0;
+        if cut {
+            x.move_along(scratch, 1.0, &self.bounds);
+            self.dose(x, &mut at.dose)?;
+        }
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
+        Ok(largest)
+    }
+
+    /// Into the bounds, and to the levels.
+    fn settle(&self, x: &mut F) {
+        let zero = x.zeros_like();
+        x.move_along(&zero, 0.0, &self.bounds);
+        self.round(x);
+    }
+
+    /// To the levels, when there are any.
+    fn round(&self, x: &mut F) {
+        if let Some(levels) = self.levels {
+            x.quantise(levels, &self.bounds);
+        }
+    }
+
+    /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
     ///
     /// # Errors
     /// [`Error::Cancelled`], or not enough memory.
     pub fn place(&mut self, x: &mut F) -> Result<Position<F>> {
-        let zero = x.zeros_like();
-        x.move_along(&zero, 0.0, &self.bounds);
+        self.settle(x);
         let mut dose = self.model.new_dose()?;
         self.dose(x, &mut dose)?;
         self.place_at(x, dose)
@@ -200,16 +351,8 @@ impl<'a, F: Field> Problem<'a, F> {
     /// [`Error::Cancelled`].
     pub fn take(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
         x.move_along(step, 1.0, &self.bounds);
-        let Position {
-            dose,
-            cotangent,
-            loss,
-        } = at;
-        self.dose(x, dose)?;
-        *loss = self.timed(|objective, penalties| {
-            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
-        });
-        Ok(())
+        self.round(x);
+        self.measure(x, at)
     }
 
     /// Goes to the best place found on the feasible segment of `step` = x̄ − x; `slope` is the gradient times the step and

@@ -17,6 +17,9 @@ pub struct Stop {
     pub iterations: usize,
     /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
     pub projected_gradient: f64,
+    /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
+    /// never); 0.001 is Li et al. (2024), eq. 28
+    pub change: f64,
     /// Stop after this many seconds, above 0; no limit when it is not given
     pub seconds: Option<f64>,
 }
@@ -26,10 +29,14 @@ impl Default for Stop {
         Stop {
             iterations: 40,
             projected_gradient: 0.0,
+            change: 0.0,
             seconds: None,
         }
     }
 }
+
+/// Steps over which the change of the loss is averaged.
+const STEADY: usize = 5;
 
 impl Stop {
     /// Refuses numbers out of range.
@@ -51,6 +58,9 @@ impl Stop {
                 "a finite number, 0 or above",
             );
         }
+        if !(self.change.is_finite() && self.change >= 0.0) {
+            return refuse("change", self.change, "a finite number, 0 or above");
+        }
         match self.seconds {
             Some(s) if !(s.is_finite() && s > 0.0) => {
                 refuse("seconds", s, "a finite number above 0")
@@ -70,6 +80,8 @@ pub enum StopReason {
     ZeroLoss,
     /// The projected gradient is small enough.
     ProjectedGradient,
+    /// The loss hardly changes any more.
+    Steady,
     /// No better point was found: as good as f32 gets.
     NoProgress,
     /// An observer asked for it (a metric reached its goal).
@@ -154,6 +166,7 @@ pub struct Outcome {
 /// With checkpoints, a checkpoint of the same job in their folder is resumed first (`x` is then overwritten).
 ///
 /// # Errors
+/// [`Error::Unsupported`] when the optimiser [needs](super::Needs) what the problem lacks;
 /// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
 /// A cancelled run is no error; cancelled before its first loss, that is NaN and the history empty.
 pub fn run<F: Field>(
@@ -165,6 +178,7 @@ pub fn run<F: Field>(
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<Outcome> {
     stop.validate()?;
+    optimizer.needs().check(problem)?;
     let Some(mut state) = begin(problem, optimizer, x, checkpoints.as_deref())? else {
         let history = Vec::new();
         return Ok(Outcome {
@@ -322,6 +336,8 @@ impl<F: Field> State<F> {
             Some(StopReason::ZeroLoss)
         } else if row.projected_gradient.is_some_and(small) {
             Some(StopReason::ProjectedGradient)
+        } else if stop.change > 0.0 && self.change().is_some_and(|c| c <= stop.change * row.loss) {
+            Some(StopReason::Steady)
         } else if row.step == Some(0.0) {
             Some(StopReason::NoProgress)
         } else if broken {
@@ -333,6 +349,14 @@ impl<F: Field> State<F> {
         } else {
             None
         }
+    }
+
+    /// Mean change of the loss over the last steps; None before there are enough.
+    fn change(&self) -> Option<f64> {
+        let last = self.history.len().checked_sub(STEADY + 1)?;
+        let losses = self.history[last..].windows(2);
+        let changes = losses.map(|pair| (pair[1].loss - pair[0].loss).abs());
+        Some(changes.sum::<f64>() / STEADY as f64)
     }
 
     /// One step, its row, and the best patterns.
@@ -400,7 +424,7 @@ mod tests {
     use crate::optimize::checkpoint::Params;
     use crate::optimize::gradient::{self, Gradient};
     use crate::optimize::lbfgs::{self, Lbfgs};
-    use crate::optimize::{Limits, Memory, Recall, Step};
+    use crate::optimize::{Limits, Memory, Needs, OPTIMIZERS, Recall, Step};
     use crate::response::Identity;
     use std::cell::Cell;
     use std::ops::Range;
@@ -587,6 +611,10 @@ mod tests {
             false
         }
 
+        fn needs(&self) -> Needs {
+            Needs::of("straight")
+        }
+
         fn memory(&self) -> Memory<'_> {
             Memory::default()
         }
@@ -628,7 +656,10 @@ mod tests {
     fn a_fixed_step_that_is_too_long_ends_at_the_best() {
         let model = SmallModel::new(16, 24, 1);
         let objective = objective(&model, "l2");
-        let params = gradient::Params { step: Some(8.0) };
+        let params = gradient::Params {
+            step: Some(8.0),
+            ..gradient::Params::default()
+        };
         let (x, outcome) = go(
             &model,
             &*objective,
@@ -736,6 +767,131 @@ mod tests {
 
         fn describe(&self) -> String {
             "a twisted model".to_owned()
+        }
+    }
+
+    #[test]
+    fn a_steady_loss_ends_the_run_by_equation_28() {
+        let model = SmallModel::new(16, 24, 1);
+        let l2 = objective(&model, "l2");
+        let stop = Stop {
+            change: 0.01,
+            ..steps(500)
+        };
+        let (_, outcome) = go(&model, &*l2, &mut newton(), stop, None, &mut []);
+        let outcome = outcome.unwrap();
+        assert_eq!(outcome.reason, StopReason::Steady);
+        let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+        let met = |k: usize| {
+            let changes = (k - 4..=k).map(|i| (losses[i] - losses[i - 1]).abs());
+            changes.sum::<f64>() / 5.0 <= 0.01 * losses[k]
+        };
+        let last = losses.len() - 1;
+        assert!(met(last) && (5..last).all(|k| !met(k)), "{losses:?}");
+    }
+
+    #[test]
+    fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
+        let inner = SmallModel::new(10, 8, 1);
+        let l2 = objective(&inner, "l2");
+        let twisted = Twisted {
+            inner,
+            squared: true,
+            good_adjoints: u64::MAX,
+            adjoints: AtomicU64::new(0),
+        };
+        let flag = Run::new();
+        let refusal = |row: &crate::kind::Kind<crate::optimize::BuildOptimizer>,
+                       model: &dyn DoseModel<Field = HostField>,
+                       bits: Option<u32>| {
+            let mut optimizer = (row.build)(&crate::kind::tests_of_rows::example(row)).unwrap();
+            let mut problem = Problem::new(model, &*l2, &[Limits::default()], &flag)
+                .unwrap()
+                .with_bits(bits)
+                .unwrap();
+            let mut x = model.new_patterns().unwrap();
+            let outcome = run(
+                &mut problem,
+                &mut *optimizer,
+                &mut x,
+                &steps(1),
+                None,
+                &mut [],
+            );
+            assert!(outcome.is_ok() || problem.counters == Counters::default());
+            outcome.err().map(|e| e.to_string())
+        };
+        for row in OPTIMIZERS {
+            let bits = refusal(row, &twisted.inner, Some(8));
+            let curved = refusal(row, &twisted, None);
+            let expect = |found: &Option<String>, names: &[&str], word: &str| {
+                let found = found.as_deref().unwrap_or_default();
+                let told =
+                    found.starts_with(&format!("optimizer.{}", row.name)) || row.name == "pm";
+                assert_eq!(
+                    names.contains(&row.name),
+                    found.contains(word) && told,
+                    "{}: {found}",
+                    row.name
+                );
+            };
+            expect(&bits, &["lbfgs", "gradient", "pm"], "bounds.bits");
+            expect(&curved, &["fista", "osmo", "cal"], "not linear");
+        }
+        for bits in [0, 17] {
+            let refused = Problem::new(&twisted.inner, &*l2, &[Limits::default()], &flag)
+                .unwrap()
+                .with_bits(Some(bits));
+            assert!(matches!(refused, Err(Error::Config { key, .. }) if key == "bounds.bits"));
+        }
+    }
+
+    #[test]
+    fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
+        let model = SmallModel::new(16, 24, 1);
+        let l2 = objective(&model, "l2");
+        let flag = Run::new();
+        let limits = [Limits {
+            min: 0.25,
+            max: 1.75,
+        }];
+        for name in ["gradient", "bclp", "adam", "fista"] {
+            let row = OPTIMIZERS.iter().find(|row| row.name == name).unwrap();
+            let mut section = crate::kind::tests_of_rows::example(row);
+            if name == "gradient" {
+                section.value["step"] = 0.5.into();
+            }
+            let mut optimizer = (row.build)(&section).unwrap();
+            let mut problem = Problem::new(&model, &*l2, &limits, &flag)
+                .unwrap()
+                .with_bits(Some(4))
+                .unwrap();
+            let mut x = DoseModel::new_patterns(&model).unwrap();
+            x.fill(0.5);
+            let mut off = None;
+            let mut watch = |report: &StepReport<HostField>| {
+                // 16 levels from 0.25 to 1.75 are 0.1 apart
+                let level = |v: f32| f64::from(v - 0.25) / 0.1;
+                let wrong = |&v: &f32| (level(v) - level(v).round()).abs() > 1e-4;
+                off = off.or_else(|| report.patterns.as_slice().iter().copied().find(wrong));
+                ControlFlow::Continue(())
+            };
+            let outcome = run(
+                &mut problem,
+                &mut *optimizer,
+                &mut x,
+                &steps(15),
+                None,
+                &mut [&mut watch],
+            );
+            let outcome = outcome.unwrap();
+            assert_eq!(off, None, "{name} leaves the levels");
+            assert!(
+                outcome.loss < 0.8 * outcome.history[0].loss,
+                "{name}: {} of {}",
+                outcome.loss,
+                outcome.history[0].loss
+            );
         }
     }
 

@@ -4,6 +4,7 @@
 //! Whatever the method, the patterns lie within the bounds, and one forward call scales them so that the part gets its dose.
 
 pub mod fbp;
+pub mod given;
 pub mod level;
 
 use super::Limits;
@@ -11,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::field::{Bounds, Field, HostField};
 use crate::grid::Volume;
 use crate::kind::{Kind, Section};
-use crate::models::{DoseModel, Run};
+use crate::models::{DoseLayout, DoseModel, Run};
 use crate::response::Response;
 use crate::target::{Target, label};
 use rayon::prelude::*;
@@ -43,11 +44,11 @@ pub trait Start: std::fmt::Debug + Send + Sync {
 pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
 
 /// Every start; the first is the default.
-pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO];
+pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO, given::KIND];
 
 impl StartInput<'_> {
-    /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
-    fn wanted_dose(&self) -> Result<HostField> {
+    /// The layout of the model's first output, whose grid target and labels must share.
+    fn layout(&self) -> Result<&DoseLayout> {
         let layout = self
             .model
             .outputs()
@@ -68,6 +69,12 @@ impl StartInput<'_> {
                 });
             }
         }
+        Ok(layout)
+    }
+
+    /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
+    fn wanted_dose(&self) -> Result<HostField> {
+        let layout = self.layout()?;
         // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
         let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
         let (grey, part) = (self.target.grey, dose_of(1.0));
@@ -104,9 +111,41 @@ impl StartInput<'_> {
         if both > 0.0 && square > 0.0 {
             x.scale((both / square) as f32);
         }
+        self.bounded(x)
+    }
+
+    /// Brings patterns into the bounds.
+    fn bounded(&self, mut x: HostField) -> Result<HostField> {
         let zero = x.zeros_like();
         x.move_along(&zero, 0.0, &self.bounds()?);
         Ok(x)
+    }
+
+    /// The target per element of the dose field as a [`Problem`](super::Problem::with_target) wants it: 1 in the part and 0 in the
+    /// void, or grey values; −1 where a voxel does not count.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn target_field(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        let grey = self.target.grey;
+        let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
+        target
+            .values
+            .par_iter_mut()
+            .zip(&self.target.inside.values)
+            .zip(&self.labels.values)
+            .for_each(|((target, &inside), &label)| {
+                *target = match label {
+                    label::OUTSIDE => -1.0,
+                    _ if grey => inside,
+                    label::PART => 1.0,
+                    _ => 0.0,
+                };
+            });
+        let mut field = self.model.new_dose()?;
+        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&target));
+        Ok(field)
     }
 
     fn bounds(&self) -> Result<Bounds> {
@@ -147,10 +186,28 @@ mod tests {
         })
     }
 
+    /// A file of uniform patterns whose mean part dose is near 1.
+    fn saved(model: &SmallModel, labels: &Volume<u8>, folder: &tempfile::TempDir) -> String {
+        let mut x = model.new_patterns().unwrap();
+        x.fill(1.0);
+        let [part, _] = contrast(model, labels, &x);
+        x.fill(0.95 / part as f32);
+        let shown = DoseModel::patterns(model)[0].patterns_of(x.as_slice());
+        let file = folder.path().join("patterns.npz");
+        let pair = crate::io::npy::PatternPair {
+            light: None,
+            shown: &shown,
+            raw: None,
+        };
+        crate::io::npy::write_patterns(&file, &[pair]).unwrap();
+        file.to_string_lossy().into_owned()
+    }
+
     #[test]
     fn every_row_keeps_the_bounds_and_gives_the_part_its_dose() {
         let model = SmallModel::new(32, 48, 3);
         let (target, labels) = model.ring();
+        let folder = tempfile::tempdir().unwrap();
         let responses: [&dyn Response; 2] =
             [&Identity, &Logistic::new(Default::default()).unwrap()];
         for row in STARTS {
@@ -163,7 +220,11 @@ mod tests {
                     response,
                     limits: &limits,
                 };
-                let start = (row.build)(&example(row)).unwrap();
+                let mut section = example(row);
+                if row.name == "patterns" {
+                    section.value["file"] = saved(&model, &labels, &folder).into();
+                }
+                let start = (row.build)(&section).unwrap();
                 let x = start.patterns(&input, &Run::new()).unwrap();
                 assert!(
                     x.as_slice().iter().all(|&v| v >= 0.0 && v.is_finite()),

@@ -1,0 +1,133 @@
+//! A start from coarser levels: the problem is solved on half the voxels, pixels and frames first, and what was found there is the
+//! start of the next level.
+//!
+//! A level has an eighth of the voxels and half of the frames of the next, so an iteration costs a sixteenth of it; the outermost
+//! level begins from the job's `[start]`. Targets and objectives are made anew on each grid; thresholds mean the same, since
+//! doses do. Details finer than two voxels of the coarsest level are only seen later.
+
+use super::optimise::{limits, starting_patterns};
+use super::scene::Scene;
+use crate::error::Result;
+use crate::grid::{PatternGrid, Patterns, VolumeGrid};
+use crate::models::parallel::Light;
+use crate::models::{Run, planner};
+use crate::optimize::start::given::Given;
+use crate::optimize::{self, Counters, Problem, Stop};
+
+/// Smallest number of voxels along an edge, and of frames, that a level may have.
+const LEAST: usize = 8;
+
+/// What the coarser levels came to.
+pub(super) struct Coarse {
+    /// The start of the finest level.
+    pub(super) start: Given,
+    /// One sentence for people.
+    pub(super) note: String,
+}
+
+/// Solves the coarser levels of a job; None when it asks for none, or is too small for any.
+///
+/// # Errors
+/// Those of the optimisation itself.
+pub(super) fn solve(scene: &Scene, run: &Run) -> Result<Option<Coarse>> {
+    let Some(coarse) = &scene.spec.coarse else {
+        return Ok(None);
+    };
+    let mut found: Option<Given> = None;
+    let mut done = Vec::new();
+    for level in (1..=coarse.levels).rev() {
+        let factor = 1 << level;
+        let grid = coarser_grid(&scene.grid, factor);
+        let lights: Vec<Light> = scene
+            .optics
+            .lights
+            .iter()
+            .map(|light| coarser_light(light, factor))
+            .collect();
+        let frames = lights.iter().map(|light| light.pixels.frames()).min();
+        if grid.shape[1] < LEAST || frames.is_none_or(|frames| frames < LEAST) {
+            continue;
+        }
+        let (patterns, counters) = solve_level(scene, &grid, lights, found.as_ref(), run)?;
+        done.push(format!(
+            "{:?} voxels: {} calls in {:.1} s",
+            grid.shape,
+            counters.forward + counters.adjoint,
+            counters.model_s + counters.objective_s
+        ));
+        found = Some(Given(patterns));
+    }
+    Ok(found.map(|start| Coarse {
+        start,
+        note: format!("started from coarser levels ({})", done.join("; ")),
+    }))
+}
+
+/// One level, from the patterns of the one before or the job's start.
+fn solve_level(
+    scene: &Scene,
+    grid: &VolumeGrid,
+    lights: Vec<Light>,
+    start: Option<&Given>,
+    run: &Run,
+) -> Result<(Vec<Patterns>, Counters)> {
+    let voxels = scene.voxels(grid)?;
+    let vial = scene.optics.vial.as_ref();
+    let plan = planner::plan(vial, lights, grid.clone(), Some(&voxels.wanted()), run)?;
+    let model = plan.model.as_ref();
+    let objective = scene.objective(&model.outputs()[0], &voxels)?;
+    let mut x = match start {
+        Some(given) => starting_patterns(scene, &voxels, model, given, run)?,
+        None => starting_patterns(scene, &voxels, model, scene.start()?.as_ref(), run)?,
+    };
+    let mut optimizer = scene.optimizer()?;
+    let limits = limits(&scene.spec, &x, optimizer.normalises());
+    let mut problem =
+        Problem::new(model, &objective, &limits, run)?.with_bits(scene.spec.bounds.bits)?;
+    if optimizer.needs().target.is_some() {
+        problem = problem.with_target(super::optimise::target_field(scene, &voxels, model)?);
+    }
+    let stop = Stop {
+        iterations: scene.spec.coarse.as_ref().map_or(0, |c| c.iterations),
+        ..Stop::default()
+    };
+    optimize::run(
+        &mut problem,
+        optimizer.as_mut(),
+        &mut x,
+        &stop,
+        None,
+        &mut [],
+    )?;
+    let patterns = model
+        .patterns()
+        .iter()
+        .map(|layout| layout.patterns_of(x.as_slice()))
+        .collect();
+    Ok((patterns, problem.counters))
+}
+
+/// The same box with voxels `factor` times as large (a little more of a box where the count is no multiple).
+fn coarser_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
+    VolumeGrid {
+        shape: grid.shape.map(|n| n.div_ceil(factor)),
+        pitch_mm: grid.pitch_mm * factor as f64,
+        center_mm: grid.center_mm,
+    }
+}
+
+/// The same light with every `factor`-th frame and pixels `factor` times as large.
+fn coarser_light(light: &Light, factor: usize) -> Light {
+    let pixels = &light.pixels;
+    Light {
+        pixels: PatternGrid {
+            azimuths: pixels.azimuths.iter().copied().step_by(factor).collect(),
+            frame_arc: pixels.frame_arc * factor as f64,
+            rows: pixels.rows.div_ceil(factor),
+            columns: pixels.columns.div_ceil(factor),
+            pitch_mm: pixels.pitch_mm * factor as f64,
+        },
+        active: None,
+        ..light.clone()
+    }
+}
