@@ -91,6 +91,7 @@ impl Job {
         if let Some(phantom) = &mut spec.target.phantom {
             *phantom = with_defaults(pages("target.phantom"), phantom);
         }
+        spec.model = with_defaults(pages("model"), &spec.model);
         spec.response = with_defaults(pages("response"), &spec.response);
         spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
         spec.start = with_defaults(pages("start"), &spec.start);

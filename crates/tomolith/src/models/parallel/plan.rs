@@ -3,6 +3,7 @@
 use super::chains::{Avx512, Chain};
 use super::heights::Heights;
 use super::kernel::{Block, Isa, accumulate};
+use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::{GROUP, Light};
@@ -40,6 +41,7 @@ pub(super) struct LightPlan {
     pub(super) meetings: Vec<Meeting>,
     heights: Heights,
     deposit: Deposit,
+    pub(super) kernel: Kernel,
     /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
     pub(super) lit: Vec<(u16, u16)>,
     pub(super) columns: usize,
@@ -67,14 +69,20 @@ impl LightPlan {
             active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
             pure_radon: resin.pure_radon,
         };
-        let beams = strips::beams(
-            &tracer,
-            vial.is_round(),
-            &light.pixels,
-            light.sub_angles.max(1),
-            grid,
-            &deposit,
-        );
+        let sub_angles = light.sub_angles.max(1);
+        let beams = if light.kernel == Kernel::DistanceDriven {
+            strips::beams(
+                &tracer,
+                vial.is_round(),
+                &light.pixels,
+                sub_angles,
+                grid,
+                &deposit,
+            )
+        } else {
+            let radius = vial.resin_wall().inscribed_radius();
+            radon::beams(light.kernel, radius, &light.pixels, sub_angles, grid)
+        };
         let frames = light.pixels.frames();
         let mut of_frame = vec![0..0; frames];
         for (i, beam) in beams.iter().enumerate() {
@@ -104,6 +112,7 @@ impl LightPlan {
             meetings,
             heights,
             deposit,
+            kernel: light.kernel,
             lit,
             columns: light.pixels.columns,
             first_frame,
@@ -253,7 +262,11 @@ impl LightPlan {
         if let Some(wide) = path.wide.filter(|_| meeting.chain) {
             return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
         }
-        found.add(&beam.strips[first..end], &local, &self.deposit, keep);
+        let strips = &beam.strips[first..end];
+        match self.kernel {
+            Kernel::DistanceDriven => found.add(strips, &local, &self.deposit, keep),
+            kernel => found.add_radon(kernel, strips, &local, keep),
+        }
     }
 
     pub(super) fn updates_in(

@@ -278,6 +278,11 @@ impl Beam {
         (self.columns.offset[n], self.columns.slope[n]) = (offset, slope);
     }
 
+    /// Whether [`Columns`] is filled: the kernels of pure Radon do without.
+    pub(super) fn has_columns(&self) -> bool {
+        !self.columns.offset.is_empty()
+    }
+
     /// Whether strips `first..end` are neighbours of one column each, that share edges and travel the same way.
     pub(super) fn is_chain(&self, first: usize, end: usize) -> bool {
         let [offset, slope] = self.strips[end - 1].edges[1];

@@ -195,6 +195,7 @@ pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
     };
     let end = last + 1;
     let chain = end - first <= MOST_IN_CHAIN
+        && beam.has_columns()
         && beam.is_chain(first, end)
         && local.is_plain(&beam.strips[first..end]);
     Meeting {
