@@ -56,10 +56,12 @@
 //! ```
 
 mod chains;
+mod comb;
 mod gather;
 mod heights;
 pub mod kernel;
 mod plan;
+mod plane;
 pub mod radon;
 mod strips;
 mod tiles;
@@ -245,6 +247,11 @@ impl Parallel {
             .collect())
     }
 
+    /// Whether there is a single slice, whose rows have no lanes.
+    fn is_plane(&self) -> bool {
+        self.outputs[0].row == 1
+    }
+
     fn row(&self) -> usize {
         self.outputs[0].row / LANES
     }
@@ -288,6 +295,9 @@ impl Parallel {
         dose: &mut [f32],
         run: &Run,
     ) -> Result<()> {
+        if self.is_plane() {
+            return self.add_light_of_plane(light, frames, x, dose, run);
+        }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
@@ -331,6 +341,9 @@ impl Parallel {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
+        if self.is_plane() {
+            return self.adjoint_light_of_plane(light, cotangent, grad, run);
+        }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);

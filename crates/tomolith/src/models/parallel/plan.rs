@@ -1,12 +1,13 @@
 //! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
 
 use super::chains::{Avx512, Chain};
+use super::comb::Comb;
 use super::heights::Heights;
 use super::kernel::{Block, Isa, accumulate};
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
-use super::{GROUP, Light};
+use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::PatternLayout;
@@ -37,6 +38,8 @@ pub(super) struct LightPlan {
     pub(super) beams: Vec<Beam>,
     /// Beams of each frame.
     pub(super) of_frame: Vec<Range<usize>>,
+    /// Beams that are combs, for a single slice.
+    pub(super) combs: Vec<Option<Comb>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     heights: Heights,
@@ -93,9 +96,23 @@ impl LightPlan {
                 range.start..i + 1
             };
         }
+        let is_comb = grid.shape[0] == 1
+            && light.kernel == Kernel::DistanceDriven
+            && is_straight(vial, light);
+        let combs: Vec<Option<Comb>> = beams
+            .par_iter()
+            .map(|beam| Comb::new(beam, &light.pixels, grid, &deposit).filter(|_| is_comb))
+            .collect();
+        let meeting =
+            |tile, (beam, comb): (&Beam, &Option<Comb>)| tiles::meeting(beam, comb.as_ref(), tile);
         let meetings = tiles
             .par_iter()
-            .flat_map_iter(|tile| beams.iter().map(|beam| tiles::meeting(beam, tile)))
+            .flat_map_iter(|tile| {
+                beams
+                    .iter()
+                    .zip(&combs)
+                    .map(move |pair| meeting(tile, pair))
+            })
             .collect();
         let heights = Heights::new(&light.pixels, grid, KernelPath::of(Isa::in_use()).wide);
         let lit = layout
@@ -109,6 +126,7 @@ impl LightPlan {
         LightPlan {
             beams,
             of_frame,
+            combs,
             meetings,
             heights,
             deposit,

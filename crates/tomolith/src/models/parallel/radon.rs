@@ -111,6 +111,7 @@ impl Rays {
         }
         Beam {
             frame,
+            azimuth: self.azimuth,
             major,
             strips,
             columns: Columns::default(),

@@ -68,6 +68,8 @@ pub(super) struct Strip {
 pub(super) struct Beam {
     /// Frame of the pattern grid.
     pub(super) frame: u32,
+    /// Where its light comes from, rad.
+    pub(super) azimuth: f64,
     pub(super) major: Major,
     /// In order of growing minor coordinate where they do not cross.
     pub(super) strips: Vec<Strip>,
@@ -120,7 +122,11 @@ pub(super) fn beams(
                     None => (Some(bundles(tracer, pixels, angle)), 0.0),
                 };
                 let list = own.as_ref().or(shared.as_ref()).map_or(&[][..], |v| v);
-                beams.extend(lay(frame as u32, list, turn, weight, grid, deposit));
+                let laid = lay(frame as u32, list, turn, weight, grid, deposit);
+                beams.extend(laid.into_iter().map(|mut beam| {
+                    beam.azimuth = angle;
+                    beam
+                }));
             }
             beams
         })
@@ -311,6 +317,7 @@ fn lay(
     let (sin, cos) = turn.rem_euclid(TAU).sin_cos();
     let mut beams = [Major::X, Major::Y].map(|major| Beam {
         frame,
+        azimuth: turn,
         major,
         strips: Vec::new(),
         columns: Columns::default(),
