@@ -19,8 +19,6 @@ pub(crate) struct Optics {
     pub(crate) vial: Box<dyn Vial>,
     /// One per light.
     pub(crate) lights: Vec<Light>,
-    /// How light becomes dose.
-    pub(crate) model: Choice,
 }
 
 impl Optics {
@@ -29,18 +27,13 @@ impl Optics {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
         let vial = (kind.build)(&section)?;
         let (kind, section) = Section::new("model", spec.model.clone()).kind(MODELS)?;
-        let model = (kind.build)(&section)?;
-        let Choice::Parallel(parallel) = &model;
+        let Choice::Parallel(parallel) = (kind.build)(&section)?;
         let lights = spec
             .light
             .iter()
             .map(|light| light_of(spec, light, parallel.kernel))
             .collect();
-        Ok(Optics {
-            vial,
-            lights,
-            model,
-        })
+        Ok(Optics { vial, lights })
     }
 
     /// The same lights with frames averaged over so many angles.

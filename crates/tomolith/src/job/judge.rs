@@ -103,7 +103,8 @@ pub(crate) fn judge(
         response: material.as_ref(),
         grey: fine.target.grey,
         patterns: shown,
-        ..Default::default()
+        trim_percent: scene.spec.evaluate.trim_percent,
+        epsilon: scene.band_half_width(),
     };
     let published = published::published(&turning, &fine.target.inside, &fine.labels, &options)?;
     let slices = slices(&turning, &fine.labels, options.trim_percent);
@@ -300,6 +301,14 @@ impl JobSpec {
 }
 
 impl Scene {
+    /// ε of the job's BCLP objective, or the paper's own where there is none.
+    fn band_half_width(&self) -> f64 {
+        let sections = self.spec.objectives().unwrap_or_default();
+        let epsilon = |s: &Section| s.value.get("bclp")?.get("epsilon")?.as_f64();
+        let given = sections.iter().find_map(epsilon);
+        given.unwrap_or(published::Options::default().epsilon)
+    }
+
     /// What the material makes of a dose.
     ///
     /// # Errors

@@ -354,23 +354,32 @@ fn objectives(
         }
         let (kind, inner) = section.kind(OBJECTIVES)?;
         let mut objective = (kind.build)(&inner, &input).map_err(|e| at_section(&inner.path, e))?;
-        if on_grid {
-            let ObjectiveInput {
-                layout,
-                labels,
-                target,
-                ..
-            } = input;
-            let ground = Ground {
-                layout,
-                labels,
-                target,
-                base,
-            };
-            let emphasis = common.emphasis(&ground).map_err(|e| e.under(&path))?;
-            objective.emphasise(&emphasis)?;
+        let ObjectiveInput {
+            layout,
+            labels,
+            target,
+            ..
+        } = input;
+        let ground = Ground {
+            layout,
+            labels,
+            target,
+            base,
+        };
+        let (weight, knows_tolerance) = (common.weight, common.knows_tolerance());
+        let common = if on_grid {
+            common
+        } else {
+            common.without_fields()
+        };
+        let emphasis = common.emphasis(&ground).map_err(|e| e.under(&path))?;
+        objective.emphasise(&emphasis)?;
+        if on_grid || knows_tolerance {
+            objective
+                .must_be_reached()
+                .map_err(|e| e.under(&inner.path))?;
         }
-        parts.push((common.weight, objective));
+        parts.push((weight, objective));
     }
     Sum::new(parts)
 }
@@ -403,7 +412,11 @@ fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let target = Target {
         name: String::new(),
-        inside: Volume::filled(grid, 1.0),
+        // Part and void, so that the bands of both are tried
+        inside: Volume {
+            values: (0..grid.len()).map(|i| (i % 2) as f32).collect(),
+            grid,
+        },
         grey,
     };
     let labels = label_voxels(&target, |_| true);

@@ -298,6 +298,8 @@ pub struct EvaluateSpec {
     /// Dose at which the resin turns solid; the one with the best IoU when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<f64>,
+    /// Per cent of the voxels that trimmed numbers leave out at each end of part and of void, 0 to below 50.
+    pub trim_percent: f64,
     /// IoU that the evaluation must reach: below it the command ends with exit code 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_iou: Option<f64>,
@@ -371,6 +373,7 @@ impl Default for EvaluateSpec {
             sub_angles: 4,
             refine: 2,
             threshold: None,
+            trim_percent: 0.025,
             require_iou: None,
         }
     }

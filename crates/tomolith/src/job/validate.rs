@@ -260,6 +260,13 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     optional(evaluate.threshold, |v| {
         positive("evaluate.threshold", v, "")
     })?;
+    within(
+        "evaluate.trim_percent",
+        evaluate.trim_percent,
+        0.0,
+        49.9,
+        "per cent, 0 to 49.9",
+    )?;
     optional(evaluate.require_iou, |v| {
         within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
     })?;
@@ -396,6 +403,7 @@ mod tests {
             ("checkpoint.every_s=0", "checkpoint.every_s"),
             ("evaluate.bit_depth=17", "evaluate.bit_depth"),
             ("evaluate.refine=0", "evaluate.refine"),
+            ("evaluate.trim_percent=50", "evaluate.trim_percent"),
             ("evaluate.require_iou=99", "evaluate.require_iou"),
             ("evaluate.threshold=0", "evaluate.threshold"),
             ("output.rpm=0", "output.rpm"),

@@ -49,7 +49,7 @@ use super::{Emphasis, Objective};
 use crate::error::{Error, Result};
 use crate::field::group::Group;
 use crate::field::{BLOCK, Field, HostField, LANES, Lanes};
-use crate::response::Response;
+use crate::response::{Response, is_reached};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -221,20 +221,21 @@ impl Bands {
         }
     }
 
-    /// Whether some band that counts lies wholly outside a range of responses: found and accepted.
-    fn out_of_reach(&self, [low, high]: [f64; 2]) -> Option<Band> {
-        // A band that only touches the range is reached in the limit
-        let slack = 1e-6 * (1.0 + low.abs().min(high.abs()));
+    /// A band that counts and of which the response reaches nothing.
+    fn out_of_reach(&self, response: &dyn Response) -> Option<Band> {
         let missed = |band: &Band| {
-            band.weight > 0.0
-                && (f64::from(band.lower) > high + slack || f64::from(band.upper) < low - slack)
+            let [lower, upper] = [band.lower, band.upper].map(f64::from);
+            band.weight > 0.0 && !is_reached(response, lower, upper)
         };
-        if low == f64::NEG_INFINITY && high == f64::INFINITY {
-            return None;
-        }
         match self {
             Bands::Labels { table, .. } => table.iter().copied().find(missed),
-            Bands::Shared { part, void, .. } => [*part, *void].into_iter().find(missed),
+            Bands::Shared {
+                part, void, widen, ..
+            } => {
+                let widest = widen.iter().copied().fold(0.0, f32::max);
+                let bands = [*part, *void].map(|band| band.widened(widest));
+                bands.into_iter().find(missed)
+            }
             Bands::Voxels {
                 lower,
                 upper,
@@ -378,20 +379,6 @@ impl BandObjective {
             });
         }
         bands.validate()?;
-        let range = response.range();
-        if let Some(band) = bands.out_of_reach(range) {
-            return Err(Error::config(
-                "",
-                format!(
-                    "the band from {} to {} asks for what the response cannot reach",
-                    band.lower, band.upper
-                ),
-                format!(
-                    "bands that meet the response's range, {} to {}",
-                    range[0], range[1]
-                ),
-            ));
-        }
         bands.pad()?;
         Ok(BandObjective {
             elements,
@@ -793,6 +780,23 @@ impl Objective<HostField> for BandObjective {
         self.bands = bands.emphasised(&emphasis.weight, &emphasis.tolerance);
         self.bands.validate()?;
         self.bands.pad()
+    }
+
+    fn must_be_reached(&self) -> Result<()> {
+        // The identity reaches everything, and bands per voxel are many
+        let Some(band) = (!self.response.is_identity())
+            .then(|| self.bands.out_of_reach(self.response.as_ref()))
+            .flatten()
+        else {
+            return Ok(());
+        };
+        let [low, high] = self.response.range();
+        let (lower, upper) = (band.lower, band.upper);
+        Err(Error::config(
+            "",
+            format!("the band from {lower} to {upper} asks for what the response cannot reach"),
+            format!("bands that meet the response's range, {low} to {high}"),
+        ))
     }
 }
 

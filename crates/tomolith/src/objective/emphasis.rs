@@ -258,6 +258,25 @@ impl Common {
         Ok(())
     }
 
+    /// The same without what belongs to the grid or the target at hand: files, and edges of grey targets. For a trial on a
+    /// few voxels.
+    #[must_use]
+    pub fn without_fields(mut self) -> Self {
+        self.region.iter_mut().for_each(|r| r.file = None);
+        self.tolerance.iter_mut().for_each(|t| t.file = None);
+        if let Some(weights) = &mut self.weights {
+            weights.file = None;
+            weights.edge_per_mm = None;
+        }
+        self
+    }
+
+    /// Whether the tolerance of a voxel is known without a file.
+    #[must_use]
+    pub fn knows_tolerance(&self) -> bool {
+        self.tolerance.as_ref().is_none_or(|t| t.file.is_none())
+    }
+
     /// Weight and tolerance of every element of the dose field.
     ///
     /// # Errors
@@ -628,6 +647,40 @@ mod tests {
                 })
                 .is_err()
             );
+        }
+    }
+
+    #[test]
+    fn a_band_that_no_dose_reaches_is_refused_unless_it_is_widened() {
+        let room = row(&[1.0, 0.0], false);
+        let params = crate::response::logistic::Params {
+            upper: 0.8,
+            ..Default::default()
+        };
+        let response = Arc::new(crate::response::Logistic::new(params).unwrap());
+        let input = ObjectiveInput {
+            layout: &room.layout,
+            labels: &room.labels,
+            target: &room.target,
+            response,
+        };
+        for surface in ["voxel", "fraction"] {
+            let kind = OBJECTIVES.iter().find(|row| row.name == "l2").unwrap();
+            let section = Section::new("objective.l2", serde_json::json!({"surface": surface}));
+            let mut objective = (kind.build)(&section, &input).unwrap();
+            let text = objective.must_be_reached().unwrap_err().to_string();
+            assert!(
+                text.contains("from 1 to 1") && text.contains("0 to 0.8"),
+                "{text}"
+            );
+            let tolerance = vec![0.25; room.layout.len()];
+            objective
+                .emphasise(&Emphasis {
+                    weight: vec![],
+                    tolerance,
+                })
+                .unwrap();
+            objective.must_be_reached().unwrap();
         }
     }
 

@@ -59,6 +59,13 @@ pub trait Objective<F: Field>: Send + Sync {
             reason: "this objective has no bands".to_owned(),
         })
     }
+    /// Refuses what the material's response cannot reach; to be called before any work.
+    ///
+    /// # Errors
+    /// [`Error::Config`] (without a key).
+    fn must_be_reached(&self) -> Result<()> {
+        Ok(())
+    }
 }
 
 /// A boxed result, to keep signatures short.

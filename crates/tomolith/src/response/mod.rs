@@ -41,20 +41,34 @@ pub trait Response: std::fmt::Debug + Send + Sync {
     }
 }
 
+/// Share of a range by which something may lie beyond it: a curve that was fitted ends at 0.9997 and not at 1.
+const SLACK: f64 = 0.01;
+
+/// Whether some dose has a response between two values, or nearly so.
+#[must_use]
+pub fn is_reached(response: &dyn Response, lower: f64, upper: f64) -> bool {
+    let [low, high] = response.range();
+    let slack = Some(SLACK * (high - low)).filter(|s| s.is_finite());
+    let slack = slack.unwrap_or(0.0);
+    lower <= high + slack && upper >= low - slack
+}
+
 /// The dose with which a material responds as wanted.
 ///
 /// # Errors
 /// [`Error::Config`] (without a key) when no dose does.
 #[expect(clippy::cast_possible_truncation, reason = "a dose is f32")]
 pub fn dose_for(response: &dyn Response, wanted: f64) -> Result<f32> {
-    let [low, high] = response.range();
-    if (low..=high).contains(&wanted) {
+    if is_reached(response, wanted, wanted) {
         return Ok(response.inverse(wanted as f32));
     }
+    let [low, high] = response.range();
     Err(Error::config(
         "",
         format!("no dose has the response {wanted} that the target asks for"),
-        format!("a response that reaches it: this one goes from {low} to {high}"),
+        format!(
+            "a response that reaches it, this one goes from {low} to {high}; or start = \"zero\""
+        ),
     ))
 }
 
@@ -123,6 +137,35 @@ mod tests {
                 "{response:?} hides a NaN"
             );
         }
+    }
+
+    #[test]
+    fn a_response_is_asked_for_what_it_reaches_only() {
+        let params = logistic::Params {
+            lower: 0.1,
+            upper: 0.9,
+            ..Default::default()
+        };
+        let response = Logistic::new(params).unwrap();
+        assert!((dose_for(&response, 0.5).unwrap() - 0.5).abs() < 1e-6);
+        // The slack is 0.008
+        for (lower, upper, reached) in [
+            (0.0, 0.2, true),
+            (f64::NEG_INFINITY, 0.05, false),
+            (0.905, 1.0, true),
+            (0.92, f64::INFINITY, false),
+        ] {
+            assert_eq!(
+                is_reached(&response, lower, upper),
+                reached,
+                "{lower} {upper}"
+            );
+        }
+        let Err(Error::Config { accepted, .. }) = dose_for(&response, 1.0) else {
+            panic!("it was asked for 1")
+        };
+        assert!(accepted.contains("from 0.1 to 0.9"), "{accepted}");
+        assert_eq!(dose_for(&Identity, 7.0).unwrap(), 7.0);
     }
 
     #[test]

@@ -20,11 +20,13 @@
 //! | `ver_box` | #{out > min in}/(all voxels of the array) | BCLP table S2: of the simulation volume |
 //! | `ver_trimmed` | min in replaced by its percentile α | AID 2.1 |
 //! | `cv` | standard deviation/mean in the part | VAMToolbox `calcCV` |
-//! | `threshold_jaccard`, `jaccard` | threshold of the largest Jaccard index, and that index | Bhattacharyya 2021, BCLP S.8 |
+//! | `threshold_jaccard`, `jaccard` | threshold of the largest Jaccard index, and that index | Bhattacharya 2021, BCLP S.8 |
+//! | `threshold_max1`, `threshold_mean1` | that threshold of dose/max, and of dose/(mean in the part) | –, Tomolith |
 //! | `jaccard_0_1` | the largest over t in [0, 1] | Nicolet 2024 eq. 21 |
 //! | `jaccard_grid` | the largest over 100 thresholds from 0 to 1.3, strictly above, in the whole box | Dr.TVAM 0.9 |
 //! | `threshold_otsu`, `jaccard_otsu` | Otsu's threshold ([`otsu`]), and the index there | Kelly 2019, BCLP S.8 |
 //! | `threshold_lowest`, `jaccard_lowest` | lowest dose in the part, which still gels | Rackson 2021, BCLP S.8 |
+//! | `relative_time` | brightest pixel/`threshold_jaccard` | Dr.TVAM 0.9 |
 //! | `bclp_*` | norms of the band error for p → 0, 1, 2, ∞ ([`norms`]) | BCLP S.8 |
 //! | `light_*` | where the light goes ([`budget`]) | – |
 //!
@@ -57,6 +59,7 @@ pub mod slices;
 pub mod unit_systems;
 
 use super::Measure;
+use super::print::PatternStats;
 use super::scan::Scan;
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume};
@@ -166,6 +169,7 @@ pub fn published(
     ranges(&mut list, &scan, dose);
     trimmed(&mut list, &scan, dose, labels, options.trim_percent);
     thresholds(&mut list, &scan, dose, labels);
+    relative_time(&mut list, &scan, options.patterns);
     band_errors(&mut list, dose, target, labels, options);
     slices::worst(&mut list, dose, labels);
     budget::list(&mut list, dose, labels, options.patterns);
@@ -205,14 +209,20 @@ impl List {
     }
 }
 
+/// The largest dose of part and void, and the mean in the part.
+fn scales(scan: &Scan<'_>) -> [Measure; 2] {
+    let (part, void) = (scan.part(), scan.void());
+    let largest = part.iter().chain(&void).map(|s| f64::from(s.max));
+    [largest.reduce(f64::max), part.map(|p| p.mean)]
+}
+
 /// Process window, in-part dose range, voxel error rate and coefficient of variation from the extremes.
 fn ranges(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>) {
     let (part, void) = (scan.part(), scan.void());
     let min_in = part.map(|p| f64::from(p.min));
     let max_in = part.map(|p| f64::from(p.max));
     let max_out = void.map(|v| f64::from(v.max));
-    let max = max_in.into_iter().chain(max_out).reduce(f64::max);
-    let mean = part.map(|p| p.mean);
+    let [max, mean] = scales(scan);
     let per = |value: Measure, unit: Measure| {
         let (value, unit) = (value?, unit?);
         (unit > 0.0).then(|| value / unit)
@@ -363,6 +373,22 @@ fn thresholds(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Vol
         middle,
         "middle of the longest range of best Jaccard index",
     );
+    let [max, mean] = scales(scan);
+    let per = |scale: Measure| Some(middle? / scale.filter(|s| *s > 0.0)?);
+    list.add(
+        "threshold_max1",
+        BHATTACHARYA,
+        "",
+        per(max),
+        "that threshold for dose/max, as of methods that normalise",
+    );
+    list.add(
+        "threshold_mean1",
+        TOMOLITH,
+        "",
+        per(mean),
+        "that threshold for dose/(mean in the part): fair between methods",
+    );
     list.add(
         "jaccard",
         BHATTACHARYA,
@@ -431,6 +457,20 @@ fn thresholds(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Vol
         "",
         all_in,
         "Jaccard index of all that got at least that dose",
+    );
+}
+
+/// How long a print takes at a given power, up to a factor.
+fn relative_time(list: &mut List, scan: &Scan<'_>, patterns: &[Patterns]) {
+    let brightest = f64::from(PatternStats::of(patterns).max);
+    let threshold = scan.best_plateau().map(|b| b.middle());
+    let time = threshold.filter(|t| *t > 0.0).map(|t| brightest / t);
+    list.add(
+        "relative_time",
+        "Dr.TVAM 0.9",
+        "",
+        time.filter(|_| brightest > 0.0),
+        "brightest pixel/best threshold: proportional to the time to print at a given power",
     );
 }
 
@@ -550,6 +590,8 @@ mod tests {
             ("ver_trimmed", 0.0),
             // Best from 0.625 to 0.75: two of three; at 0.25 all three and two of the void
             ("threshold_jaccard", 0.6875),
+            ("threshold_max1", 0.55),
+            ("threshold_mean1", 0.6875 / mean),
             ("jaccard", 2.0 / 3.0),
             ("jaccard_0_1", 2.0 / 3.0),
             ("jaccard_grid", 0.5),
