@@ -11,6 +11,7 @@ pub mod image;
 pub mod mesh;
 pub mod mp4;
 pub mod npy;
+pub mod stack;
 pub mod stl;
 pub mod vti;
 pub mod whole;

@@ -9,6 +9,7 @@
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
+mod device;
 pub mod document;
 mod estimate;
 pub mod folder;
@@ -155,9 +156,9 @@ folder = "out/part"
             ),
             (
                 "0.95",
-                "0.95\n[printer]\nrpm = 3",
-                "[printer",
-                ["printer", "not built yet"],
+                "0.95\n[penalty]\nsparsity = 3",
+                "[penalty",
+                ["penalty", "not built yet"],
             ),
             (
                 "iterations = 40",

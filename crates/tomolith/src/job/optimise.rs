@@ -313,7 +313,7 @@ fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
     let mut tables =
         serde_json::to_value(&scene.spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
     if let Some(map) = tables.as_object_mut() {
-        for unimportant in ["target", "stop", "checkpoint", "evaluate", "output"] {
+        for unimportant in ["target", "stop", "checkpoint", "evaluate", "printer", "output"] {
             map.remove(unimportant);
         }
     }

@@ -7,6 +7,8 @@
 
 use super::document::Document;
 use crate::error::{Error, Result};
+use crate::exposure::PrinterSpec;
+pub use crate::exposure::Rotation;
 use crate::kind::Section;
 use crate::optics::interface::Polarisation;
 use crate::optimize::checkpoint;
@@ -19,12 +21,8 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Tables that are planned but not built, and what to do without them.
-const PLANNED: [(&str, &str); 4] = [
+const PLANNED: [(&str, &str); 3] = [
     ("bath", "a clear bath's index is vial.surrounding_index"),
-    (
-        "printer",
-        "patterns are exported as they are: no canvas, no flips, no grey curve",
-    ),
     ("penalty", "no penalty on patterns yet"),
     ("coarse", "the optimisation runs on one grid"),
 ];
@@ -71,6 +69,9 @@ pub struct JobSpec {
     /// How the written patterns are judged.
     #[serde(default)]
     pub evaluate: EvaluateSpec,
+    /// The machine that shows the patterns; they are shown as they are without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub printer: Option<PrinterSpec>,
     /// What is written, and where.
     #[serde(default)]
     pub output: OutputSpec,
@@ -157,17 +158,6 @@ pub struct LightSpec {
     pub polarisation: Polarisation,
     /// The optics, `projector.KIND`.
     pub projector: ProjectorSpec,
-}
-
-/// Sense in which the vial turns, seen from above.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Rotation {
-    /// Light then arrives counter-clockwise in the resin: azimuths grow.
-    #[default]
-    Clockwise,
-    /// Azimuths fall.
-    Counterclockwise,
 }
 
 /// The optics of a light.
