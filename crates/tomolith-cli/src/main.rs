@@ -98,10 +98,10 @@ fn read(given: &JobArguments, output: Option<&Path>) -> Result<Job> {
     if given.toy {
         job = job.toy();
     }
-    if let Some(folder) = output {
-        job.spec.output.folder = Some(folder.to_owned());
-    }
-    Ok(job)
+    Ok(match output {
+        Some(folder) => job.with_folder(folder, "--output"),
+        None => job,
+    })
 }
 
 fn prepare(manner: Manner) -> Result<()> {

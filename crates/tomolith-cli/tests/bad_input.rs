@@ -246,7 +246,7 @@ const WRONG: &[Wrong] = &[
         "angles = 30",
         "angles = { list_deg = [] }",
         "list_deg",
-        &["light[0].angles.list_deg", "found 0"],
+        &["light[0].angles.list_deg", "an empty list", "azimuths"],
     ),
     (
         "inner_radius_mm = 3.0",
@@ -279,6 +279,73 @@ const WRONG: &[Wrong] = &[
         "epsilon",
         &["objective.bclp.epsilon", "-0.1"],
     ),
+    // Numbers with which no loss is a number
+    (
+        "upper = 0.95",
+        "upper = 0.95\nexponent = 1e30",
+        "exponent",
+        &["objective.threshold.exponent", "at most 100"],
+    ),
+    (
+        "upper = 0.95",
+        "upper = 0.95\nceiling = 1e38",
+        "ceiling",
+        &["objective.threshold.ceiling", "from -1e9 to 1e9"],
+    ),
+    (
+        "upper = 0.95",
+        "upper = 0.95\npart_weight = 1e300",
+        "part_weight",
+        &["objective.threshold.part_weight", "from 0 to 1e9"],
+    ),
+    (
+        "[objective.threshold]",
+        "[objective]\nweight = 1e300\n[objective.threshold]",
+        "weight",
+        &["objective.weight", "from 0 to 1e9"],
+    ),
+    (
+        "[stop]",
+        "[response.logistic]\nsteepness = 1e30\n[stop]",
+        "steepness",
+        &["response.logistic.steepness", "at most 1e6"],
+    ),
+    (
+        "[stop]",
+        "[bounds]\nmin = 1e30\n[stop]",
+        "min = 1e30",
+        &["bounds.min", "0 to 1e9 mJ/mm²"],
+    ),
+    (
+        "[stop]",
+        "[bounds]\nmax = 1e30\n[stop]",
+        "max = 1e30",
+        &["bounds.max", "from bounds.min = 0 to 1e9 mJ/mm²"],
+    ),
+    (
+        "[stop]",
+        "[checkpoint]\nevery_s = \"often\"\n[stop]",
+        "often",
+        &["checkpoint.every_s", "seconds above 0, or \"auto\""],
+    ),
+    // More than a machine holds
+    (
+        "pitch_mm = 0.1\n\n",
+        "pitch_mm = 0.0002\n\n",
+        "pitch_mm = 0.0002",
+        &["grid.pitch_mm", "memory", "MB needed", "MB available"],
+    ),
+    (
+        "pixels = [48, 24]\nangles = 30",
+        "pixels = [16000, 16000]\nangles = 90000",
+        "pixels",
+        &[
+            "light[0].pixels",
+            "memory",
+            "MB needed",
+            "fewer pixels or angles",
+        ],
+    ),
     // What does not fit
     (
         "size_mm = 2.0",
@@ -310,6 +377,12 @@ const WRONG: &[Wrong] = &[
         "0.05\nscattering_per_mm = 1.0",
         "scatt",
         &["resin.scattering_per_mm", "not built yet"],
+    ),
+    (
+        "0.05",
+        "0.05\nphase.rayleigh = {}",
+        "phase",
+        &["resin.phase", "scattering is not in this version"],
     ),
     // Syntax
     (
@@ -403,10 +476,10 @@ fn a_folder_that_is_not_ours_is_left_alone() {
     let output = bench.tomolith(JOB, &["--output", &foreign.display().to_string()]);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        flat(&message).contains("output.folder") && flat(&message).contains("not from a run"),
-        "{message}"
-    );
+    for part in ["output.folder", "not from a run", "(from --output /"] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(!message.contains("line"), "blamed on the file: {message}");
     assert_eq!(fs::read_dir(&foreign).unwrap().count(), 1);
 }
 
@@ -418,7 +491,7 @@ fn too_little_memory_is_said_with_the_estimate() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(
-        flat(&message).contains("memory") && flat(&message).contains("MB needed"),
+        flat(&message).contains("grid.shape: memory") && flat(&message).contains("MB needed"),
         "{message}"
     );
     assert_eq!(bench.earlier(), before);
@@ -444,4 +517,171 @@ fn an_override_names_itself_and_json_errors_are_one_line() {
     let output = tomolith(&bench.path("nothing.toml"), &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("nothing.toml"));
+}
+
+#[test]
+fn what_an_option_set_is_not_blamed_on_the_file() {
+    let bench = Bench::new();
+    for (option, key) in [
+        ("light.pixels=[0,0]", "light[0].pixels[0]"),
+        ("light.angles={list_deg=[]}", "light[0].angles.list_deg"),
+        ("light.pixels=[12, 24]", "light[0].pixels"),
+        ("target.size_mm=9", "target"),
+        ("resin.phase.rayleigh={}", "resin.phase"),
+    ] {
+        let output = bench.tomolith(JOB, &["--set", option]);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{option}: {message}");
+        let parts = [format!("× {key}: "), format!("(from --set {option})")];
+        for part in parts {
+            assert!(flat(&message).contains(&part), "{part}: {message}");
+        }
+        assert!(!message.contains("job.toml"), "{option}: {message}");
+    }
+}
+
+#[test]
+fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() {
+    let bench = Bench::new();
+    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
+    let phantom = "phantom = \"gear\"";
+    let grey = JOB.replace(
+        phantom,
+        &format!("image = \"{}\"\nheight_mm = 0.5", image.display()),
+    );
+    let line = 1 + grey[..grey.find("[objective").unwrap()]
+        .matches('\n')
+        .count();
+    let output = bench.tomolith(&grey, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "objective.threshold: ",
+        "the target is grey",
+        "l2, l1, dose_matching and bclp",
+        &format!("job.toml, line {line})"),
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    let default = grey.replace("[objective.threshold]\nlower = 0.85\nupper = 0.95\n", "");
+    let output = bench.tomolith(&default, &["--quiet"]);
+    assert_eq!(output.status.code(), Some(0));
+    let resolved = fs::read_to_string(bench.run_folder().join("job.toml")).unwrap();
+    assert!(resolved.contains("[objective.l2]"), "{resolved}");
+}
+
+#[test]
+fn resuming_says_what_to_do_and_what_has_changed() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let refused = |more: &[&str], parts: &[&str]| {
+        let output = bench.tomolith(JOB, &[&["--resume"], more].concat());
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for part in ["× --resume: leave it out to begin anew"]
+            .iter()
+            .chain(parts)
+        {
+            assert!(flat(&message).contains(part), "{part}: {message}");
+        }
+    };
+    refused(
+        &[
+            "--set",
+            "resin.absorption_per_mm=0.06",
+            "--set",
+            "light.rotation=counterclockwise",
+        ],
+        &[
+            "resin.absorption_per_mm was 0.05, is 0.06",
+            "light[0].rotation was \"clockwise\", is \"counterclockwise\"",
+        ],
+    );
+    refused(
+        &["--set", "target.size_mm=1.9"],
+        &["target.size_mm was 2, is 1.9"],
+    );
+    let file = bench.run_folder().join("checkpoint/state.safetensors");
+    let whole = fs::read(&file).unwrap();
+    let mut scribbled = whole.clone();
+    scribbled[20..40].fill(b'x');
+    for broken in [&whole[..100], &whole[..whole.len() - 1], &scribbled, &[]] {
+        fs::write(&file, broken).unwrap();
+        refused(&[], &["damaged checkpoint"]);
+    }
+    // What resuming does not depend on may change
+    fs::write(&file, &whole).unwrap();
+    let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
+    let output = bench.tomolith(
+        JOB,
+        &[&more[..], &["--set", "objective.threshold.exponent=2"]].concat(),
+    );
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
+
+#[test]
+fn a_simulation_never_mixes_with_a_run() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let before = bench.earlier();
+    let run = bench.run_folder();
+    let simulate = |more: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .arg("simulate")
+            .arg(bench.path("job.toml"))
+            .arg("--patterns")
+            .arg(run.join("patterns.npz"))
+            .arg("--quiet")
+            .args(more)
+            .output()
+            .unwrap()
+    };
+    let output = simulate(&["--output", &run.display().to_string()]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in ["output.folder", "holds a run", "(from --output"] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(simulate(&[]).status.success());
+    assert!(bench.path("run-simulated/report.json").exists());
+    assert!(!bench.path("run-simulated/history.csv").exists());
+    assert!(simulate(&[]).status.success(), "over a simulation");
+    assert_eq!(bench.earlier(), before);
+}
+
+/// A disk that is full in the middle of a file: one message, the file's, and nothing of the libraries behind it.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_ends_with_one_message() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let before = bench.earlier();
+    // Patterns take 277 kB, the checkpoint of the patterns alone less than 150 kB (blocks of 512 or 1024 bytes)
+    let checkpoint = "--set checkpoint.contents=patterns";
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 260; exec {} run {} --quiet {checkpoint}",
+        env!("CARGO_BIN_EXE_tomolith"),
+        bench.path("job.toml").display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("patterns.npz: File too large"),
+        "{message}"
+    );
+    assert!(!message.contains("ZipWriter"), "{message}");
+    let unchanged = |files: Vec<(PathBuf, Vec<u8>)>| -> Vec<_> {
+        let of_run = |path: &PathBuf| path.ends_with("job.toml") || path.ends_with("report.json");
+        files.into_iter().filter(|(path, _)| of_run(path)).collect()
+    };
+    let now: Vec<_> = unchanged(bench.earlier())
+        .into_iter()
+        .filter(|(path, _)| !path.to_string_lossy().contains(".new"))
+        .collect();
+    assert_eq!(now, unchanged(before));
 }

@@ -74,20 +74,40 @@ fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
+/// Files of a run folder that say when and how fast it was made.
+const DATED: [&str; 4] = ["history.csv", "report.json", "report.html", "job.toml"];
+
 /// Content of every file of a run folder that must not depend on when and how it was made.
 fn bits(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let names = [
-        "patterns.npz",
-        "dose.npy",
-        "dose.vti",
-        "print.stl",
-        "frames/frame_0007.png",
-        "gear_10rpm.mp4",
-    ];
-    names
+    let mut files = BTreeMap::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for path in fs::read_dir(next).unwrap().map(|e| e.unwrap().path()) {
+            let name = path.strip_prefix(folder).unwrap().display().to_string();
+            if name.starts_with('.') || name == "checkpoint" || DATED.contains(&name.as_str()) {
+                continue;
+            }
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                files.insert(name, fs::read(&path).unwrap());
+            }
+        }
+    }
+    files
+}
+
+/// The same files, and no others, with the same bits; the message names those that differ, without their content.
+fn assert_same_bits(folder: &Path, expected: &BTreeMap<String, Vec<u8>>, when: &str) {
+    let found = bits(folder);
+    let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&found), names(expected), "{when}");
+    let differ: Vec<_> = found
         .iter()
-        .map(|name| (name.to_string(), fs::read(folder.join(name)).unwrap()))
-        .collect()
+        .filter(|(name, content)| expected[*name] != **content)
+        .map(|(name, _)| name)
+        .collect();
+    assert!(differ.is_empty(), "{when}: {differ:?} differ");
 }
 
 #[test]
@@ -114,7 +134,12 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     for section in ["evaluation", "optimisation", "lights", "movies"] {
         assert_eq!(again[section], report[section], "{section}");
     }
-    assert_eq!(bits(&bench.path("again")), bits(&run));
+    let written = bits(&run);
+    assert!(
+        written.contains_key("gear_10rpm.mp4") && written.len() == 30 + 5,
+        "{written:?}"
+    );
+    assert_same_bits(&bench.path("again"), &written, "simulated");
 
     // The resolved job runs identically, from another folder, and only there
     fs::create_dir(bench.path("elsewhere")).unwrap();
@@ -123,7 +148,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         0,
         "run elsewhere/resolved.toml --output resolved --threads 1",
     );
-    assert_eq!(bits(&bench.path("resolved")), bits(&run));
+    assert_same_bits(&bench.path("resolved"), &written, "the resolved job");
 }
 
 #[test]
@@ -133,7 +158,7 @@ fn a_job_in_json_is_the_same_job() {
     fs::write(bench.path("j.json"), table.to_string()).unwrap();
     bench.expect(0, "run job.toml --output a --quiet");
     bench.expect(0, "run j.json --output b --quiet");
-    assert_eq!(bits(&bench.path("a")), bits(&bench.path("b")));
+    assert_same_bits(&bench.path("a"), &bits(&bench.path("b")), "JSON");
     // Overrides are the same as changes of the text
     fs::write(
         bench.path("c.toml"),
@@ -142,8 +167,8 @@ fn a_job_in_json_is_the_same_job() {
     .unwrap();
     bench.expect(0, "run c.toml --output c --quiet");
     bench.expect(0, "run job.toml --output d --quiet --set stop.iterations=3");
-    assert_eq!(bits(&bench.path("c")), bits(&bench.path("d")));
-    assert_ne!(bits(&bench.path("c")), bits(&bench.path("a")));
+    assert_same_bits(&bench.path("c"), &bits(&bench.path("d")), "overrides");
+    assert!(bits(&bench.path("c")) != bits(&bench.path("a")));
 }
 
 #[test]
@@ -175,31 +200,116 @@ fn json_lines_and_silence_are_kept() {
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
 }
 
-/// `kill −9` at several moments: the folder resumes to the same bits.
+/// A repeatable sequence of random numbers.
+struct Random(u64);
+
+impl Random {
+    /// 0 … n − 1.
+    fn below(&mut self, n: u64) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0 % n
+    }
+}
+
+/// What a run is doing when it is killed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Phase {
+    /// Before the first iteration.
+    Beginning,
+    /// So many iterations after the last checkpoint; a checkpoint is written after nearly each one.
+    Optimising(u64),
+    Evaluating,
+    /// While files are written, or moved to their names.
+    Writing,
+}
+
+/// Starts the command, kills it at a random moment of a phase, and tells whether it was still alive then.
+#[cfg(unix)]
+fn killed_in(bench: &Bench, line: &str, phase: Phase, random: &mut Random) -> bool {
+    use std::io::{BufRead, BufReader};
+    use std::os::unix::process::ExitStatusExt;
+    let mut command = bench.command(line);
+    command.stdout(Stdio::piped()).stderr(Stdio::null());
+    let mut child = command.spawn().unwrap();
+    let mut iterations = match phase {
+        Phase::Optimising(iterations) => iterations,
+        _ => 0,
+    };
+    let mark = match phase {
+        Phase::Beginning => "reading the job",
+        Phase::Optimising(_) => "\"iteration\"",
+        Phase::Evaluating => "evaluating the written patterns",
+        Phase::Writing => "\"writing\"",
+    };
+    for line in BufReader::new(child.stdout.take().unwrap()).lines() {
+        if !line.unwrap_or_default().contains(mark) {
+            continue;
+        }
+        if iterations == 0 {
+            break;
+        }
+        iterations -= 1;
+    }
+    let longest_us = match phase {
+        Phase::Beginning | Phase::Optimising(_) => 8_000,
+        Phase::Evaluating => 30_000,
+        Phase::Writing => 60_000,
+    };
+    std::thread::sleep(Duration::from_micros(random.below(longest_us)));
+    let _ = child.kill();
+    child.wait().unwrap().signal() == Some(9)
+}
+
+/// One run, `kill −9` thirty times at random moments of every phase and resumed each time, on changing numbers of
+/// threads: what is visible is whole at any moment, and the end has the bits of the uninterrupted run.
 #[test]
 #[cfg(unix)]
-fn a_killed_run_resumes_to_the_same_bits() {
+fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
     let bench = Bench::new();
-    let job = "run job.toml --quiet --set stop.iterations=60 --set objective.threshold.upper=1.0 \
-               --set objective.threshold.lower=0.99 --set checkpoint.every_s=0.001";
+    let job = "run job.toml --json --set stop.iterations=60 --set objective.threshold.upper=1.0 \
+               --set objective.threshold.lower=0.99 --set checkpoint.every_s=0.0001";
     bench.expect(0, &format!("{job} --output whole"));
-    let mut cut_short = 0;
-    for moment in [3, 30, 80, 150] {
-        let line = format!("{job} --output killed");
-        let _ = fs::remove_dir_all(bench.path("killed"));
-        let mut child = bench.command(&line).stderr(Stdio::null()).spawn().unwrap();
-        std::thread::sleep(Duration::from_millis(moment));
-        cut_short += usize::from(child.try_wait().unwrap().is_none());
-        child.kill().unwrap();
-        child.wait().unwrap();
-        bench.expect(0, &format!("{line} --resume"));
-        assert_eq!(
-            bits(&bench.path("killed")),
-            bits(&bench.path("whole")),
-            "killed after {moment} ms"
-        );
+    let whole = bits(&bench.path("whole"));
+    for threads in [1, 2, 8] {
+        let folder = format!("threads{threads}");
+        bench.expect(0, &format!("{job} --output {folder} --threads {threads}"));
+        assert_same_bits(&bench.path(&folder), &whole, &folder);
     }
-    assert!(cut_short > 0, "every run was over before it was killed");
+
+    let mut random = Random(0x5eed);
+    let mut phases = vec![Phase::Beginning; 2];
+    phases.extend((0..16).map(|_| Phase::Optimising(1 + random.below(3))));
+    phases.extend([Phase::Evaluating; 4]);
+    phases.extend([Phase::Writing; 8]);
+    assert_eq!(phases.len(), 30);
+    let (mut runs, mut unpublished) = (0, 0);
+    for (kill, &phase) in phases.iter().enumerate() {
+        loop {
+            let threads = [1, 2, 8][random.below(3) as usize];
+            let line = format!("{job} --output killed --resume --threads {threads}");
+            runs += 1;
+            assert!(
+                runs < 60,
+                "kill {kill} ({phase:?}): the command is always over before"
+            );
+            if killed_in(&bench, &line, phase, &mut random) {
+                break;
+            }
+        }
+        unpublished += usize::from(bench.path("killed/.new/patterns.npz").exists());
+        for (name, content) in bits(&bench.path("killed")) {
+            assert!(content == whole[&name], "kill {kill} ({phase:?}): {name}");
+        }
+    }
+    println!("{runs} starts; {unpublished} kills while the folder was written");
+    assert!(
+        unpublished >= 3,
+        "only {unpublished} kills while the folder was written"
+    );
+    bench.expect(0, &format!("{job} --output killed --resume"));
+    assert_same_bits(&bench.path("killed"), &whole, "after 30 kills");
 }
 
 #[test]
@@ -234,7 +344,7 @@ fn ctrl_c_ends_with_130_and_keeps_the_best() {
 fn a_loss_that_is_no_number_stops_with_the_iteration() {
     let bench = Bench::new();
     let output =
-        bench.tomolith("run job.toml --set objective.threshold.exponent=1e6 --set bounds.min=50.0");
+        bench.tomolith("run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6");
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("at iteration 0"), "{message}");

@@ -4,7 +4,7 @@
 //!
 //! ```
 //! use tomolith::io::csv::{HistoryRow, history_text};
-//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: 1e-3, step: 1.0, forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None };
+//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: Some(1e-3), step: Some(1.0), forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None };
 //! assert_eq!(
 //!     history_text(&[row]),
 //!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n1,0.5,0.001,1,2,2,0.25,0.875,\n"
@@ -17,17 +17,17 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// What is known after one iteration. Metrics are measured as often as they cost little.
+/// What is known after one iteration. Metrics are measured after some of them.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct HistoryRow {
     /// Iteration, 0 = the start.
     pub iteration: usize,
     /// Loss, penalties included.
     pub loss: f64,
-    /// Norm of the projected gradient.
-    pub projected_gradient: f64,
-    /// Step length that was taken.
-    pub step: f64,
+    /// Norm of the projected gradient before the step, relative to that of the first step; none at the start.
+    pub projected_gradient: Option<f64>,
+    /// Step length that was taken; none at the start.
+    pub step: Option<f64>,
     /// Dose model calls so far.
     pub forward_calls: usize,
     /// Pull-back calls so far.
@@ -40,7 +40,7 @@ pub struct HistoryRow {
     pub process_window: Option<f64>,
 }
 
-/// A number, or nothing where it was not measured.
+/// A number, or nothing where there is none.
 fn text_of(value: Option<f64>) -> String {
     value.map(|v| v.to_string()).unwrap_or_default()
 }
@@ -58,8 +58,8 @@ pub fn history_text(rows: &[HistoryRow]) -> String {
             "{},{},{},{},{},{},{},{},{}",
             r.iteration,
             r.loss,
-            r.projected_gradient,
-            r.step,
+            text_of(r.projected_gradient),
+            text_of(r.step),
             r.forward_calls,
             r.adjoint_calls,
             r.seconds,

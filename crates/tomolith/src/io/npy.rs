@@ -22,10 +22,11 @@ use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use ndarray::{Array2, Array3, ArrayView3};
 use ndarray_npy::{
-    NpzReader, NpzWriter, ReadNpyExt, ReadableElement, WritableElement, WriteNpyExt,
+    NpzReader, NpzWriter, ReadNpyError, ReadNpyExt, ReadNpzError, ReadableElement, WritableElement,
+    WriteNpyExt,
 };
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// The patterns of one light, to be written.
@@ -160,7 +161,8 @@ fn array_name(kind: &str, light: Option<&str>) -> String {
 /// [`Error::Io`] or [`Error::Shape`].
 pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
     write_whole(path, |file| {
-        let mut npz = NpzWriter::new(file);
+        let mut sink = Sink::new(file);
+        let mut npz = NpzWriter::new(&mut sink);
         for pair in lights {
             for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
                 let Some(patterns) = patterns else { continue };
@@ -171,17 +173,77 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
         }
         npz.finish()
             .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
-        Ok(())
+        match sink.failed {
+            Some(error) => Err(Refused::Io(error)),
+            None => Ok(()),
+        }
     })
 }
 
-/// Reads `patterns.npz`: one entry per light, in the order of their names.
+/// Remembers the first error of a file and takes everything after it without writing.
+///
+/// A zip writer that is dropped after an error tries once more and complains on standard error, where a library has
+/// nothing to say.
+struct Sink<W> {
+    inner: W,
+    failed: Option<std::io::Error>,
+    position: u64,
+    length: u64,
+}
+
+impl<W: Write + Seek> Sink<W> {
+    fn new(inner: W) -> Self {
+        Sink {
+            inner,
+            failed: None,
+            position: 0,
+            length: 0,
+        }
+    }
+
+    /// Does something with the file, unless it has failed before.
+    fn attempt(&mut self, act: impl FnOnce(&mut W) -> std::io::Result<()>) {
+        if self.failed.is_none() {
+            self.failed = act(&mut self.inner).err();
+        }
+    }
+}
+
+impl<W: Write + Seek> Write for Sink<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.attempt(|file| file.write_all(bytes));
+        self.position += bytes.len() as u64;
+        self.length = self.length.max(self.position);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.attempt(W::flush);
+        Ok(())
+    }
+}
+
+impl<W: Write + Seek> Seek for Sink<W> {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        let from_start = match to {
+            SeekFrom::Start(place) => Some(place),
+            SeekFrom::Current(by) => self.position.checked_add_signed(by),
+            SeekFrom::End(by) => self.length.checked_add_signed(by),
+        };
+        let place = from_start.ok_or(std::io::ErrorKind::InvalidInput)?;
+        self.attempt(|file| file.seek(SeekFrom::Start(place)).map(drop));
+        self.position = place;
+        Ok(place)
+    }
+}
+
+/// Reads `patterns.npz`: one entry per light, in the order of their names. Values in f64 are rounded to f32.
 ///
 /// # Errors
 /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, holds no patterns, or holds
 /// values that are negative or not finite.
 pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
-    const ACCEPTED: &str = "an .npz with a 3D f32 array `patterns` [angle, row, column], or one `patterns_<light>` per light";
+    const ACCEPTED: &str = "an .npz with a 3D array `patterns` [angle, row, column] of f32 or f64, or one `patterns_<light>` per light";
     let file = File::open(path).map_err(|e| Error::io(path, e))?;
     let mut npz = NpzReader::new(BufReader::new(file)).map_err(|e| bad(path, e, ACCEPTED))?;
     let mut names: Vec<String> = npz
@@ -234,9 +296,14 @@ fn read_array(
     name: &str,
     accepted: &str,
 ) -> Result<([usize; 3], Vec<f32>)> {
-    let array: Array3<f32> = npz
-        .by_name(name)
-        .map_err(|e| bad(path, format!("{name}: {e}"), accepted))?;
+    let array: Array3<f32> = match npz.by_name(name) {
+        Err(ReadNpzError::Npy(ReadNpyError::WrongDescriptor(_))) => {
+            let wide: Result<Array3<f64>, _> = npz.by_name(name);
+            wide.map(|wide| wide.mapv(|value| value as f32))
+        }
+        read => read,
+    }
+    .map_err(|e| bad(path, format!("{name}: {e}"), accepted))?;
     let (shape, values) = c_order(array);
     if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
         return Err(bad(
@@ -348,6 +415,82 @@ mod tests {
         );
         assert_eq!(read[1].shape, [2, 4, 5]);
         assert_eq!((&read[1].shown, read[1].raw.as_ref()), (&c.values, None));
+    }
+
+    #[test]
+    fn patterns_of_other_programs_may_be_f64_in_either_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        let write = |array: &Array3<f64>| {
+            let mut npz = NpzWriter::new(File::create(&path).unwrap());
+            npz.add_array("patterns", array).unwrap();
+            npz.finish().unwrap();
+        };
+        let value = |(i, j, k)| (i * 12 + j * 4 + k) as f64 / 3.0;
+        write(&Array3::from_shape_fn((2, 3, 4), value));
+        let read = read_patterns(&path).unwrap();
+        let expected: Vec<f32> = (0..24).map(|i| (f64::from(i) / 3.0) as f32).collect();
+        assert_eq!((read[0].shape, &read[0].shown), ([2, 3, 4], &expected));
+        write(&Array3::from_shape_fn((2, 3, 4).f(), value));
+        assert_eq!(read_patterns(&path).unwrap()[0].shown, expected);
+        // Beyond f32 there is no value to be shown
+        write(&Array3::from_elem((1, 1, 1), 1e300));
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("patterns holds inf"), "{text}");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("patterns", &Array3::<i32>::zeros((1, 1, 1)))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("f32 or f64"), "{text}");
+    }
+
+    /// A disk with room for so many bytes.
+    struct Small(std::io::Cursor<Vec<u8>>, usize);
+
+    impl Write for Small {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            if self.0.get_ref().len() + bytes.len() > self.1 {
+                return Err(std::io::ErrorKind::StorageFull.into());
+            }
+            self.0.write(bytes)
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Small {
+        fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+            self.0.seek(to)
+        }
+    }
+
+    #[test]
+    fn a_zip_on_a_full_disk_ends_with_the_first_error_and_without_a_word() {
+        let array = Array3::<f32>::zeros((4, 5, 6));
+        let write = |room: usize| {
+            let mut sink = Sink::new(Small(std::io::Cursor::default(), room));
+            let mut npz = NpzWriter::new(&mut sink);
+            npz.add_array("patterns", &array).unwrap();
+            npz.finish().unwrap();
+            (sink.failed.map(|e| e.kind()), sink.inner.0.into_inner())
+        };
+        let (failed, whole) = write(usize::MAX);
+        assert!(failed.is_none() && whole.starts_with(b"PK"));
+        let mut npz = NpzReader::new(std::io::Cursor::new(whole.clone())).unwrap();
+        assert_eq!(
+            npz.by_name::<ndarray::OwnedRepr<f32>, _>("patterns")
+                .unwrap(),
+            array
+        );
+        for room in [0, 10, whole.len() / 2, whole.len() - 1] {
+            assert_eq!(
+                write(room).0,
+                Some(std::io::ErrorKind::StorageFull),
+                "{room}"
+            );
+        }
     }
 
     #[test]

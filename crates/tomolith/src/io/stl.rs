@@ -15,10 +15,10 @@
 //! assert_eq!(bytes[84 + 8..84 + 12], 1.0f32.to_le_bytes()); // the normal is +z
 //! ```
 
-use super::whole::write_whole;
+use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use rayon::prelude::*;
-use std::io::Write as _;
+use std::io::{Seek as _, SeekFrom, Write};
 use std::path::Path;
 
 /// Triangles that are turned into bytes at a time: 50 MB.
@@ -34,40 +34,67 @@ pub fn write_stl(
     corners: &[[f32; 3]],
     triangles: &[[u32; 3]],
 ) -> Result<()> {
+    write_stl_pieces(path, title, |put| put(corners, triangles))
+}
+
+/// Takes a piece of a surface: corners, and triangles as indices of them.
+pub type Put<'p> = &'p mut dyn FnMut(&[[f32; 3]], &[[u32; 3]]) -> Result<(), Refused>;
+
+/// Writes a surface that is never held whole: `pieces` calls what it is given once for each piece, in order.
+///
+/// # Errors
+/// As [`write_stl`], and what `pieces` returns.
+pub fn write_stl_pieces(
+    path: &Path,
+    title: &str,
+    pieces: impl FnOnce(Put<'_>) -> Result<(), Refused>,
+) -> Result<()> {
     let refuse = |reason: &str| Error::Unsupported {
         what: format!("the surface for {}", path.display()),
         reason: reason.to_owned(),
     };
-    let count = u32::try_from(triangles.len())
-        .map_err(|_| refuse("STL holds at most 4,294,967,295 triangles"))?;
-    if triangles
-        .par_iter()
-        .flatten_iter()
-        .any(|&i| i as usize >= corners.len())
-    {
-        return Err(refuse("a triangle names a corner that does not exist"));
-    }
     write_whole(path, |file| {
         file.write_all(&title_bytes(title))?;
-        file.write_all(&count.to_le_bytes())?;
-        let mut bytes = vec![0u8; 50 * BATCH.min(triangles.len())];
-        for batch in triangles.chunks(BATCH) {
-            let bytes = &mut bytes[..50 * batch.len()];
-            bytes
-                .par_chunks_exact_mut(50)
-                .zip(batch)
-                .with_min_len(4096)
-                .for_each(|(out, triangle)| {
-                    let [a, b, c] = triangle.map(|i| corners[i as usize]);
-                    let numbers = [normal(a, b, c), a, b, c];
-                    for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
-                        slot.copy_from_slice(&number.to_le_bytes());
-                    }
-                });
-            file.write_all(bytes)?;
-        }
-        Ok(())
+        let place_of_count = file.stream_position()?;
+        file.write_all(&0u32.to_le_bytes())?;
+        let mut count = 0;
+        pieces(&mut |corners, triangles| {
+            let known = |&i: &u32| (i as usize) < corners.len();
+            if !triangles.par_iter().flatten_iter().all(known) {
+                return Err(refuse("a triangle names a corner that does not exist").into());
+            }
+            count += triangles.len();
+            Ok(write_triangles(file, corners, triangles)?)
+        })?;
+        let count = u32::try_from(count)
+            .map_err(|_| refuse("STL holds at most 4,294,967,295 triangles"))?;
+        file.seek(SeekFrom::Start(place_of_count))?;
+        Ok(file.write_all(&count.to_le_bytes())?)
     })
+}
+
+fn write_triangles(
+    file: &mut impl Write,
+    corners: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+) -> std::io::Result<()> {
+    let mut bytes = vec![0u8; 50 * BATCH.min(triangles.len())];
+    for batch in triangles.chunks(BATCH) {
+        let bytes = &mut bytes[..50 * batch.len()];
+        bytes
+            .par_chunks_exact_mut(50)
+            .zip(batch)
+            .with_min_len(4096)
+            .for_each(|(out, triangle)| {
+                let [a, b, c] = triangle.map(|i| corners[i as usize]);
+                let numbers = [normal(a, b, c), a, b, c];
+                for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
+                    slot.copy_from_slice(&number.to_le_bytes());
+                }
+            });
+        file.write_all(bytes)?;
+    }
+    Ok(())
 }
 
 /// The title padded to eighty bytes; readers take a file that starts with `solid` for ASCII.

@@ -32,6 +32,7 @@ pub struct Document {
     /// All values, overrides included.
     pub root: Value,
     places: BTreeMap<String, Range<usize>>,
+    /// Key path → the option of the command line that set it, as it was typed.
     overrides: BTreeMap<String, String>,
 }
 
@@ -150,11 +151,31 @@ impl Document {
         match insert(&mut self.root, &steps, value, "") {
             Ok(path) => {
                 self.replace_target(&path);
-                self.overrides.insert(path, assignment.to_owned());
+                self.overridden(&path, format!("--set {assignment}"));
                 Ok(())
             }
             Err(found) => refuse(&found),
         }
+    }
+
+    /// Remembers that a key comes from an option of the command line: what the file says there is no longer at fault.
+    pub(crate) fn overridden(&mut self, path: &str, option: String) {
+        self.places.retain(|key, _| !is_within(key, path));
+        self.overrides.retain(|key, _| !is_within(key, path));
+        self.overrides.insert(path.to_owned(), option);
+    }
+
+    /// The option of the command line that set a key, if any.
+    #[must_use]
+    pub fn option(&self, path: &str) -> Option<&str> {
+        self.overrides.get(path).map(String::as_str)
+    }
+
+    /// The option that set a key or, for a table or list, something in it.
+    fn option_for(&self, path: &str) -> Option<&String> {
+        let within = |key: &&String| !path.is_empty() && is_within(key, path);
+        let inner = self.overrides.keys().find(within)?;
+        self.overrides.get(inner)
     }
 
     /// A target given on the command line takes the place of the job's; its file is relative to the current folder.
@@ -174,7 +195,8 @@ impl Document {
     }
 
     /// Adds file, line and span to an [`Error::Config`] whose key (or a part of it) stands in this document; names the
-    /// override instead when that is where the value came from. Other errors pass unchanged.
+    /// option of the command line instead when that is where the value came from. Other errors, and those about options
+    /// themselves (`--resume`), pass unchanged.
     #[must_use]
     pub fn locate(&self, mut error: Error) -> Error {
         let Error::Config {
@@ -183,13 +205,17 @@ impl Document {
         else {
             return error;
         };
-        if place.is_some() {
+        if place.is_some() || key.starts_with("--") {
+            return error;
+        }
+        if let Some(option) = self.option_for(key) {
+            found.push_str(&format!(" (from {option})"));
             return error;
         }
         let mut path = key.as_str();
         loop {
-            if let Some(assignment) = self.overrides.get(path) {
-                found.push_str(&format!(" (from --set {assignment})"));
+            if let Some(option) = self.overrides.get(path) {
+                found.push_str(&format!(" (from {option})"));
                 break;
             }
             if let Some(span) = self.places.get(path) {
@@ -351,6 +377,12 @@ pub(crate) fn join(path: &str, key: &str) -> String {
     } else {
         format!("{path}.{key}")
     }
+}
+
+/// Whether a key path is `outer` or leads into it.
+fn is_within(path: &str, outer: &str) -> bool {
+    let rest = path.strip_prefix(outer);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// The path without its last key or index.
@@ -630,6 +662,19 @@ mod tests {
             message.contains("from --set light[0].pixels=[4, 5]"),
             "{message}"
         );
+        // What is inside an overridden list, and what an override changed inside a table, is not blamed on the file
+        for (key, option) in [
+            ("light[0].pixels[1]", "(from --set light[0].pixels=[4, 5])"),
+            (
+                "light[0].angles.count",
+                "(from --set light.angles={ count = 3 })",
+            ),
+            ("grid", "(from --set grid.pitch_mm=0.5 mm)"),
+        ] {
+            let message = document.locate(Error::config(key, "x", "y")).to_string();
+            assert_eq!(message, format!("{key}: x {option}; accepted: y"));
+        }
+        assert_eq!(line_of(&document, "vial.cylinder"), 3);
         for wrong in [
             "stop.iterations",
             "=3",

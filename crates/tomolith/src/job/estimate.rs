@@ -1,14 +1,20 @@
 //! What a job will cost: memory, disk and time, before any work.
 //!
-//! Memory counts the arrays the method needs. Time is measured: one forward and one adjoint call of a small model with
-//! the job's own optics, scaled by the number of voxel-angle updates.
+//! Memory counts the arrays the method needs. Time is measured, on this machine and as busy as it is: a dose and an adjoint
+//! call of the job's own model with few of its frames, one pass of its objective, and the metrics on a thinned copy of the
+//! dose. These rates are multiplied by what the job asks for ([`Work::cost`]). An optimisation that ends before its last
+//! iteration takes less.
 
 use super::build::Optics;
+use super::scene::{Scene, Voxels};
 use crate::error::Result;
-use crate::field::{Field, HostField};
-use crate::grid::VolumeGrid;
+use crate::field::Field;
+use crate::grid::{Volume, VolumeGrid};
+use crate::metrics::evaluate;
+use crate::metrics::print::Print;
 use crate::models::layout::row_of;
 use crate::models::{Run, planner};
+use crate::objective::Objective;
 use std::time::Instant;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -18,18 +24,25 @@ const BYTES_PER_FINE_VOXEL: f64 = 21.0;
 /// Raw, quantised and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// What every run needs: the program, the report, one movie frame, …
-const BASE_MB: f64 = 60.0;
+const BASE_MB: f64 = 20.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
-/// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some for the surface.
+/// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
 const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
-/// Measuring a print, above all the distances of surfaces: seconds per voxel of the finer grid.
-const MEASURE_S: f64 = 1.5e-7;
+/// Bytes of print.stl per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50 bytes
+/// each) where the cube has one voxel's face on each of its six sides.
+const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
-/// Frames, and voxels along an edge, of the small model that is timed.
-const TRIAL_FRAMES: usize = 16;
-const TRIAL_EDGE: usize = 96;
+/// Updates of the calls that are timed, about; and frames, a multiple of what the kernel does at once.
+const TRIAL_UPDATES: usize = 400_000_000;
+const TRIAL_FRAMES: usize = 8;
+/// Voxels along the longest edge of the thinned copy whose metrics are timed.
+const TRIAL_EDGE: usize = 80;
+/// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
+const OTHER_CALLS: f64 = 4.0;
+/// Passes over the dose of an iteration, the line search's included.
+const PASSES: f64 = 5.0;
 
 /// The extent of the problem, known before anything is built.
 #[derive(Clone, Debug)]
@@ -93,94 +106,292 @@ impl Extent {
         (self.columns * row_of(self.grid.shape[0] * factor) * 4) as f64
     }
 
-    /// Memory of the optimisation, MB.
-    pub(crate) fn optimisation_mb(&self) -> u64 {
+    /// Memory of the optimisation, MB: of the voxels and of the pixels.
+    pub(crate) fn optimisation(&self) -> [f64; 2] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
-        let bytes = self.lanes(1) * BYTES_PER_VOXEL + self.scratch(1) + patterns;
-        (BASE_MB + bytes / 1e6) as u64
+        [
+            self.lanes(1) * BYTES_PER_VOXEL / 1e6,
+            (self.scratch(1) + patterns) / 1e6,
+        ]
+    }
+
+    /// Memory of the evaluation, MB: of the voxels and of the pixels.
+    pub(crate) fn evaluation(&self) -> [f64; 2] {
+        let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
+        [
+            self.lanes(self.refine) * BYTES_PER_FINE_VOXEL / 1e6,
+            (self.scratch(self.refine) + patterns) / 1e6,
+        ]
+    }
+
+    /// Memory of the optimisation, MB.
+    pub(crate) fn optimisation_mb(&self) -> u64 {
+        whole_mb(self.optimisation())
     }
 
     /// Memory of the evaluation, MB.
     pub(crate) fn evaluation_mb(&self) -> u64 {
-        let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
-        let bytes =
-            self.lanes(self.refine) * BYTES_PER_FINE_VOXEL + self.scratch(self.refine) + patterns;
-        (BASE_MB + bytes / 1e6) as u64
-    }
-
-    /// Time to measure the evaluation's prints, standing still and turning, s.
-    pub(crate) fn measure_s(&self) -> f64 {
-        2.0 * (self.grid.len() * self.refine.pow(3)) as f64 * MEASURE_S
+        whole_mb(self.evaluation())
     }
 
     /// Size of the run folder, MB.
     pub(crate) fn disk_mb(&self) -> u64 {
         let voxels = self.grid.len() as f64;
         let checkpoint = self.active_pixels as f64 * 4.0 * (2 * self.memory + VECTORS) as f64;
+        let fine = voxels * self.refine.pow(3) as f64;
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
+            + fine.powf(2.0 / 3.0) * BYTES_PER_FACE_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + checkpoint;
         (10.0 + bytes / 1e6) as u64
     }
 }
 
-/// How fast this machine is with these optics.
+/// Memory of a stage with what every run needs, MB.
+pub(crate) fn whole_mb(parts: [f64; 2]) -> u64 {
+    (BASE_MB + parts[0] + parts[1]) as u64
+}
+
+/// How fast this machine is with this job.
 #[derive(Clone, Debug)]
-pub(crate) struct Speed {
+pub(crate) struct Rates {
     /// Which model.
     pub(crate) model: String,
     /// Updates per second.
     pub(crate) updates_per_s: f64,
-    /// Updates of one dose call over voxels times frames: what masks leave.
-    pub(crate) lit: f64,
+    /// Updates of one dose call per frame: what masks leave.
+    pub(crate) updates_per_frame: f64,
+    /// One pass of the objective, s.
+    pub(crate) objective_s: f64,
+    /// One step of a pattern vector, s per pixel.
+    pub(crate) vector_s: f64,
+    /// Sampling the target, s per voxel.
+    pub(crate) sampling_s: f64,
+    /// Measuring a print, above all the distances of surfaces, s per voxel.
+    pub(crate) measuring_s: f64,
 }
 
-/// Times a small model: few frames, a coarse grid of the same extent.
+/// What a job asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Work<'a> {
+    pub(crate) extent: &'a Extent,
+    /// The most iterations there will be.
+    pub(crate) iterations: usize,
+    /// Angles at which a frame of the optimisation and of the evaluation is averaged.
+    pub(crate) sub_angles: [usize; 2],
+    /// Limit of the optimisation's time, s.
+    pub(crate) wall_s: Option<f64>,
+}
+
+/// How long it will take, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cost {
+    /// The optimisation, when no iteration is saved.
+    pub(crate) optimisation_s: f64,
+    /// Everything else: sampling, evaluation, files.
+    pub(crate) rest_s: f64,
+}
+
+impl Work<'_> {
+    /// Rates times work.
+    pub(crate) fn cost(&self, rates: &Rates) -> Cost {
+        let Work {
+            extent, iterations, ..
+        } = *self;
+        let [own, turning] = self.sub_angles.map(|n| n as f64);
+        let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
+        let call_s = rates.updates_per_frame * extent.frames as f64 / rates.updates_per_s;
+        let vectors = extent.active_pixels as f64 * rates.vector_s;
+        let step_s = 2.0 * own * call_s
+            + PASSES * rates.objective_s
+            + (4 * extent.memory + VECTORS) as f64 * vectors;
+        let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
+            + OTHER_CALLS * own * call_s;
+        let evaluation_s = finer * (1.0 + turning) * call_s
+            + voxels * ((2.0 * finer + 1.0) * rates.measuring_s + finer * rates.sampling_s);
+        // A pixel in a PNG, a movie and its check costs about what measuring a voxel does, a voxel in a file half of it
+        let files_s = rates.measuring_s * (extent.pixels as f64 + 0.5 * voxels);
+        Cost {
+            optimisation_s,
+            rest_s: voxels * rates.sampling_s + evaluation_s + files_s,
+        }
+    }
+}
+
+/// Measures the rates of this machine with a job's own optics, grid, objective and target; `sampling_s` is how long
+/// the target's voxels took.
 ///
 /// # Errors
 /// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
-pub(crate) fn speed(optics: &Optics, grid: &VolumeGrid, run: &Run) -> Result<Speed> {
-    let longest = grid.shape.iter().copied().max().unwrap_or(1);
-    let factor = longest.div_ceil(TRIAL_EDGE);
-    let small = VolumeGrid {
-        shape: grid.shape.map(|n| n.div_ceil(factor)),
-        pitch_mm: grid.pitch_mm * factor as f64,
-        center_mm: grid.center_mm,
-    };
-    let mut lights = optics.lights_turning(1);
+pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
+    let frames = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
+        .max(1)
+        .next_multiple_of(TRIAL_FRAMES);
+    let mut lights = scene.optics.lights_turning(1);
     for light in &mut lights {
-        let step = light.pixels.frames().div_ceil(TRIAL_FRAMES);
-        light.pixels.azimuths = light
-            .pixels
-            .azimuths
-            .iter()
-            .copied()
-            .step_by(step)
-            .collect();
-        light.pixels.rows = light.pixels.rows.div_ceil(factor);
-        light.pixels.columns = light.pixels.columns.div_ceil(factor);
-        light.pixels.pitch_mm *= factor as f64;
+        let step = light.pixels.frames().div_ceil(frames).max(1);
+        let azimuths = &mut light.pixels.azimuths;
+        *azimuths = azimuths.iter().copied().step_by(step).collect();
     }
     let frames: usize = lights.iter().map(|l| l.pixels.frames()).sum();
-    let plan = planner::plan(optics.vial.as_ref(), lights, small.clone(), None, run)?;
+    let plan = planner::plan(
+        scene.optics.vial.as_ref(),
+        lights,
+        scene.grid.clone(),
+        Some(&voxels.wanted()),
+        run,
+    )?;
     let model = plan.model;
-    let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+    let layout = &model.outputs()[0];
+    let (mut x, mut dose, mut gradient) =
+        (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
     x.fill(1.0);
-    let once = |x: &mut HostField, dose: &mut HostField| -> Result<f64> {
-        let start = Instant::now();
-        model.dose(x, dose, run)?;
-        model.pullback(&x.clone(), dose, x, run)?;
-        Ok(start.elapsed().as_secs_f64())
-    };
-    once(&mut x, &mut dose)?; // caches and threads wake up
-    x.fill(1.0);
-    let seconds = once(&mut x, &mut dose)?.max(1e-6);
+    model.dose(&x, &mut dose, run)?; // caches, threads and pages wake up
+    let (call_s, done) = timed(|| -> Result<()> {
+        model.dose(&x, &mut dose, run)?;
+        model.pullback(&x.clone(), &dose, &mut x, run)
+    });
+    done?;
+    let zeros = x.zeros_like();
+    let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
+    let objective = scene.objective(layout, voxels)?;
+    objective.value_and_gradient(&dose, &mut gradient);
+    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    let dose = layout.volume_of(dose.as_slice());
     let updates = model.updates() as f64;
-    let lit = updates / (frames * small.len()).max(1) as f64;
-    Ok(Speed {
+    Ok(Rates {
+        updates_per_s: 2.0 * updates / call_s,
+        updates_per_frame: updates / frames.max(1) as f64,
+        objective_s,
+        vector_s: vector_s / x.len().max(1) as f64,
+        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
+        measuring_s: measuring(voxels, &dose)?,
         model: plan.reason,
-        updates_per_s: 2.0 * updates / seconds,
-        lit,
     })
+}
+
+/// Seconds, and what came out.
+fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let result = work();
+    (start.elapsed().as_secs_f64().max(1e-7), result)
+}
+
+/// Seconds per voxel to measure a print, from a copy of the dose with every n-th voxel.
+fn measuring(voxels: &Voxels, dose: &Volume<f32>) -> Result<f64> {
+    let longest = dose.grid.shape.iter().copied().max().unwrap_or(1);
+    let step = longest.div_ceil(TRIAL_EDGE);
+    let labels = thinned(&voxels.labels, step);
+    let (inside, dose) = (thinned(&voxels.target.inside, step), thinned(dose, step));
+    let print = Print::new(&labels, &dose)?.with_inside(&inside)?;
+    let (seconds, _) = timed(|| evaluate(&print));
+    Ok(seconds / labels.values.len().max(1) as f64)
+}
+
+/// Every `step`-th voxel along each axis.
+fn thinned<T: Copy>(volume: &Volume<T>, step: usize) -> Volume<T> {
+    let grid = VolumeGrid {
+        shape: volume.grid.shape.map(|n| n.div_ceil(step)),
+        pitch_mm: volume.grid.pitch_mm * step as f64,
+        center_mm: volume.grid.center_mm,
+    };
+    let [nz, ny, nx] = grid.shape;
+    let mut values = Vec::with_capacity(grid.len());
+    for z in 0..nz {
+        for y in 0..ny {
+            let row = &volume.values[volume.grid.index(z * step, y * step, 0)..];
+            values.extend((0..nx).map(|x| row[x * step]));
+        }
+    }
+    Volume { grid, values }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent() -> Extent {
+        Extent {
+            grid: VolumeGrid::centered([10, 10, 10], 0.1),
+            refine: 2,
+            frames: 30,
+            active_pixels: 500,
+            pixels: 2000,
+            columns: 600,
+            memory: 10,
+        }
+    }
+
+    fn rates() -> Rates {
+        Rates {
+            model: String::new(),
+            updates_per_s: 1000.0,
+            updates_per_frame: 100.0,
+            objective_s: 0.01,
+            vector_s: 1e-5,
+            sampling_s: 1e-3,
+            measuring_s: 2e-3,
+        }
+    }
+
+    #[test]
+    fn time_is_work_times_rates() {
+        let extent = extent();
+        let work = Work {
+            extent: &extent,
+            iterations: 7,
+            sub_angles: [1, 4],
+            wall_s: None,
+        };
+        let cost = work.cost(&rates());
+        // A call: 30 frames of 100 updates at 1000/s = 3 s. A step: two calls, 5 passes, 44 vectors of 500 pixels
+        let step = 2.0 * 3.0 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
+        assert!(
+            (cost.optimisation_s - (7.0 * step + 4.0 * 3.0)).abs() < 1e-9,
+            "{cost:?}"
+        );
+        // Eight times the voxels, standing and turning (1 + 4 calls); measured twice, and the own grid once
+        let evaluation = 8.0 * 5.0 * 3.0 + 1000.0 * (17.0 * 2e-3 + 8.0 * 1e-3);
+        let rest = 1000.0 * 1e-3 + evaluation + 2e-3 * (2000.0 + 500.0);
+        assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
+        // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
+        let averaged = Work {
+            sub_angles: [3, 4],
+            ..work
+        }
+        .cost(&rates());
+        assert!((averaged.optimisation_s - cost.optimisation_s - 18.0 * 2.0 * 3.0).abs() < 1e-9);
+        let limited = Work {
+            wall_s: Some(1.0),
+            ..work
+        }
+        .cost(&rates());
+        assert_eq!(
+            (limited.optimisation_s, limited.rest_s),
+            (13.0, cost.rest_s)
+        );
+    }
+
+    #[test]
+    fn memory_is_that_of_the_arrays() {
+        let extent = extent();
+        let lanes = 10usize.next_multiple_of(LANES) as f64 * 100.0;
+        let [voxels, pixels] = extent.optimisation();
+        assert!((voxels - lanes * 21.0 / 1e6).abs() < 1e-12);
+        let scratch = 600.0 * 10usize.next_multiple_of(LANES) as f64 * 4.0;
+        // 2m + 4 = 24 vectors of f32
+        assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
+        assert_eq!(whole_mb([300.0, 4.5]), 324);
+    }
+
+    #[test]
+    fn a_thinned_copy_keeps_every_nth_voxel() {
+        let grid = VolumeGrid::centered([3, 2, 5], 0.1);
+        let values: Vec<u32> = (0..30).collect();
+        let thin = thinned(&Volume { grid, values }, 2);
+        assert_eq!(thin.grid.shape, [2, 1, 3]);
+        assert_eq!(thin.values, [0, 2, 4, 20, 22, 24]);
+        assert!((thin.grid.pitch_mm - 0.2).abs() < 1e-15);
+    }
 }

@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 const MARK: &str = "# A Tomolith run folder; this is its job with every default written out.\n";
 /// Published last: they say that the rest is complete.
 const LAST: [&str; 2] = ["report.json", JOB];
+/// What only an optimisation leaves.
+const RUN: [&str; 2] = ["history.csv", "checkpoint"];
 const JOB: &str = "job.toml";
 const NEW: &str = ".new";
 const OLD: &str = ".old-";
@@ -53,6 +55,12 @@ impl RunFolder {
             "`{}` holds files that are not from a run",
             path.display()
         ))
+    }
+
+    /// Whether an optimisation has left its outputs here: a simulation would mix with them.
+    #[must_use]
+    pub fn holds_a_run(path: &Path) -> bool {
+        RUN.iter().any(|name| path.join(name).exists())
     }
 
     /// Takes the folder for this process; a new one is made and marked with the resolved job.

@@ -5,11 +5,13 @@
 
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
+use super::spec::JobSpec;
 use crate::error::Result;
 use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::kind::Section;
 use crate::metrics::print::{PatternStats, Print};
-use crate::metrics::{Evaluation, evaluate};
+use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
 use crate::models::{Run, planner};
 use rayon::prelude::*;
@@ -28,6 +30,8 @@ pub(crate) struct Judged {
     pub(crate) fine: Voxels,
     /// Response of the headline on the finer grid.
     pub(crate) response: Volume<f32>,
+    /// What people should know.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Judged {
@@ -62,6 +66,16 @@ pub(crate) fn judge(
             Some(evaluation.with_sub_angles(scene.spec.light[0].sub_angles))
         }
     };
+    let written = match &optimisation {
+        None => None,
+        Some(_) => {
+            let lights = scene.optics.lights.clone();
+            let response = scene.responses(dose(scene, lights, &scene.grid, shown, cancel)?)?;
+            headline(voxels)
+                .metric
+                .measure(&print(scene, voxels, &response)?)
+        }
+    };
     let sub_angles = scene.spec.evaluate.sub_angles;
     let grid = scene.fine_grid();
     let [nz, ny, nx] = grid.shape;
@@ -89,6 +103,20 @@ pub(crate) fn judge(
     let mean = averaged(&turning, &scene.grid);
     let response = scene.responses(turning)?;
     let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
+    let steps = Steps {
+        kind: headline(voxels),
+        optimised: optimisation.as_ref(),
+        written,
+        standing: &standing,
+        turning: &evaluation,
+    };
+    let warnings: Vec<String> = steps
+        .sentence(scene.spec.evaluate.bit_depth)
+        .into_iter()
+        .collect();
+    for text in warnings.iter().cloned() {
+        progress.event(&Event::Warning { text });
+    }
     Ok(Judged {
         evaluation,
         standing,
@@ -96,7 +124,58 @@ pub(crate) fn judge(
         dose: mean,
         fine,
         response,
+        warnings,
     })
+}
+
+/// The one number that says how good a print is: IoU, or the rms error of a grey target.
+fn headline(voxels: &Voxels) -> &'static MetricKind {
+    if voxels.target.grey {
+        &grey::RMS
+    } else {
+        &iou::KIND
+    }
+}
+
+/// Differences of the headline number that are worth a sentence.
+const WORTH_SAYING: f64 = 0.01;
+
+/// The headline number from the optimisation's view to the print's, one step after the other.
+struct Steps<'a> {
+    kind: &'a MetricKind,
+    /// Patterns as they were optimised, on the optimisation's grid.
+    optimised: Option<&'a Evaluation>,
+    /// Patterns as they were written, on the same grid.
+    written: Measure,
+    /// On the finer grid.
+    standing: &'a Evaluation,
+    /// While the vial turns.
+    turning: &'a Evaluation,
+}
+
+impl Steps<'_> {
+    /// Why the number of the print is not the one that the optimisation reached, when they differ by more than
+    /// [`WORTH_SAYING`].
+    fn sentence(&self, bits: u32) -> Option<String> {
+        let get = |evaluation: &Evaluation| evaluation.measures.get(self.kind.name);
+        let own = get(self.optimised?)?;
+        let (written, standing, turning) = (self.written?, get(self.standing)?, get(self.turning)?);
+        if (own - turning).abs() <= WORTH_SAYING {
+            return None;
+        }
+        let by = |from: f64, to: f64| format!("{:+.4}", to - from).replace('-', "−");
+        Some(format!(
+            "{}: {own:.4} is what the optimisation reached on its own grid, {turning:.4} is what the written patterns print. \
+             {} comes from writing them with {bits} bits ({written:.4} on the same voxels), \
+             {} from looking at voxels of {:.4} mm instead of {:.4} mm ({standing:.4}), {} from the vial turning during each frame.",
+            self.kind.title,
+            by(own, written),
+            by(written, standing),
+            self.turning.grid.pitch_mm,
+            self.optimised?.grid.pitch_mm,
+            by(standing, turning),
+        ))
+    }
 }
 
 /// Dose of patterns on a grid.
@@ -146,6 +225,19 @@ fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
         .collect()
 }
 
+/// What the metrics look at.
+fn print<'a>(scene: &Scene, voxels: &'a Voxels, response: &'a Volume<f32>) -> Result<Print<'a>> {
+    let inside = &voxels.target.inside;
+    let mut print = Print::new(&voxels.labels, response)?.with_inside(inside)?;
+    if voxels.target.grey {
+        print = print.with_grey(inside, scene.spec.half_width())?;
+    }
+    if let Some(threshold) = scene.spec.evaluate.threshold {
+        print = print.with_threshold(threshold)?;
+    }
+    Ok(print)
+}
+
 /// The numbers of a print.
 fn measure(
     scene: &Scene,
@@ -153,12 +245,7 @@ fn measure(
     response: &Volume<f32>,
     patterns: &[Patterns],
 ) -> Result<Evaluation> {
-    let mut print = Print::new(&voxels.labels, response)?
-        .with_inside(&voxels.target.inside)?
-        .with_patterns(PatternStats::of(patterns));
-    if let Some(threshold) = scene.spec.evaluate.threshold {
-        print = print.with_threshold(threshold)?;
-    }
+    let print = print(scene, voxels, response)?.with_patterns(PatternStats::of(patterns));
     Ok(evaluate(&print))
 }
 
@@ -186,6 +273,21 @@ fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     Volume {
         grid: grid.clone(),
         values,
+    }
+}
+
+/// Half width of the band round grey values, where the objective has none.
+const HALF_WIDTH: f64 = 0.05;
+
+impl JobSpec {
+    /// Half width of the band round grey values: ε of the first objective that has one.
+    fn half_width(&self) -> f64 {
+        let epsilon = |section: &Section| {
+            let parameters = section.value.as_object()?.values();
+            parameters.filter_map(|v| v.get("epsilon")?.as_f64()).next()
+        };
+        let objectives = self.objectives().unwrap_or_default();
+        objectives.iter().find_map(epsilon).unwrap_or(HALF_WIDTH)
     }
 }
 
@@ -221,6 +323,39 @@ mod tests {
             .collect();
         let mean = averaged(&Volume { grid: fine, values }, &grid);
         assert_eq!(mean.values, [0.0, 1.0, 2.0, 10.0, 11.0, 12.0]);
+    }
+
+    #[test]
+    fn a_difference_is_explained_step_by_step() {
+        let evaluation = |iou: f64, pitch_mm: f64| {
+            let labels = Volume::filled(VolumeGrid::centered([1, 1, 1], pitch_mm), 0u8);
+            let response = Volume::filled(labels.grid.clone(), 0.0);
+            let mut evaluation = evaluate(&Print::new(&labels, &response).unwrap());
+            evaluation.measures.0 = vec![("iou", Some(iou))];
+            evaluation
+        };
+        let (own, standing) = (evaluation(0.99, 0.2), evaluation(0.97, 0.1));
+        let sentence = |turning: f64| {
+            Steps {
+                kind: &iou::KIND,
+                optimised: Some(&own),
+                written: Some(0.988),
+                standing: &standing,
+                turning: &evaluation(turning, 0.1),
+            }
+            .sentence(8)
+        };
+        let text = sentence(0.9605).unwrap();
+        for part in [
+            "IoU: 0.9900 is",
+            "0.9605 is",
+            "−0.0020 comes",
+            "−0.0180 from looking at voxels of 0.1000 mm instead of 0.2000 mm (0.9700)",
+            "−0.0095 from the vial",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        assert_eq!(sentence(0.985), None);
     }
 
     #[test]

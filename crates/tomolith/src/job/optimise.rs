@@ -2,12 +2,14 @@
 
 use super::folder::RunFolder;
 use super::progress::{Event, Progress};
+use super::read::with_every_default;
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::field::{BLOCK, Field, HostField};
 use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
+use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::{DoseModel, Run, planner};
 use crate::optimize::start::StartInput;
@@ -15,10 +17,10 @@ use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
 };
 use rayon::prelude::*;
+use serde_json::Value;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Instant;
 
 /// What an optimisation came to.
 pub(crate) struct Optimised {
@@ -82,11 +84,13 @@ pub(crate) fn optimise(
     let limits = limits(spec, &start);
     let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
+    let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
-        fingerprint(scene, voxels)?,
+        fingerprint(&tables, voxels),
         &spec.checkpoint,
-    )?;
+    )?
+    .describing(tables);
     let mut x = if resumes(&checkpoints, resume, progress)? {
         model.new_patterns()?
     } else {
@@ -103,9 +107,8 @@ pub(crate) fn optimise(
         scene,
         updates,
         labels: model.outputs()[0].field_of(&voxels.labels),
-        first: None,
+        is_grey: voxels.target.grey,
         qualities: Vec::new(),
-        measuring_s: 0.0,
         progress,
     };
     let ran = optimize::run(
@@ -130,6 +133,8 @@ pub(crate) fn optimise(
             updates,
             qualities,
         }),
+        // A checkpoint that does not fit: nothing was done
+        Err(error @ Error::Format { .. }) => Err(begin_anew(error)),
         stopped => {
             keep(scene, &raw, &folder.checkpoint(), progress)?;
             Err(stopped.err().unwrap_or(Error::Cancelled))
@@ -180,12 +185,14 @@ fn limits(spec: &JobSpec, start: &HostField) -> Vec<Limits> {
 fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress) -> Result<bool> {
     let file = checkpoints.file();
     if !resume {
-        if file.exists() {
-            std::fs::remove_file(&file).map_err(|e| Error::io(&file, e))?;
+        for earlier in [file.with_file_name(KEPT), file] {
+            if earlier.exists() {
+                std::fs::remove_file(&earlier).map_err(|e| Error::io(&earlier, e))?;
+            }
         }
         return Ok(false);
     }
-    let checkpoint = checkpoints.open()?;
+    let checkpoint = checkpoints.open().map_err(begin_anew)?;
     let text = match &checkpoint {
         Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
         None => "no checkpoint to resume: starting anew".to_owned(),
@@ -194,10 +201,29 @@ fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress)
     Ok(checkpoint.is_some())
 }
 
-/// The best patterns of a run that did not end well.
+/// A checkpoint that cannot be used: first what to do, then why.
+fn begin_anew(error: Error) -> Error {
+    match error {
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => Error::config(
+            "--resume",
+            format!("leave it out to begin anew: {} is {found}", path.display()),
+            accepted,
+        ),
+        other => other,
+    }
+}
+
+/// The best patterns of a run that did not end well, in the checkpoint folder.
+const KEPT: &str = "patterns.npz";
+
+/// Writes the best patterns of a run that did not end well.
 fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progress) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
-    let path = folder.join("patterns.npz");
+    let path = folder.join(KEPT);
     let pairs: Vec<PatternPair<'_>> = raw
         .iter()
         .enumerate()
@@ -216,8 +242,15 @@ fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progr
     Ok(())
 }
 
-/// Metrics may take this share of an optimisation's time.
-const MEASURING_SHARE: f64 = 0.02;
+/// Iterations that are measured before only every second one is, and again before every fourth, and so on.
+const MEASURED: usize = 8;
+
+/// Whether the print is measured after an iteration: the start, each up to 8, every second up to 16, every fourth up to
+/// 32, …: at least ten points for any run of ten iterations, and seldom enough to cost less than 2 % of the time.
+fn is_measured(iteration: usize) -> bool {
+    let step = (iteration.saturating_sub(1) / MEASURED + 1).next_power_of_two();
+    iteration.is_multiple_of(step)
+}
 
 /// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
 struct Watch<'a> {
@@ -225,11 +258,9 @@ struct Watch<'a> {
     updates: u64,
     /// Labels in the order of the dose field; the padding is outside.
     labels: Vec<u8>,
-    /// Norm of the first projected gradient.
-    first: Option<f64>,
+    /// A grey target has no IoU worth following.
+    is_grey: bool,
     qualities: Vec<Quality>,
-    /// Time spent on metrics.
-    measuring_s: f64,
     progress: &'a mut dyn Progress,
 }
 
@@ -244,59 +275,56 @@ impl Watch<'_> {
         report.row.loss <= loss || enough
     }
 
-    /// Metrics of the dose at hand: always when they decide, else as long as they cost little.
-    fn measure(&mut self, report: &StepReport<'_, HostField>, always: bool) -> Option<Quality> {
-        let elapsed = report.row.seconds;
-        let affordable = self.measuring_s <= MEASURING_SHARE * elapsed;
-        if !(always || affordable) {
+    /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
+    fn measure(&mut self, report: &StepReport<'_, HostField>, decides: bool) -> Option<Quality> {
+        let iteration = report.row.iteration;
+        let last = iteration == self.scene.spec.stop.iterations;
+        if !(decides || !self.is_grey && (last || is_measured(iteration))) {
             return None;
         }
-        let start = Instant::now();
-        let quality = self.quality(report.row.iteration, report.dose);
-        self.measuring_s += start.elapsed().as_secs_f64();
+        let response = self.scene.response().ok()?;
+        let dose = report.dose.as_slice();
+        let values: Cow<'_, [f32]> = if response.is_identity() {
+            Cow::Borrowed(dose)
+        } else {
+            Cow::Owned(dose.par_iter().map(|&d| response.value(d)).collect())
+        };
+        let quality = if decides {
+            exact(iteration, &self.labels, &values)
+        } else {
+            quick(&self.labels, &values).map(|(iou, process_window)| Quality {
+                iteration,
+                iou: Some(iou),
+                process_window,
+            })
+        };
         self.qualities.extend(quality);
         quality
     }
+}
 
-    fn quality(&self, iteration: usize, dose: &HostField) -> Option<Quality> {
-        let response = self.scene.response().ok()?;
-        let values: Cow<'_, [f32]> = if response.is_identity() {
-            Cow::Borrowed(dose.as_slice())
-        } else {
-            Cow::Owned(
-                dose.as_slice()
-                    .par_iter()
-                    .map(|&d| response.value(d))
-                    .collect(),
-            )
-        };
-        let scan = Scan::new(&self.labels, &values).ok()?;
-        let (part, void) = (scan.part(), scan.void());
-        Some(Quality {
-            iteration,
-            iou: scan.best_plateau().map(|plateau| plateau.iou),
-            process_window: part
-                .zip(void)
-                .map(|(part, void)| f64::from(part.min) - f64::from(void.max)),
-        })
-    }
+/// Metrics over all thresholds.
+fn exact(iteration: usize, labels: &[u8], response: &[f32]) -> Option<Quality> {
+    let scan = Scan::new(labels, response).ok()?;
+    let (part, void) = (scan.part(), scan.void());
+    Some(Quality {
+        iteration,
+        iou: scan.best_plateau().map(|plateau| plateau.iou),
+        process_window: part
+            .zip(void)
+            .map(|(part, void)| f64::from(part.min) - f64::from(void.max)),
+    })
 }
 
 impl Observer<HostField> for Watch<'_> {
     fn on_step(&mut self, report: &StepReport<'_, HostField>) -> ControlFlow<()> {
         let row = report.row;
-        if self.first.is_none() {
-            self.first = row.projected_gradient;
-        }
         let calls = (row.forward + row.adjoint) as f64;
         self.progress.event(&Event::Iteration {
             iteration: row.iteration,
             iterations: self.scene.spec.stop.iterations,
             loss: row.loss,
-            projected_gradient: row
-                .projected_gradient
-                .zip(self.first)
-                .map(|(now, first)| now / first),
+            projected_gradient: report.relative_gradient,
             elapsed_s: row.seconds,
             updates_per_s: calls * self.updates as f64 / report.counters.model_s.max(1e-9),
         });
@@ -308,14 +336,38 @@ impl Observer<HostField> for Watch<'_> {
     }
 }
 
-/// What makes a checkpoint belong to this job: its tables but those that change no iteration, and the voxels.
-fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
-    let mut tables =
-        serde_json::to_value(&scene.spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+/// The tables of a job that a checkpoint depends on, with every default written out.
+fn tables(spec: &JobSpec) -> Result<Value> {
+    let mut tables = serde_json::to_value(with_every_default(spec.clone()))
+        .map_err(|e| Error::config("", e.to_string(), "a job"))?;
     if let Some(map) = tables.as_object_mut() {
-        for unimportant in ["target", "stop", "checkpoint", "evaluate", "printer", "output"] {
+        for unimportant in ["stop", "checkpoint", "evaluate", "printer", "output"] {
             map.remove(unimportant);
         }
+    }
+    as_floats(&mut tables);
+    Ok(tables)
+}
+
+/// 2 and 2.0 are the same number, however a job writes it.
+fn as_floats(value: &mut Value) {
+    match value {
+        Value::Number(number) => {
+            if let Some(float) = number.as_f64() {
+                *value = Value::from(float);
+            }
+        }
+        Value::Array(list) => list.iter_mut().for_each(as_floats),
+        Value::Object(map) => map.values_mut().for_each(as_floats),
+        _ => {}
+    }
+}
+
+/// What makes a checkpoint belong to this job: its tables, and the voxels in place of the target's table.
+fn fingerprint(tables: &Value, voxels: &Voxels) -> u64 {
+    let mut tables = tables.clone();
+    if let Some(map) = tables.as_object_mut() {
+        map.remove("target");
     }
     let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
     let inside: Vec<u64> = voxels
@@ -330,7 +382,7 @@ fn fingerprint(scene: &Scene, voxels: &Voxels) -> Result<u64> {
         hash(bytemuck::cast_slice(&labels)),
         hash(bytemuck::cast_slice(&inside)),
     ];
-    Ok(hash(bytemuck::cast_slice(&parts)))
+    hash(bytemuck::cast_slice(&parts))
 }
 
 /// FNV-1a, 64 bits.
@@ -348,5 +400,23 @@ impl Scene {
         } else {
             self.spec.light[i].name.as_deref()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn measured_iterations_thin_out_evenly() {
+        let measured = |last: usize| (0..=last).filter(|&i| is_measured(i)).collect::<Vec<_>>();
+        assert_eq!(
+            measured(40),
+            [
+                0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40
+            ]
+        );
+        assert!(measured(10).len() >= 10);
+        assert_eq!(measured(1024).len(), 1 + 8 + 4 * 7);
     }
 }

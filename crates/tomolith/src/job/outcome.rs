@@ -17,6 +17,45 @@ pub struct Quality {
     pub pw: Measure,
     /// The threshold.
     pub threshold: Measure,
+    /// How well grey values are reproduced; None for a target of part and void.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey: Option<Grey>,
+}
+
+/// The headline numbers of a grey print, in units of the response.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Grey {
+    /// Half width of the band.
+    pub half_width: f64,
+    /// Share of the voxels in the band.
+    pub in_band: Measure,
+    /// Root of the mean square error.
+    pub rms_error: Measure,
+    /// Largest error where a grey value of at least ½ was asked for.
+    pub max_error_part: Measure,
+    /// Largest error where less was asked for.
+    pub max_error_void: Measure,
+}
+
+impl Quality {
+    /// Names of the numbers for people, and the numbers.
+    fn columns(&self) -> ([String; 4], [Measure; 4]) {
+        match &self.grey {
+            None => (
+                ["IoU", "VER", "PW", "threshold"].map(str::to_owned),
+                [self.iou, self.ver, self.pw, self.threshold],
+            ),
+            Some(g) => (
+                [
+                    format!("in ±{}", g.half_width),
+                    "rms error".to_owned(),
+                    "max bright".to_owned(),
+                    "max dark".to_owned(),
+                ],
+                [g.in_band, g.rms_error, g.max_error_part, g.max_error_void],
+            ),
+        }
+    }
 }
 
 /// The end of a run.
@@ -54,15 +93,12 @@ impl fmt::Display for Summary {
         if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
             writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
         }
-        writeln!(
-            f,
-            "{:>28} {:>8} {:>8} {:>8} {:>10}",
-            "", "IoU", "VER", "PW", "threshold"
-        )?;
+        let ([a, b, c, d], _) = self.evaluation.columns();
+        writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
         let mut row = |name: &str, q: &Quality| {
             let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
-            let [iou, ver, pw, threshold] = [q.iou, q.ver, q.pw, q.threshold].map(number);
-            writeln!(f, "{name:>28} {iou:>8} {ver:>8} {pw:>8} {threshold:>10}")
+            let [a, b, c, d] = q.columns().1.map(number);
+            writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
         if let Some(optimisation) = &self.optimisation {
             row("optimised, on its own grid", optimisation)?;
@@ -73,7 +109,7 @@ impl fmt::Display for Summary {
             let verdict = if self.is_met() { "met" } else { "NOT met" };
             writeln!(
                 f,
-                "{:>28} {asked:8.4} {verdict}",
+                "{:>28} {asked:9.4} {verdict}",
                 "asked (evaluate.require_iou)"
             )?;
         }
@@ -111,8 +147,12 @@ pub struct Plan {
     pub available_memory_mb: Option<u64>,
     /// Size of the run folder, MB.
     pub disk_mb: u64,
-    /// Time of the whole run on this machine, s.
+    /// Time of the whole run on this machine when all iterations are needed, s.
     pub seconds: f64,
+    /// The most iterations there will be.
+    pub iterations: usize,
+    /// Part of the time that is the optimisation's, s; less when it ends early.
+    pub optimisation_s: f64,
     /// Measured updates per second.
     pub updates_per_s: f64,
     /// Choices that were made.
@@ -153,9 +193,11 @@ impl fmt::Display for Plan {
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;
         writeln!(
             f,
-            "{:>12} about {} ({:.1} G updates/s)",
+            "{:>12} at most {} iterations: {}; evaluation and files: {} ({:.1} G updates/s as busy as this machine is)",
             "time",
-            duration(self.seconds),
+            self.iterations,
+            duration(self.optimisation_s),
+            duration(self.seconds - self.optimisation_s),
             self.updates_per_s / 1e9
         )?;
         for note in &self.notes {
@@ -184,6 +226,7 @@ fn words(reason: StopReason) -> &'static str {
 /// Seconds, minutes or hours.
 fn duration(seconds: f64) -> String {
     match seconds {
+        s if s < 10.0 => format!("{s:.1} s"),
         s if s < 100.0 => format!("{s:.0} s"),
         s if s < 6000.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.1} h", s / 3600.0),

@@ -57,6 +57,15 @@ impl Job {
         stem.unwrap_or_else(|| "job".to_owned())
     }
 
+    /// The same job with another run folder, named by an option of the command line.
+    #[must_use]
+    pub fn with_folder(mut self, folder: &Path, option: &str) -> Self {
+        let option = format!("{option} {}", folder.display());
+        self.document.overridden("output.folder", option);
+        self.spec.output.folder = Some(folder.to_owned());
+        self
+    }
+
     /// The folder that paths of meshes and images are relative to.
     #[must_use]
     pub fn base(&self) -> PathBuf {
@@ -80,31 +89,7 @@ impl Job {
     /// The job with every default written out, kinds' parameters included, that runs identically from any folder.
     #[must_use]
     pub fn resolved(&self) -> JobSpec {
-        let families = families();
-        let pages = |name: &str| {
-            families
-                .iter()
-                .find(|f| f.name == name)
-                .map_or(&[][..], |f: &Family| &f.kinds)
-        };
-        let mut spec = self.spec.clone();
-        spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
-        if let Some(phantom) = &mut spec.target.phantom {
-            *phantom = with_defaults(pages("target.phantom"), phantom);
-        }
-        spec.response = with_defaults(pages("response"), &spec.response);
-        spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
-        spec.start = with_defaults(pages("start"), &spec.start);
-        if spec.objective.is_none() && spec.objectives.is_none() {
-            spec.objective = Some(default_objective());
-        }
-        for objective in spec
-            .objective
-            .iter_mut()
-            .chain(spec.objectives.iter_mut().flatten())
-        {
-            *objective = with_defaults(pages("objective"), objective);
-        }
+        let mut spec = with_every_default(self.spec.clone());
         let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         spec.output.folder = Some(absolute(&self.folder()));
         for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
@@ -151,4 +136,33 @@ impl Job {
     pub fn locate(&self, error: Error) -> Error {
         self.document.locate(error)
     }
+}
+
+/// The same tables with the defaults of every kind written out.
+pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
+    let families = families();
+    let pages = |name: &str| {
+        families
+            .iter()
+            .find(|f| f.name == name)
+            .map_or(&[][..], |f: &Family| &f.kinds)
+    };
+    spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
+    if let Some(phantom) = &mut spec.target.phantom {
+        *phantom = with_defaults(pages("target.phantom"), phantom);
+    }
+    spec.response = with_defaults(pages("response"), &spec.response);
+    spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
+    spec.start = with_defaults(pages("start"), &spec.start);
+    if spec.objective.is_none() && spec.objectives.is_none() {
+        spec.objective = Some(default_objective(&spec.target));
+    }
+    for objective in spec
+        .objective
+        .iter_mut()
+        .chain(spec.objectives.iter_mut().flatten())
+    {
+        *objective = with_defaults(pages("objective"), objective);
+    }
+    spec
 }

@@ -46,18 +46,23 @@ pub fn available_disk_mb(path: &Path) -> Option<u64> {
     }
 }
 
-/// Refuses what the machine cannot hold.
+/// Refuses what the machine cannot hold; `key` is the key of the job that asks for most of it.
 ///
 /// # Errors
-/// [`Error::Resources`] with the estimate.
-pub fn require(what: &str, needed_mb: u64, available_mb: Option<u64>, advice: &str) -> Result<()> {
+/// [`Error::Config`] with the estimate.
+pub fn require(
+    key: &str,
+    what: &str,
+    needed_mb: u64,
+    available_mb: Option<u64>,
+    accepted: &str,
+) -> Result<()> {
     match available_mb {
-        Some(available_mb) if needed_mb > available_mb => Err(Error::Resources {
-            what: what.to_owned(),
-            needed_mb,
-            available_mb,
-            advice: advice.to_owned(),
-        }),
+        Some(available_mb) if needed_mb > available_mb => Err(Error::config(
+            key,
+            format!("{what}: {needed_mb} MB needed, {available_mb} MB available"),
+            accepted,
+        )),
         _ => Ok(()),
     }
 }
@@ -75,19 +80,20 @@ mod tests {
 
     #[test]
     fn too_much_is_refused_with_the_estimate() {
-        require("memory", 10, Some(10), "").unwrap();
-        require("memory", 10, None, "").unwrap();
+        require("grid", "memory", 10, Some(10), "").unwrap();
+        require("grid", "memory", 10, None, "").unwrap();
         let message = require(
+            "grid.pitch_mm",
             "memory for the optimisation",
             11,
             Some(10),
-            "take a larger pitch",
+            "a larger pitch",
         )
         .unwrap_err()
         .to_string();
         assert_eq!(
             message,
-            "memory for the optimisation: 11 MB needed, 10 MB available; take a larger pitch"
+            "grid.pitch_mm: memory for the optimisation: 11 MB needed, 10 MB available; accepted: a larger pitch"
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use super::build::Optics;
 use super::device;
-use super::estimate::Extent;
+use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
@@ -10,7 +10,7 @@ use super::spec::{GridSpec, JobSpec};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
-use crate::grid::{Volume, VolumeGrid};
+use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::models::DoseLayout;
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
@@ -23,8 +23,12 @@ use std::sync::Arc;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
+/// Largest weight of an objective: its gradient is still a number in f32.
+const MOST_WEIGHT: f64 = 1e9;
 /// Share of the free memory that a run may plan with.
 const USABLE: f64 = 0.9;
+/// Parts of a voxel that are rounding of the job's lengths.
+const ROUNDING: f64 = 1e-6;
 
 /// A job that can be run.
 pub(crate) struct Scene {
@@ -67,10 +71,10 @@ impl Scene {
         let spec = job.spec.clone();
         RunFolder::check(&job.folder())?;
         let optics = Optics::new(&spec)?;
-        try_kinds(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
+        try_kinds(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -103,10 +107,11 @@ impl Scene {
         scene.fit_memory()?;
         let disk = available_disk_mb(&job.folder());
         require(
+            "output.folder",
             "disk for the run folder",
             scene.extent.disk_mb(),
             disk,
-            "free some, or choose another output.folder",
+            "a folder on a larger disk, or a smaller job",
         )?;
         Ok(scene)
     }
@@ -156,19 +161,21 @@ impl Scene {
                 "memory is short: the evaluation's grid is {refine} times as fine, not {asked}"
             ));
         }
-        let advice = "take a larger grid.pitch_mm, or fewer light.angles or pixels";
-        require(
-            "memory for the optimisation",
-            self.extent.optimisation_mb(),
-            free,
-            advice,
-        )?;
-        require(
-            "memory for the evaluation",
-            self.extent.evaluation_mb(),
-            free,
-            advice,
-        )
+        for (what, [voxels_mb, pixels_mb]) in [
+            ("memory for the optimisation", self.extent.optimisation()),
+            ("memory for the evaluation", self.extent.evaluation()),
+        ] {
+            let (key, accepted) = if voxels_mb >= pixels_mb {
+                let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
+                (grid_key(&self.spec), accepted)
+            } else {
+                let accepted = "fewer pixels or angles (light.pixels, light.angles)";
+                (pixels_key(&self.spec), accepted)
+            };
+            let needed_mb = estimate::whole_mb([voxels_mb, pixels_mb]);
+            require(&key, what, needed_mb, free, accepted)?;
+        }
+        Ok(())
     }
 
     /// The finer grid of the evaluation.
@@ -181,7 +188,8 @@ impl Scene {
     /// # Errors
     /// As [`target::voxelise`].
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
-        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)?;
+        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
+            .map_err(|e| at_grid(&self.spec, e))?;
         let labels = label_voxels(
             &target,
             self.optics.counts(self.spec.grid.region, &self.grid),
@@ -245,6 +253,54 @@ impl Voxels {
     }
 }
 
+/// The key that says how many voxels there are.
+fn grid_key(spec: &JobSpec) -> String {
+    let key = if spec.grid.shape.is_some() {
+        "grid.shape"
+    } else {
+        "grid.pitch_mm"
+    };
+    key.to_owned()
+}
+
+/// The key of the light with the most pixels.
+fn pixels_key(spec: &JobSpec) -> String {
+    let pixels = |i: &usize| {
+        let light = &spec.light[*i];
+        light.pixels.iter().product::<usize>() * light.angles.count()
+    };
+    let largest = (0..spec.light.len()).max_by_key(pixels).unwrap_or(0);
+    format!("light[{largest}].pixels")
+}
+
+/// Says which key asked for voxels that the memory does not hold.
+fn at_grid(spec: &JobSpec, error: Error) -> Error {
+    match error {
+        Error::Resources {
+            what,
+            needed_mb,
+            available_mb,
+            advice,
+        } => Error::config(
+            grid_key(spec),
+            format!("{what}: {needed_mb} MB needed, {available_mb} MB available"),
+            advice,
+        ),
+        other => other,
+    }
+}
+
+/// Says which key named what cannot be used with this target.
+fn at_section(path: &str, error: Error) -> Error {
+    match error {
+        Error::Unsupported { what, reason } => {
+            let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
+            Error::config(path, format!("{what}, but {found}"), accepted)
+        }
+        other => other,
+    }
+}
+
 fn response(spec: &JobSpec) -> Result<Arc<dyn Response>> {
     let section = Section::new("response", spec.response.clone());
     let (kind, inner) = section.kind(RESPONSES)?;
@@ -303,20 +359,28 @@ fn objectives(spec: &JobSpec, input: &ObjectiveInput<'_>) -> Result<Sum<HostFiel
                 )
             })?,
         };
+        if !(0.0..=MOST_WEIGHT).contains(&weight) {
+            return Err(Error::config(
+                format!("{}.weight", section.path),
+                format!("found {weight}"),
+                format!("a number from 0 to {MOST_WEIGHT:e}"),
+            ));
+        }
         let (kind, inner) = section.kind(OBJECTIVES)?;
-        parts.push((weight, (kind.build)(&inner, input)?));
+        let objective = (kind.build)(&inner, input).map_err(|e| at_section(&inner.path, e))?;
+        parts.push((weight, objective));
     }
     Sum::new(parts)
 }
 
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-fn try_kinds(spec: &JobSpec) -> Result<()> {
+fn try_kinds(spec: &JobSpec, grey: bool) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let target = Target {
         name: String::new(),
         inside: Volume::filled(grid, 1.0),
-        grey: false,
+        grey,
     };
     let labels = label_voxels(&target, |_| true);
     let response = response(spec)?;
@@ -342,7 +406,7 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
         shape: counts,
         ..
     } = &spec.grid;
-    match (pitch_mm, counts) {
+    let grid = match (pitch_mm, counts) {
         (Some(pitch), Some([x, y, z])) => Ok(VolumeGrid {
             shape: [*z, *y, *x],
             pitch_mm: pitch.0,
@@ -354,6 +418,31 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
             let grid = default_grid(bounds, Resolution::Pitch(pitch)).map_err(under)?;
             Ok(cut(&grid, optics.vial.resin_wall().inscribed_radius()))
         }
+    }?;
+    let rows = &optics.lights[0].pixels;
+    Ok(on_rows(grid, rows, [bounds[0][2], bounds[1][2]]))
+}
+
+/// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.
+///
+/// Slices as high as the rows, but half a row beside them, see the mean of two rows: patterns whose rows alternate between
+/// bright and dark would look even to the optimisation, and nothing would damp them. On a gear with
+/// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
+/// target (`[low, high]` along z, mm) stays where it is.
+fn on_rows(grid: VolumeGrid, rows: &PatternGrid, target: [f64; 2]) -> VolumeGrid {
+    let edge = rows.rows as f64 / 2.0 * rows.pitch_mm;
+    let up = (edge - grid.bounds_mm()[0][2]) / grid.pitch_mm;
+    // Rounding of lengths decides neither whether nor, at half a voxel, which way
+    let part = up - (up - ROUNDING).round();
+    let mut moved = grid.clone();
+    moved.center_mm[2] += part * grid.pitch_mm;
+    let [low, high] = moved.bounds_mm();
+    let slack = ROUNDING * grid.pitch_mm;
+    let holds = low[2] <= target[0] + slack && high[2] >= target[1] - slack;
+    if part.abs() > ROUNDING && holds {
+        moved
+    } else {
+        grid
     }
 }
 
@@ -419,6 +508,29 @@ mod tests {
             "{low:?} {high:?}"
         );
         assert_eq!(super::cut(&grid, 10.0), grid);
+    }
+
+    #[test]
+    fn slices_lie_on_the_rows_of_the_pixels() {
+        let grid = |slices, z| VolumeGrid {
+            shape: [slices, 4, 4],
+            pitch_mm: 0.1,
+            center_mm: [0.0, 0.0, z],
+        };
+        let rows = |count| PatternGrid::full_turn(3, 0.0, count, 8, 0.1);
+        let moved =
+            |slices, z, count| on_rows(grid(slices, z), &rows(count), [-0.5, 0.5]).center_mm[2];
+        // Even slices about the middle of even rows, and odd ones of odd rows, stay; others move by half a voxel
+        assert_eq!((moved(20, 0.0, 32), moved(21, 0.0, 33)), (0.0, 0.0));
+        assert!(
+            (moved(21, 0.0, 32) - 0.05).abs() < 1e-9,
+            "{}",
+            moved(21, 0.0, 32)
+        );
+        assert!((moved(20, 0.03, 32) - 0.0).abs() < 1e-9);
+        assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
+        // Ten slices hold the target only where they are
+        assert_eq!(moved(10, 0.0, 33), 0.0);
     }
 
     #[test]

@@ -20,11 +20,28 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// Tables that are planned but not built, and what to do without them.
-const PLANNED: [(&str, &str); 3] = [
-    ("bath", "a clear bath's index is vial.surrounding_index"),
-    ("penalty", "no penalty on patterns yet"),
-    ("coarse", "the optimisation runs on one grid"),
+/// Keys that are planned but not built, what is missing, and what to do without them.
+const PLANNED: [(&str, &str, &str); 4] = [
+    (
+        "bath",
+        "absorbing baths are not in this version",
+        "a clear bath's index is vial.surrounding_index",
+    ),
+    (
+        "penalty",
+        "penalties on patterns are not in this version",
+        "what is minimised is [objective] alone",
+    ),
+    (
+        "coarse",
+        "coarse grids are not in this version",
+        "the optimisation runs on one grid",
+    ),
+    (
+        "resin.phase",
+        "scattering is not in this version",
+        "a phase function has no meaning where nothing scatters",
+    ),
 ];
 
 /// A whole job.
@@ -42,7 +59,8 @@ pub struct JobSpec {
     pub vial: VialSpec,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
-    /// What is minimised: one kind, `[objective.KIND]`; `threshold` when there is none.
+    /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
+    /// values are to be reproduced.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objective: Option<Value>,
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
@@ -511,9 +529,15 @@ impl Angles {
     }
 }
 
-/// The objective of a job that names none: the threshold preset with its defaults.
-pub(crate) fn default_objective() -> Value {
-    Value::String("threshold".to_owned())
+/// The objective of a job that names none: the threshold preset with its defaults for a part and void; for a grey image,
+/// whose values are to be reproduced, least squares.
+pub(crate) fn default_objective(target: &TargetSpec) -> Value {
+    let name = if target.image.is_some() {
+        "l2"
+    } else {
+        "threshold"
+    };
+    Value::String(name.to_owned())
 }
 
 impl JobSpec {
@@ -524,12 +548,13 @@ impl JobSpec {
     /// but not built.
     pub fn from_document(document: &Document) -> Result<Self> {
         let root = document.root.as_object().cloned().unwrap_or_default();
-        for (key, instead) in PLANNED {
-            if root.contains_key(key) {
+        for (key, missing, instead) in PLANNED {
+            let pointer = format!("/{}", key.replace('.', "/"));
+            if document.root.pointer(&pointer).is_some() {
                 let error = Error::config(
                     key,
-                    "planned, but not built yet",
-                    format!("leave it out: {instead}"),
+                    format!("planned, but not built yet: {missing}"),
+                    format!("no such key; {instead}"),
                 );
                 return Err(document.locate(error));
             }
@@ -560,7 +585,10 @@ impl JobSpec {
                 "an empty list",
                 "at least one entry, or no such key",
             )),
-            (None, None) => Ok(vec![Section::new("objective", default_objective())]),
+            (None, None) => Ok(vec![Section::new(
+                "objective",
+                default_objective(&self.target),
+            )]),
         }
     }
 

@@ -1,10 +1,10 @@
 //! The stages of a run: target → voxels → patterns → judgement → files.
 
-use super::estimate::{self, Extent};
+use super::estimate::{self, Work};
 use super::folder::RunFolder;
 use super::judge::judge;
 use super::optimise::optimise;
-use super::outcome::{Plan, Quality, Summary};
+use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -16,11 +16,6 @@ use crate::models::Run;
 use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
-
-/// Model calls of one iteration: an adjoint and a forward call.
-const CALLS_PER_ITERATION: f64 = 2.0;
-/// Share of the time that is not spent in the model: optimiser, metrics, files.
-const OVERHEAD: f64 = 0.25;
 
 /// Runs a job from end to end; outputs appear in its run folder.
 ///
@@ -61,7 +56,11 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
 
 /// Simulates patterns of an earlier run under a job; everything but the optimisation.
 ///
+/// The outputs go beside the run, to its folder's name with `-simulated`, or to a folder that the command line names:
+/// never into the folder of a run, whose history and checkpoint belong to other patterns.
+///
 /// # Errors
+/// [`Error::Config`] when the named folder holds a run;
 /// As [`run`]; [`Error::Shape`] and [`Error::Format`] for patterns that do not fit the job's lights.
 pub fn simulate(
     job: &Job,
@@ -71,6 +70,7 @@ pub fn simulate(
 ) -> Result<Summary> {
     let mut clock = Clock::new(progress);
     clock.stage("reading the job and the patterns");
+    let job = &beside_the_run(job)?;
     let scene = Scene::new(job)?;
     let patterns = device::read(&scene, patterns, clock.progress)?;
     let folder = open(job, &scene, clock.progress)?;
@@ -95,6 +95,29 @@ pub fn simulate(
         warnings,
     };
     finish(done, folder, clock)
+}
+
+/// The job with a folder that holds no run.
+fn beside_the_run(job: &Job) -> Result<Job> {
+    let folder = job.folder();
+    if job.document.option("output.folder").is_none() {
+        let mut name = folder.clone().into_os_string();
+        name.push("-simulated");
+        let mut job = job.clone();
+        job.spec.output.folder = Some(name.into());
+        return Ok(job);
+    }
+    if RunFolder::holds_a_run(&folder) {
+        return Err(job.locate(Error::config(
+            "output.folder",
+            format!(
+                "`{}` holds a run: a simulation would mix with it",
+                folder.display()
+            ),
+            "another folder; without one it is the job's with `-simulated` at its end",
+        )));
+    }
+    Ok(job.clone())
 }
 
 /// Writes everything, and makes it visible at once.
@@ -149,7 +172,9 @@ impl<'p> Clock<'p> {
 /// As [`run`], for input that cannot be used.
 pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
     let scene = Scene::new(job)?;
+    let begin = Instant::now();
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
+    let sampling_s = begin.elapsed().as_secs_f64();
     let mut warnings = scene.warnings.clone();
     warnings.extend(
         scene
@@ -157,12 +182,22 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
             .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
             .map_err(|e| job.locate(e))?,
     );
-    let speed = estimate::speed(&scene.optics, &scene.grid, cancel)?;
+    let rates = estimate::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
+    let work = Work {
+        extent: &scene.extent,
+        iterations: scene.spec.stop.iterations,
+        sub_angles: [
+            scene.optics.lights[0].sub_angles,
+            scene.spec.evaluate.sub_angles,
+        ],
+        wall_s: scene.spec.stop.wall_s,
+    };
+    let cost = work.cost(&rates);
     let [x, y, z] = [2, 1, 0].map(|axis| scene.grid.shape[axis]);
     let refine = scene.extent.refine;
     Ok(Plan {
         part: scene.name.clone(),
-        model: speed.model,
+        model: rates.model,
         voxels: [x, y, z],
         pitch_mm: scene.grid.pitch_mm,
         evaluation_voxels: [x * refine, y * refine, z * refine],
@@ -175,22 +210,13 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
             .max(scene.extent.evaluation_mb()),
         available_memory_mb: super::resources::available_memory_mb(),
         disk_mb: scene.extent.disk_mb(),
-        seconds: seconds(&scene, &scene.extent, speed.updates_per_s, speed.lit),
-        updates_per_s: speed.updates_per_s,
+        seconds: cost.optimisation_s + cost.rest_s,
+        iterations: scene.spec.stop.iterations,
+        optimisation_s: cost.optimisation_s,
+        updates_per_s: rates.updates_per_s,
         notes: scene.notes.clone(),
         warnings,
     })
-}
-
-/// Time of a whole run.
-fn seconds(scene: &Scene, extent: &Extent, updates_per_s: f64, lit: f64) -> f64 {
-    let call = (extent.grid.len() * extent.frames) as f64 * lit;
-    let evaluate = &scene.spec.evaluate;
-    let fine = extent.refine.pow(3) as f64 * (1 + evaluate.sub_angles) as f64;
-    let calls = CALLS_PER_ITERATION * scene.spec.stop.iterations as f64 + fine + 1.0;
-    let limit = scene.spec.stop.wall_s.unwrap_or(f64::INFINITY);
-    let model = (calls * call / updates_per_s).min(limit + fine * call / updates_per_s);
-    model * (1.0 + OVERHEAD) + extent.measure_s()
 }
 
 /// Takes the run folder, and tells what is known so far.
@@ -254,5 +280,12 @@ fn quality(evaluation: &Evaluation) -> Quality {
         ver: get("ver"),
         pw: get("pw"),
         threshold: evaluation.gel_threshold,
+        grey: evaluation.half_width.map(|half_width| Grey {
+            half_width,
+            in_band: get("in_band"),
+            rms_error: get("rms_error"),
+            max_error_part: get("max_error_part"),
+            max_error_void: get("max_error_void"),
+        }),
     }
 }

@@ -1,6 +1,6 @@
 //! Ranges of every key, before any work.
 
-use super::spec::{Angles, JobSpec, LightSpec};
+use super::spec::{Angles, BoundsSpec, JobSpec, LightSpec};
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::shown_rate;
@@ -10,6 +10,9 @@ use std::collections::BTreeSet;
 const MOST_RPM: f64 = 1000.0;
 /// Strongest absorption, 1/mm: light is gone within a hundredth of a millimetre.
 const MOST_ABSORPTION: f64 = 100.0;
+
+/// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
+const MOST_LIGHT: f64 = 1e9;
 
 /// Most pixels along an edge, most voxels along an edge.
 const LARGEST_EDGE: usize = 16_384;
@@ -211,7 +214,14 @@ fn light(light: &LightSpec) -> Result<()> {
             )
         }
         Angles::List(list) => {
-            count("angles.list_deg", list.len(), 1, MOST_FRAMES)?;
+            if !(1..=MOST_FRAMES).contains(&list.len()) {
+                let found = match list.len() {
+                    0 => "found an empty list".to_owned(),
+                    n => format!("found a list of {n}"),
+                };
+                let accepted = format!("1 to {MOST_FRAMES} azimuths in degrees, one per frame");
+                return Err(Error::config("angles.list_deg", found, accepted));
+            }
             list.iter().enumerate().try_for_each(|(i, angle)| {
                 within(
                     &format!("angles.list_deg[{i}]"),
@@ -226,22 +236,19 @@ fn light(light: &LightSpec) -> Result<()> {
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
-    not_negative(
+    let BoundsSpec { min, max } = spec.bounds;
+    within(
         "bounds.min",
-        spec.bounds.min,
-        "mJ/mm²: light cannot be taken away",
+        min,
+        0.0,
+        MOST_LIGHT,
+        &format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away"),
     )?;
-    if let Some(max) = spec.bounds.max {
+    optional(max, |max| {
         positive("bounds.max", max, "mJ/mm²")?;
-        let min = spec.bounds.min;
-        within(
-            "bounds.max",
-            max,
-            min,
-            f64::MAX,
-            &format!("a number of at least bounds.min = {min}"),
-        )?;
-    }
+        let accepted = format!("from bounds.min = {min} to {MOST_LIGHT:e} mJ/mm²");
+        within("bounds.max", max, min, MOST_LIGHT, &accepted)
+    })?;
     let stop = &spec.stop;
     not_negative("stop.loss", stop.loss, "")?;
     optional(stop.projected_gradient, |v| {
@@ -392,6 +399,8 @@ mod tests {
                 "light[0].projector.collimated.pixel_pitch_mm",
             ),
             ("bounds.min=-1", "bounds.min"),
+            ("bounds.min=1e30", "bounds.min"),
+            ("bounds.max=1e30", "bounds.max"),
             ("bounds.min=5", "bounds.max"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),

@@ -12,9 +12,10 @@ use crate::error::Result;
 use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
-use crate::io::stl::write_stl;
+use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::Print;
+use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
 use std::path::Path;
 
@@ -79,7 +80,7 @@ pub(crate) fn all(
             ("label", VtiValues::U8(&voxels.labels.values)),
         ],
     )?;
-    print(scene, voxels, judged, &new.join("print.stl"))?;
+    print(scene, judged, &new.join("print.stl"))?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -137,7 +138,7 @@ fn report(
         history,
         movies,
         job_text: &resolved.to_toml()?,
-        warnings: done.warnings.clone(),
+        warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
         timings,
     };
     write_json(&folder.join("report.json"), &data)?;
@@ -240,47 +241,35 @@ fn date(now: std::time::SystemTime) -> String {
     )
 }
 
-/// Evaluations of more voxels than this print the mean dose of the optimisation's voxels: the surface itself would be a
-/// file of hundreds of MB.
-const LARGEST_PRINT: usize = 200_000_000;
-
-/// The predicted surface: the one that the evaluation measures, unless that is too large for a file.
-fn print(scene: &Scene, voxels: &Voxels, judged: &Judged, path: &Path) -> Result<()> {
-    let mean;
-    let (labels, response) = if judged.response.grid.len() <= LARGEST_PRINT {
-        (&judged.fine.labels, &judged.response)
-    } else {
-        mean = scene.responses(judged.dose.clone())?;
-        (&voxels.labels, &mean)
-    };
-    let mut print = Print::new(labels, response)?;
+/// The predicted surface, the one that the evaluation measures, on all of its voxels.
+fn print(scene: &Scene, judged: &Judged, path: &Path) -> Result<()> {
+    let mut print = Print::new(&judged.fine.labels, &judged.response)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
-    let surface = print.surface();
-    write_stl(
-        path,
-        &format!("{}, predicted print", scene.name),
-        &surface.corners,
-        &surface.triangles,
-    )
+    let title = format!("{}, predicted print", scene.name);
+    write_stl_pieces(path, &title, |put| {
+        print.surface_pieces(|piece| put(&piece.corners, &piece.triangles))
+    })
 }
 
 fn history(optimised: &Optimised) -> Vec<HistoryRow> {
-    let row = |row: &crate::optimize::Row| HistoryRow {
-        iteration: row.iteration,
-        loss: row.loss,
-        projected_gradient: row.projected_gradient.unwrap_or(f64::NAN),
-        step: row.step.unwrap_or(f64::NAN),
-        forward_calls: row.forward as usize,
-        adjoint_calls: row.adjoint as usize,
-        seconds: row.seconds,
-        iou: optimised.quality_at(row.iteration).and_then(|q| q.iou),
-        process_window: optimised
-            .quality_at(row.iteration)
-            .and_then(|q| q.process_window),
+    let rows = &optimised.outcome.history;
+    let line = |row: &Row| {
+        let quality = optimised.quality_at(row.iteration);
+        HistoryRow {
+            iteration: row.iteration,
+            loss: row.loss,
+            projected_gradient: relative_gradient(rows, row),
+            step: row.step,
+            forward_calls: row.forward as usize,
+            adjoint_calls: row.adjoint as usize,
+            seconds: row.seconds,
+            iou: quality.and_then(|q| q.iou),
+            process_window: quality.and_then(|q| q.process_window),
+        }
     };
-    optimised.outcome.history.iter().map(row).collect()
+    rows.iter().map(line).collect()
 }
 
 #[cfg(test)]

@@ -5,6 +5,18 @@
 //! ```
 //!
 //! (deviation of all voxels: divided by their number). None without part, or when the mean is 0.
+//!
+//! Part voxels 1 and 3:
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::{evaluate, print::Print};
+//! use tomolith::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 3], 0.5);
+//! let labels = Volume { grid: grid.clone(), values: vec![PART, PART, VOID] };
+//! let response = Volume { grid, values: vec![1.0, 3.0, 0.5] };
+//! let measures = evaluate(&Print::new(&labels, &response).unwrap()).measures;
+//! assert!((measures.get("cv").unwrap() - 0.5).abs() < 1e-6); // mean 2, standard deviation 1
+//! ```
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};
@@ -32,24 +44,11 @@ pub const KIND: MetricKind = MetricKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{Volume, VolumeGrid};
+    use crate::metrics::print::samples::{measured, near};
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     fn measure(labels: &[u8], response: &[f32]) -> Measure {
-        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: labels.to_vec(),
-        };
-        let response = Volume {
-            grid,
-            values: response.to_vec(),
-        };
-        DoseVariation.measure(&Print::new(&labels, &response).unwrap())
-    }
-
-    fn near(found: Measure, expected: f64) -> bool {
-        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+        measured(&DoseVariation, labels, response)
     }
 
     #[test]

@@ -6,6 +6,18 @@
 //!
 //! over all pixels of all frames and lights, dark and masked ones included: how well the projector's power is used.
 //! None when no patterns are given or all are dark.
+//!
+//! Eight pixels, six of them with 1 and two with 3:
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::{evaluate, print::{PatternStats, Print}};
+//! use tomolith::target::label::PART;
+//! let grid = VolumeGrid::centered([1, 1, 1], 0.5);
+//! let (labels, response) = (Volume { grid: grid.clone(), values: vec![PART] }, Volume { grid, values: vec![1.0] });
+//! let stats = PatternStats { pixels: 8, sum: 12.0, max: 3.0 };
+//! let print = Print::new(&labels, &response).unwrap().with_patterns(stats);
+//! assert_eq!(evaluate(&print).measures.get("eta"), Some(0.5)); // mean 1.5, maximum 3
+//! ```
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};

@@ -13,7 +13,7 @@
 //! ```
 
 use super::print::Print;
-use super::scan::Spread;
+use super::spread::Spread;
 use super::{METRICS, Measure};
 use crate::grid::VolumeGrid;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -64,6 +64,8 @@ pub struct Evaluation {
     pub measures: Measures,
     /// The gel threshold that they belong to.
     pub gel_threshold: Measure,
+    /// Half width of the band round the grey values, for a grey target.
+    pub half_width: Measure,
     /// Pairs of a threshold and the exact IoU there, ascending.
     pub curve: Vec<[f64; 2]>,
     /// Voxels of part and void over the response.
@@ -111,6 +113,7 @@ pub fn evaluate(print: &Print<'_>) -> Evaluation {
     Evaluation {
         measures: Measures(measures),
         gel_threshold: print.gel_threshold(),
+        half_width: print.half_width(),
         curve: scan.curve(CURVE),
         histogram: Histogram {
             range,
@@ -223,7 +226,11 @@ mod tests {
                 "under_mm3",
                 "surface_mean_mm",
                 "surface_p95_mm",
-                "hausdorff_mm"
+                "hausdorff_mm",
+                "in_band",
+                "rms_error",
+                "max_error_part",
+                "max_error_void"
             ]
         );
     }

@@ -36,6 +36,8 @@ use std::sync::LazyLock;
 const SLAB: usize = 8;
 /// How near a corner may come to the end of its cell edge, as a fraction of the edge.
 const MARGIN: f64 = 1.0 / 1024.0;
+/// Slabs that are held at the same time when the surface is made in pieces.
+const PIECES_AT_ONCE: usize = 16;
 /// An edge without corner.
 const NONE: u32 = u32::MAX;
 
@@ -124,28 +126,25 @@ pub fn isosurface_of(
         return Surface::default();
     }
     let march = March::new(grid, level, &value);
-    let layers = grid.shape[0] + 1;
-    // How many corners each layer owns: on the edges of its lower plane, and on the upright edges above it
-    let counts: Vec<[usize; 2]> = slabs(layers)
-        .into_par_iter()
-        .flat_map_iter(|slab| march.count(slab))
+    let slabs = slabs(grid);
+    let counts: Vec<usize> = slabs
+        .par_iter()
+        .map(|slab| march.count(slab.clone()))
         .collect();
-    let mut next = 0;
-    let offsets: Vec<[u32; 2]> = counts
+    let firsts: Vec<u32> = counts
         .iter()
-        .map(|&[flat, upright]| {
-            let first = [next as u32, (next + flat) as u32];
-            next += flat + upright;
-            first
+        .scan(0, |next, count| {
+            *next += count;
+            Some((*next - count) as u32)
         })
-        .chain(std::iter::once([NONE; 2]))
         .collect();
-    let parts: Vec<Surface> = slabs(layers)
+    let parts: Vec<Surface> = slabs
         .into_par_iter()
-        .map(|slab| march.triangulate(slab, &offsets))
+        .zip(firsts)
+        .map(|(slab, first)| march.triangulate(slab, first, Last::Next))
         .collect();
     let mut surface = Surface {
-        corners: Vec::with_capacity(next),
+        corners: Vec::with_capacity(counts.iter().sum()),
         triangles: Vec::with_capacity(parts.iter().map(|p| p.triangles.len()).sum()),
     };
     for part in parts {
@@ -155,7 +154,35 @@ pub fn isosurface_of(
     surface
 }
 
-fn slabs(layers: usize) -> Vec<std::ops::Range<usize>> {
+/// The same surface in pieces from below to above, each with corners of its own, so that it is never held whole: where two
+/// pieces meet both have the same corners, to the last bit. Empty pieces are left out.
+///
+/// # Errors
+/// What `take` refuses.
+pub fn isosurface_pieces<E>(
+    grid: &VolumeGrid,
+    level: f64,
+    value: impl Fn(usize) -> f32 + Sync,
+    mut take: impl FnMut(&Surface) -> Result<(), E>,
+) -> Result<(), E> {
+    if grid.is_empty() {
+        return Ok(());
+    }
+    let march = March::new(grid, level, &value);
+    for some in slabs(grid).chunks(PIECES_AT_ONCE) {
+        let pieces: Vec<Surface> = some
+            .par_iter()
+            .map(|slab| march.triangulate(slab.clone(), 0, Last::Own))
+            .collect();
+        for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
+            take(piece)?;
+        }
+    }
+    Ok(())
+}
+
+fn slabs(grid: &VolumeGrid) -> Vec<std::ops::Range<usize>> {
+    let layers = grid.shape[0] + 1;
     (0..layers)
         .step_by(SLAB)
         .map(|first| first..layers.min(first + SLAB))
@@ -171,6 +198,15 @@ struct Plane {
     rows: Vec<bool>,
     /// Number of the corner on the edge towards +x and towards +y.
     along: [Vec<u32>; 2],
+}
+
+/// Whose corners those on the last plane of a slab are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Last {
+    /// The slab's own too.
+    Own,
+    /// The next slab's.
+    Next,
 }
 
 struct March<'a, F> {
@@ -226,31 +262,31 @@ impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
         }
     }
 
-    /// Corners on flat and on upright edges of each layer of a slab.
-    fn count(&self, slab: std::ops::Range<usize>) -> Vec<[usize; 2]> {
+    /// Corners that a slab owns: on the edges of the lower plane of each layer, and on the upright edges above it.
+    fn count(&self, slab: std::ops::Range<usize>) -> usize {
         let w = self.width;
         let (mut low, mut high) = (Plane::default(), Plane::default());
         self.load(slab.start, &mut low);
         slab.map(|k| {
             self.load(k + 1, &mut high);
-            let (mut flat, mut upright) = (0, 0);
+            let mut count = 0;
             for y in 0..self.height {
                 let here = &low.inside[y * w..(y + 1) * w];
                 let above = &high.inside[y * w..(y + 1) * w];
                 if low.rows[y] {
-                    flat += differences(&here[..w - 1], &here[1..]);
+                    count += differences(&here[..w - 1], &here[1..]);
                 }
                 if y + 1 < self.height && (low.rows[y] || low.rows[y + 1]) {
-                    flat += differences(here, &low.inside[(y + 1) * w..(y + 2) * w]);
+                    count += differences(here, &low.inside[(y + 1) * w..(y + 2) * w]);
                 }
                 if low.rows[y] || high.rows[y] {
-                    upright += differences(here, above);
+                    count += differences(here, above);
                 }
             }
             std::mem::swap(&mut low, &mut high);
-            [flat, upright]
+            count
         })
-        .collect()
+        .sum()
     }
 
     /// Numbers the corners on the flat edges of a plane, and appends them to `corners` when they are this slab's own.
@@ -305,22 +341,18 @@ impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
         })
     }
 
-    fn triangulate(&self, slab: std::ops::Range<usize>, offsets: &[[u32; 2]]) -> Surface {
+    /// The triangles of a slab and the corners it owns, which are numbered from `first` on in the order they are made.
+    fn triangulate(&self, slab: std::ops::Range<usize>, first: u32, last: Last) -> Surface {
         let (w, h) = (self.width, self.height);
         let mut surface = Surface::default();
+        let next = |surface: &Surface| first + surface.corners.len() as u32;
         let (mut low, mut high) = (Plane::default(), Plane::default());
         let mut upright = vec![NONE; w * h];
         self.load(slab.start, &mut low);
-        self.number_flat(
-            slab.start,
-            &mut low,
-            offsets[slab.start][0],
-            Some(&mut surface.corners),
-        );
+        self.number_flat(slab.start, &mut low, first, Some(&mut surface.corners));
         let end = slab.end;
         for k in slab {
             self.load(k + 1, &mut high);
-            let mut next = offsets[k][1];
             upright.fill(NONE);
             for y in 0..h {
                 if !(low.rows[y] || high.rows[y]) {
@@ -330,14 +362,14 @@ impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
                     let i = y * w + x;
                     if low.inside[i] != high.inside[i] {
                         let f = self.fraction(low.values[i], high.values[i]);
+                        *number = next(&surface);
                         surface.corners.push(self.position([x, y, k], 2, f));
-                        *number = next;
-                        next += 1;
                     }
                 }
             }
-            let own = (k + 1 < end).then_some(&mut surface.corners);
-            self.number_flat(k + 1, &mut high, offsets[k + 1][0], own);
+            let number = next(&surface);
+            let own = (k + 1 < end || last == Last::Own).then_some(&mut surface.corners);
+            self.number_flat(k + 1, &mut high, number, own);
             self.cells(&low, &high, &upright, &mut surface.triangles);
             std::mem::swap(&mut low, &mut high);
         }
@@ -622,6 +654,35 @@ mod tests {
             .collect();
         assert_eq!(right.len(), 16);
         assert!(right.iter().all(|c| (c[0] - 0.3).abs() < 1e-6), "{right:?}");
+    }
+
+    #[test]
+    fn pieces_make_the_same_surface() {
+        let volume = sphere(3 * SLAB * PIECES_AT_ONCE / 4, 1.1, [0.1, 0.0, -0.2]);
+        let whole = isosurface(&volume, 1.0);
+        let flat = |surface: &Surface| -> Vec<[[f32; 3]; 3]> {
+            let corner = |i: u32| surface.corners[i as usize];
+            surface.triangles.iter().map(|t| t.map(corner)).collect()
+        };
+        let (mut triangles, mut pieces) = (Vec::new(), 0);
+        isosurface_pieces(
+            &volume.grid,
+            1.0,
+            |i| volume.values[i],
+            |piece| -> Result<(), ()> {
+                pieces += 1;
+                triangles.extend(flat(piece));
+                Ok(())
+            },
+        )
+        .unwrap();
+        assert!(pieces > 3, "{pieces}");
+        assert_eq!(triangles, flat(&whole));
+        let stop = |_: &Surface| Err("enough");
+        assert_eq!(
+            isosurface_pieces(&volume.grid, 1.0, |i| volume.values[i], stop),
+            Err("enough")
+        );
     }
 
     #[test]

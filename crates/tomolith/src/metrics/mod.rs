@@ -1,4 +1,4 @@
-//! Metrics: one number of the report a file.
+//! Metrics: one number of the report a file, or a few that one pass gives.
 //!
 //! *What must it do, and who does it.* A [`Metric`] turns a predicted [`Print`] into one number, or into none where it
 //! is not defined (no part, no print): never into a number that is not finite. The table [`METRICS`] holds them all, in
@@ -7,11 +7,12 @@
 use print::Print;
 
 pub mod best_threshold;
+mod buckets;
 pub mod cv;
 pub mod eta;
 pub mod evaluation;
 pub mod gamma;
-pub mod hausdorff_mm;
+pub mod grey;
 pub mod iou;
 pub mod ipdr;
 pub mod isosurface;
@@ -19,10 +20,11 @@ pub mod nearest;
 pub mod over_mm3;
 pub mod print;
 pub mod pw;
+pub mod quick;
 pub mod scan;
+pub mod spread;
 pub mod surface;
-pub mod surface_mean_mm;
-pub mod surface_p95_mm;
+pub mod surface_deviation;
 pub mod under_mm3;
 pub mod ver;
 
@@ -76,7 +78,11 @@ pub static METRICS: &[MetricKind] = &[
     cv::KIND,
     over_mm3::KIND,
     under_mm3::KIND,
-    surface_mean_mm::KIND,
-    surface_p95_mm::KIND,
-    hausdorff_mm::KIND,
+    surface_deviation::MEAN,
+    surface_deviation::P95,
+    surface_deviation::HAUSDORFF,
+    grey::IN_BAND,
+    grey::RMS,
+    grey::MAX_PART,
+    grey::MAX_VOID,
 ];

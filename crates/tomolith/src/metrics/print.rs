@@ -16,7 +16,8 @@
 //! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
 //! ```
 
-use super::isosurface::{Surface, beyond, isosurface_of};
+use super::grey::{GreyErrors, grey_errors};
+use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{SurfaceDistance, surface_distance};
 use crate::error::{Error, Result};
@@ -70,10 +71,12 @@ pub struct Print<'a> {
     inside: Option<&'a Volume<f32>>,
     patterns: Option<PatternStats>,
     threshold: Option<f64>,
+    grey: Option<(&'a Volume<f32>, f64)>,
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
     distance: OnceLock<Option<SurfaceDistance>>,
+    errors: OnceLock<Option<GreyErrors>>,
 }
 
 fn same_shape(what: &str, grid: &VolumeGrid, found: &VolumeGrid, len: usize) -> Result<()> {
@@ -107,10 +110,12 @@ impl<'a> Print<'a> {
             inside: None,
             patterns: None,
             threshold: None,
+            grey: None,
             scan: Scan::new(&labels.values, &response.values)?,
             best: OnceLock::new(),
             above: OnceLock::new(),
             distance: OnceLock::new(),
+            errors: OnceLock::new(),
         })
     }
 
@@ -126,6 +131,29 @@ impl<'a> Print<'a> {
             inside.values.len(),
         )?;
         self.inside = Some(inside);
+        Ok(self)
+    }
+
+    /// Says that the target is grey: the values asked for, and the half width of the band around them, in units of the
+    /// response.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the values do not fit; [`Error::Config`] for a half width that is negative or not finite.
+    pub fn with_grey(mut self, wanted: &'a Volume<f32>, half_width: f64) -> Result<Self> {
+        same_shape(
+            "grey values",
+            &self.labels.grid,
+            &wanted.grid,
+            wanted.values.len(),
+        )?;
+        if !(half_width.is_finite() && half_width >= 0.0) {
+            return Err(Error::config(
+                "epsilon",
+                format!("found {half_width}"),
+                "a finite number, 0 or above",
+            ));
+        }
+        self.grey = Some((wanted, half_width));
         Ok(self)
     }
 
@@ -176,6 +204,22 @@ impl<'a> Print<'a> {
         self.patterns
     }
 
+    /// Half width of the band round the grey values, `None` for a target of part and void.
+    #[must_use]
+    pub fn half_width(&self) -> Option<f64> {
+        self.grey.map(|(_, half_width)| half_width)
+    }
+
+    /// Errors against the grey values, `None` for a target of part and void.
+    #[must_use]
+    pub fn grey_errors(&self) -> Option<GreyErrors> {
+        let (wanted, half_width) = self.grey?;
+        *self.errors.get_or_init(|| {
+            let (labels, response) = (&self.labels.values, &self.response.values);
+            grey_errors(labels, response, &wanted.values, half_width)
+        })
+    }
+
     /// Counts over thresholds.
     #[must_use]
     pub fn scan(&self) -> &Scan<'a> {
@@ -213,6 +257,21 @@ impl<'a> Print<'a> {
         isosurface_of(self.grid(), threshold, |i| self.printed_value(i, threshold))
     }
 
+    /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
+    ///
+    /// # Errors
+    /// What `take` refuses.
+    pub fn surface_pieces<E>(
+        &self,
+        take: impl FnMut(&Surface) -> std::result::Result<(), E>,
+    ) -> std::result::Result<(), E> {
+        let Some(threshold) = self.gel_threshold() else {
+            return Ok(());
+        };
+        let value = |i| self.printed_value(i, threshold);
+        isosurface_pieces(self.grid(), threshold, value, take)
+    }
+
     /// Response of a voxel, nothing outside of the resin.
     pub(super) fn printed_value(&self, i: usize, threshold: f64) -> f32 {
         if self.labels.values[i] == label::OUTSIDE {
@@ -235,6 +294,32 @@ impl<'a> Print<'a> {
     #[must_use]
     pub fn distance(&self) -> Option<SurfaceDistance> {
         *self.distance.get_or_init(|| surface_distance(self))
+    }
+}
+
+/// Small prints for the tests of the metrics.
+#[cfg(test)]
+pub(super) mod samples {
+    use super::*;
+    use crate::metrics::{Measure, Metric};
+
+    /// What a metric says of a row of voxels, 0.5 mm each, without inside fraction and patterns.
+    pub(crate) fn measured(metric: &dyn Metric, labels: &[u8], response: &[f32]) -> Measure {
+        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
+        let labels = Volume {
+            grid: grid.clone(),
+            values: labels.to_vec(),
+        };
+        let response = Volume {
+            grid,
+            values: response.to_vec(),
+        };
+        metric.measure(&Print::new(&labels, &response).unwrap())
+    }
+
+    /// Whether a number is the expected one up to f32.
+    pub(crate) fn near(found: Measure, expected: f64) -> bool {
+        found.is_some_and(|found| (found - expected).abs() < 1e-6)
     }
 }
 
@@ -313,6 +398,45 @@ mod tests {
                 sum: 3.0,
                 max: 2.0
             }
+        );
+    }
+
+    #[test]
+    fn the_surface_in_pieces_holds_the_volume_that_is_measured() {
+        // An egg that reaches beyond several slabs, and a shell round it that does not gel
+        let grid = VolumeGrid::centered([64, 48, 48], 0.1);
+        let height = |i: usize| {
+            let [x, y, z] = [grid.x(i % 48), grid.y(i / 48 % 48), grid.z(i / (48 * 48))];
+            1.5 - (x.hypot(y) / 1.9).hypot(z / 2.8)
+        };
+        let response = Volume {
+            values: (0..grid.len()).map(|i| height(i) as f32).collect(),
+            grid: grid.clone(),
+        };
+        let labels = Volume {
+            values: response
+                .values
+                .iter()
+                .map(|&v| if v > 0.5 { PART } else { VOID })
+                .collect(),
+            grid: grid.clone(),
+        };
+        let print = Print::new(&labels, &response).unwrap();
+        let (mut volume, mut pieces) = (0.0, 0);
+        print
+            .surface_pieces(|piece| -> Result<()> {
+                // Signed tetrahedra from the origin add up over the pieces of a closed surface
+                volume += piece.volume_mm3();
+                pieces += 1;
+                Ok(())
+            })
+            .unwrap();
+        let [part, void] = print.printed();
+        let measured = (part + void) as f64 * grid.voxel_mm3();
+        assert!(pieces > 4 && void == 0);
+        assert!(
+            (volume / measured - 1.0).abs() < 5e-3,
+            "{volume} {measured}"
         );
     }
 

@@ -6,6 +6,18 @@
 //!
 //! Positive: a range of thresholds prints the part without error. (Some authors use the opposite sign.) None without
 //! part or without void.
+//!
+//! Part voxels 0.9, 0.8 and 0.3, void voxels 0.5 and 0.1:
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::{evaluate, print::Print};
+//! use tomolith::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 5], 0.5);
+//! let labels = Volume { grid: grid.clone(), values: vec![PART, PART, PART, VOID, VOID] };
+//! let response = Volume { grid, values: vec![0.9, 0.8, 0.3, 0.5, 0.1] };
+//! let measures = evaluate(&Print::new(&labels, &response).unwrap()).measures;
+//! assert!((measures.get("pw").unwrap() - -0.2).abs() < 1e-6); // 0.3 − 0.5: part and void overlap
+//! ```
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};
@@ -33,24 +45,11 @@ pub const KIND: MetricKind = MetricKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{Volume, VolumeGrid};
+    use crate::metrics::print::samples::{measured, near};
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     fn measure(labels: &[u8], response: &[f32]) -> Measure {
-        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: labels.to_vec(),
-        };
-        let response = Volume {
-            grid,
-            values: response.to_vec(),
-        };
-        ProcessWindow.measure(&Print::new(&labels, &response).unwrap())
-    }
-
-    fn near(found: Measure, expected: f64) -> bool {
-        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+        measured(&ProcessWindow, labels, response)
     }
 
     #[test]

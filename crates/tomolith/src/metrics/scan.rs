@@ -36,88 +36,19 @@
 //! assert_eq!(scan.count_above(0.75), [1, 1]); // 0.9 of the part, 0.8 of the void
 //! ```
 
+use super::buckets::{
+    Bucket, Counts, FINE, FINE_BITS, Share, class, count_share, key, shares, value_of,
+};
+use super::spread::{Spread, Sums, spread};
 use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::target::label;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::sync::OnceLock;
 
-/// Low bits of a key that the first pass does not look at.
-const FINE_BITS: u32 = 10;
-const FINE: usize = 1 << FINE_BITS;
-const COARSE: usize = 1 << (32 - FINE_BITS);
-/// Threads that get tables of their own, at most.
-const TABLES: usize = 16;
 /// Open buckets that are counted in one pass, at most: 32 MB per thread.
 const OPEN_AT_ONCE: usize = 4096;
-
-/// Whole numbers in the order of the floats: −0 and +0 are the same.
-fn key(value: f32) -> u32 {
-    let bits = (value + 0.0).to_bits();
-    if bits >> 31 == 1 {
-        !bits
-    } else {
-        bits | 1 << 31
-    }
-}
-
-fn value_of(key: u32) -> f32 {
-    f32::from_bits(if key >> 31 == 1 {
-        key & !(1 << 31)
-    } else {
-        !key
-    })
-}
-
-/// Voxels of part and void.
-type Counts = [u64; 2];
-
-#[derive(Clone, Copy, Debug)]
-struct Bucket {
-    /// Top bits of the keys in it.
-    top: u32,
-    counts: Counts,
-    /// Voxels in higher buckets.
-    above: Counts,
-}
-
-impl Bucket {
-    /// Voxels in this bucket and higher ones.
-    fn up_from_here(&self) -> Counts {
-        [
-            self.above[0] + self.counts[0],
-            self.above[1] + self.counts[1],
-        ]
-    }
-
-    fn start(&self) -> f64 {
-        f64::from(value_of(self.top << FINE_BITS))
-    }
-
-    /// The first value of the next bucket: all of this bucket's values lie below.
-    fn end(&self) -> f64 {
-        let last = value_of(self.top << FINE_BITS | (FINE as u32 - 1));
-        // The last key below zero is that of −0, which no value has
-        f64::from(if last == 0.0 { 0.0 } else { last.next_up() })
-    }
-}
-
-/// Sums over one label's voxels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
-    /// Voxels.
-    pub count: u64,
-    /// Smallest response.
-    pub min: f32,
-    /// Largest response.
-    pub max: f32,
-    /// Mean response.
-    pub mean: f64,
-    /// Standard deviation of the response (of all voxels: divided by their number).
-    pub deviation: f64,
-}
 
 /// An interval [from, to) of thresholds over which IoU does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -181,25 +112,6 @@ pub struct Scan<'a> {
     buckets: Vec<Bucket>,
     spread: [Option<Spread>; 2],
     settled: OnceLock<Option<(Opened, Fraction)>>,
-}
-
-/// Which of the two counts a label belongs to.
-fn class(label: u8) -> Option<usize> {
-    match label {
-        label::PART => Some(0),
-        label::VOID => Some(1),
-        _ => None,
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Sums {
-    count: u64,
-    min: f32,
-    max: f32,
-    sum: f64,
-    squares: f64,
-    first: f32,
 }
 
 impl<'a> Scan<'a> {
@@ -541,88 +453,6 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Whole blocks for each thread.
-fn shares(len: usize) -> Vec<Range<usize>> {
-    let blocks = len.div_ceil(BLOCK);
-    let threads = rayon::current_num_threads()
-        .clamp(1, TABLES)
-        .min(blocks.max(1));
-    let cut = |i: usize| (i * blocks / threads * BLOCK).min(len);
-    (0..threads).map(|i| cut(i)..cut(i + 1)).collect()
-}
-
-/// Buckets of a share, and sums of each of its blocks.
-type Share = (Vec<[u32; 2]>, Vec<[Sums; 2]>);
-
-fn count_share(labels: &[u8], response: &[f32]) -> Share {
-    let mut table = vec![[0u32; 2]; COARSE];
-    let sums = labels
-        .chunks(BLOCK)
-        .zip(response.chunks(BLOCK))
-        .map(|(labels, values)| {
-            for (&label, &value) in labels.iter().zip(values) {
-                if let Some(class) = class(label) {
-                    table[(key(value) >> FINE_BITS) as usize][class] += 1;
-                }
-            }
-            [label::PART, label::VOID].map(|wanted| block_sums(labels, values, wanted))
-        })
-        .collect();
-    (table, sums)
-}
-
-/// Sums over the voxels of one label in one block, relative to the first of them (no cancellation in the variance).
-fn block_sums(labels: &[u8], values: &[f32], wanted: u8) -> Sums {
-    let first = labels
-        .iter()
-        .position(|&l| l == wanted)
-        .map_or(0.0, |i| values[i]);
-    let mut sums = Sums {
-        count: 0,
-        min: f32::INFINITY,
-        max: f32::NEG_INFINITY,
-        sum: 0.0,
-        squares: 0.0,
-        first,
-    };
-    for (&label, &value) in labels.iter().zip(values) {
-        if label == wanted {
-            let off = f64::from(value) - f64::from(first);
-            sums.count += 1;
-            sums.min = sums.min.min(value);
-            sums.max = sums.max.max(value);
-            sums.sum += off;
-            sums.squares += off * off;
-        }
-    }
-    sums
-}
-
-/// Joins blocks in their order (Chan's update of mean and variance).
-fn spread(blocks: &[[Sums; 2]], class: usize) -> Option<Spread> {
-    let (mut count, mut mean, mut scatter) = (0u64, 0.0, 0.0);
-    let (mut min, mut max) = (f32::INFINITY, f32::NEG_INFINITY);
-    for block in blocks.iter().map(|b| b[class]).filter(|b| b.count > 0) {
-        let n = block.count as f64;
-        let block_mean = f64::from(block.first) + block.sum / n;
-        let block_scatter = (block.squares - block.sum * block.sum / n).max(0.0);
-        let total = count as f64 + n;
-        let off = block_mean - mean;
-        scatter += block_scatter + off * off * (count as f64 * n / total);
-        mean += off * n / total;
-        count += block.count;
-        min = min.min(block.min);
-        max = max.max(block.max);
-    }
-    (count > 0).then(|| Spread {
-        count,
-        min,
-        max,
-        mean,
-        deviation: (scatter / count as f64).sqrt(),
-    })
-}
-
 fn not_finite(labels: &[u8], response: &[f32]) -> Error {
     let found = labels
         .iter()
@@ -898,17 +728,5 @@ mod tests {
             assert!(Scan::new(&[PART, OUTSIDE], &[1.0, bad]).is_ok());
         }
         assert!(matches!(Scan::new(&[PART], &[]), Err(Error::Shape { .. })));
-    }
-
-    #[test]
-    fn keys_keep_the_order_of_numbers() {
-        let values = [f32::MIN, -1.0, -1e-40, 0.0, 1e-40, 0.5, 1.0, f32::MAX];
-        for pair in values.windows(2) {
-            assert!(key(pair[0]) < key(pair[1]));
-        }
-        assert_eq!(key(-0.0), key(0.0));
-        for value in values {
-            assert_eq!(value_of(key(value)), value);
-        }
     }
 }

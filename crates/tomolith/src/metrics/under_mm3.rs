@@ -1,6 +1,18 @@
 //! Undercured volume: part voxels that are not above the gel threshold, mm³.
 //!
 //! None without any voxel that counts; the whole part when nothing is printed.
+//!
+//! Part voxels 0.9 and 0.2, void voxels 0.5, 0.4 and 0.3:
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::{evaluate, print::Print};
+//! use tomolith::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 5], 0.5);
+//! let labels = Volume { grid: grid.clone(), values: vec![PART, PART, VOID, VOID, VOID] };
+//! let response = Volume { grid, values: vec![0.9, 0.2, 0.5, 0.4, 0.3] };
+//! let measures = evaluate(&Print::new(&labels, &response).unwrap()).measures;
+//! assert!((measures.get("under_mm3").unwrap() - 0.125).abs() < 1e-6); // the best threshold lies between 0.5 and 0.9: one part voxel of (0.5 mm)³ stays liquid
+//! ```
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};
@@ -28,24 +40,11 @@ pub const KIND: MetricKind = MetricKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{Volume, VolumeGrid};
+    use crate::metrics::print::samples::{measured, near};
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     fn measure(labels: &[u8], response: &[f32]) -> Measure {
-        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: labels.to_vec(),
-        };
-        let response = Volume {
-            grid,
-            values: response.to_vec(),
-        };
-        Undercured.measure(&Print::new(&labels, &response).unwrap())
-    }
-
-    fn near(found: Measure, expected: f64) -> bool {
-        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+        measured(&Undercured, labels, response)
     }
 
     #[test]

@@ -5,6 +5,18 @@
 //! ```
 //!
 //! (Other authors count m ≥ min.) None without part.
+//!
+//! Part voxels 0.9, 0.8 and 0.3, void voxels 0.5 and 0.1:
+//! ```
+//! use tomolith::grid::{Volume, VolumeGrid};
+//! use tomolith::metrics::{evaluate, print::Print};
+//! use tomolith::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 5], 0.5);
+//! let labels = Volume { grid: grid.clone(), values: vec![PART, PART, PART, VOID, VOID] };
+//! let response = Volume { grid, values: vec![0.9, 0.8, 0.3, 0.5, 0.1] };
+//! let measures = evaluate(&Print::new(&labels, &response).unwrap()).measures;
+//! assert!((measures.get("ver").unwrap() - 0.2).abs() < 1e-6); // one void voxel of five voxels is above 0.3, the weakest of the part
+//! ```
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};
@@ -35,24 +47,11 @@ pub const KIND: MetricKind = MetricKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{Volume, VolumeGrid};
+    use crate::metrics::print::samples::{measured, near};
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     fn measure(labels: &[u8], response: &[f32]) -> Measure {
-        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: labels.to_vec(),
-        };
-        let response = Volume {
-            grid,
-            values: response.to_vec(),
-        };
-        Ver.measure(&Print::new(&labels, &response).unwrap())
-    }
-
-    fn near(found: Measure, expected: f64) -> bool {
-        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+        measured(&Ver, labels, response)
     }
 
     #[test]

@@ -177,50 +177,55 @@ fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result
     })
 }
 
-/// Refuses what is no finite number.
+/// Largest response that a band can name, and largest weight: their squares and sums are still numbers in f32.
+const LARGEST: f64 = 1e9;
+/// Largest power: beyond it the largest distance alone would decide.
+const HIGHEST_POWER: f64 = 100.0;
+
+/// Refuses what is no response that a band can name.
 ///
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
-    if value.is_finite() {
+    if value.abs() <= LARGEST {
         Ok(())
     } else {
         Err(Error::config(
             key,
-            format!("found {value}"),
-            "a finite number",
+            format!("found {value:?}"),
+            format!("a number from {:e} to {LARGEST:e}", -LARGEST),
         ))
     }
 }
 
-/// Refuses what is not finite and above 0.
+/// Refuses what is no power above 0.
 ///
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
-    if value.is_finite() && value > 0.0 {
+    if value > 0.0 && value <= HIGHEST_POWER {
         Ok(())
     } else {
         Err(Error::config(
             key,
-            format!("found {value}"),
-            "a finite number above 0",
+            format!("found {value:?}"),
+            format!("a number above 0 and at most {HIGHEST_POWER}"),
         ))
     }
 }
 
-/// Refuses what is not finite or below 0.
+/// Refuses what is below 0 or too large for a weight or a width.
 ///
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
-    if value.is_finite() && value >= 0.0 {
+    if (0.0..=LARGEST).contains(&value) {
         Ok(())
     } else {
         Err(Error::config(
             key,
-            format!("found {value}"),
-            "a finite number, 0 or above",
+            format!("found {value:?}"),
+            format!("a number from 0 to {LARGEST:e}"),
         ))
     }
 }

@@ -16,6 +16,7 @@ use crate::field::Field;
 use safetensors::tensor::{Dtype, Metadata, View};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fs::File;
@@ -38,10 +39,53 @@ pub enum Contents {
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Seconds between checkpoints, above 0; so that they cost less than 2 % of the time when it is not given
+    /// Seconds between checkpoints, above 0; "auto" (default): at least ten, and so that they cost less than 2 % of the time
+    #[serde(with = "seconds_or_auto")]
+    #[schemars(
+        schema_with = "seconds_or_auto_schema",
+        default = "seconds_or_auto::auto"
+    )]
     pub every_s: Option<f64>,
     /// What they hold: "all" (default; resuming is exact) or "patterns" (small; resuming begins anew from them)
     pub contents: Contents,
+}
+
+/// `None` is written as "auto", so that a job with every default written out names it.
+mod seconds_or_auto {
+    use serde::de::{Error, Unexpected};
+    use serde::{Deserialize, Deserializer, Serializer};
+    use serde_json::Value;
+
+    const EXPECTED: &str = "seconds above 0, or \"auto\"";
+
+    pub(super) fn auto() -> &'static str {
+        "auto"
+    }
+
+    pub(super) fn serialize<S: Serializer>(every: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+        match every {
+            Some(seconds) => to.serialize_f64(*seconds),
+            None => to.serialize_str(auto()),
+        }
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+        let value = Value::deserialize(from)?;
+        match &value {
+            Value::String(word) if word == auto() => Ok(None),
+            Value::String(word) => Err(D::Error::invalid_value(Unexpected::Str(word), &EXPECTED)),
+            Value::Number(number) => Ok(number.as_f64()),
+            other => Err(D::Error::custom(format!(
+                "found {other}, expected {EXPECTED}"
+            ))),
+        }
+    }
+}
+
+fn seconds_or_auto_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({
+        "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "const": "auto" }]
+    })
 }
 
 /// Writes checkpoints to a folder from time to time, and reads one back.
@@ -49,6 +93,7 @@ pub struct Params {
 pub struct Checkpoints {
     folder: PathBuf,
     fingerprint: String,
+    job: Value,
     every: Option<Duration>,
     contents: Contents,
     last: Instant,
@@ -60,11 +105,14 @@ pub struct Checkpoints {
 struct Header {
     format: u32,
     fingerprint: String,
+    /// The tables of the job, to say what has changed.
+    #[serde(default)]
+    job: Value,
     contents: Contents,
     best_loss: f64,
     counters: Counters,
     history: Vec<Row>,
-    numbers: serde_json::Value,
+    numbers: Value,
 }
 
 /// The format of this file.
@@ -101,11 +149,19 @@ impl Checkpoints {
         Ok(Checkpoints {
             folder: folder.into(),
             fingerprint: format!("{fingerprint:016x}"),
+            job: Value::Null,
             every: params.every_s.map(Duration::from_secs_f64),
             contents: params.contents,
             last: Instant::now(),
             cost: Duration::ZERO,
         })
+    }
+
+    /// With the tables of the job: a checkpoint of another one is then refused by the names of the keys that differ.
+    #[must_use]
+    pub fn describing(mut self, job: Value) -> Self {
+        self.job = job;
+        self
     }
 
     /// The file.
@@ -129,6 +185,7 @@ impl Checkpoints {
         let header = Header {
             format: FORMAT,
             fingerprint: self.fingerprint.clone(),
+            job: self.job.clone(),
             contents: self.contents,
             best_loss: saved.best_loss,
             counters: saved.counters,
@@ -199,13 +256,17 @@ impl Checkpoints {
             ));
         }
         if header.fingerprint != self.fingerprint {
+            let mut changes = Vec::new();
+            differences("", &header.job, &self.job, &mut changes);
+            let changed = match (changes.as_slice(), &self.job) {
+                (_, Value::Null) => "another problem".to_owned(),
+                ([], _) => "the target's voxels have changed".to_owned(),
+                (changes, _) => changes.join(", "),
+            };
             return Err(Error::Format {
                 path,
-                found: format!(
-                    "a checkpoint of another job (fingerprint {})",
-                    header.fingerprint
-                ),
-                accepted: format!("one of this job (fingerprint {})", self.fingerprint),
+                found: format!("a checkpoint of another job: {changed}"),
+                accepted: "a checkpoint of this very job".to_owned(),
             });
         }
         Ok(Some(Checkpoint {
@@ -218,13 +279,45 @@ impl Checkpoints {
     }
 }
 
+/// Key paths at which two jobs differ, with both values.
+fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
+    if was == is {
+        return;
+    }
+    let inner = |key: &str| match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    };
+    match (was, is) {
+        (Value::Object(was), Value::Object(is)) => {
+            let keys: std::collections::BTreeSet<_> = was.keys().chain(is.keys()).collect();
+            for key in keys {
+                let of = |map: &serde_json::Map<_, _>| map.get(key).cloned().unwrap_or_default();
+                differences(&inner(key), &of(was), &of(is), found);
+            }
+        }
+        (Value::Array(was), Value::Array(is)) if was.len() == is.len() => {
+            for (i, (was, is)) in was.iter().zip(is).enumerate() {
+                differences(&format!("{path}[{i}]"), was, is, found);
+            }
+        }
+        _ => {
+            let word = |value: &Value| match value {
+                Value::Null => "not there".to_owned(),
+                Value::Object(_) => "there".to_owned(),
+                Value::Number(number) => number.as_f64().unwrap_or_default().to_string(),
+                other => other.to_string(),
+            };
+            found.push(format!("{path} was {}, is {}", word(was), word(is)));
+        }
+    }
+}
+
 fn damaged(path: &Path, found: &str) -> Error {
     Error::Format {
         path: path.to_owned(),
-        found: found.to_owned(),
-        accepted: format!(
-            "a whole Tomolith checkpoint of format {FORMAT}; delete it to begin anew"
-        ),
+        found: format!("a damaged checkpoint ({found})"),
+        accepted: format!("a whole Tomolith checkpoint of format {FORMAT}"),
     }
 }
 
@@ -346,5 +439,42 @@ impl View for Tensor<'_> {
 
     fn data_len(&self) -> usize {
         self.array.len * self.array.dtype.bitsize() / 8
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn an_interval_is_seconds_or_auto_and_is_written_out() {
+        let read = |text: &str| toml::from_str::<Params>(text);
+        assert_eq!(read("").unwrap().every_s, None);
+        assert_eq!(read("every_s = \"auto\"").unwrap().every_s, None);
+        assert_eq!(read("every_s = 2.5").unwrap().every_s, Some(2.5));
+        assert_eq!(read("every_s = 3").unwrap().every_s, Some(3.0));
+        assert!(read("every_s = \"often\"").is_err() && read("every_s = true").is_err());
+        let written = toml::to_string(&Params::default()).unwrap();
+        assert!(written.contains("every_s = \"auto\""), "{written}");
+    }
+
+    #[test]
+    fn differences_are_named_by_their_keys() {
+        let was =
+            json!({ "resin": { "n": 1.5 }, "light": [{ "angles": 3 }, {}], "vial": { "a": {} } });
+        let is =
+            json!({ "resin": { "n": 1.6 }, "light": [{ "angles": 4 }, {}], "vial": { "b": {} } });
+        let mut found = Vec::new();
+        differences("", &was, &is, &mut found);
+        assert_eq!(
+            found,
+            [
+                "light[0].angles was 3, is 4",
+                "resin.n was 1.5, is 1.6",
+                "vial.a was there, is not there",
+                "vial.b was not there, is there"
+            ]
+        );
     }
 }

@@ -16,7 +16,7 @@ use crate::field::{Field, HostField};
 use crate::kind::{Kind, Section};
 pub use checkpoint::{Checkpoints, Contents};
 pub use problem::{Counters, Limits, Position, Problem};
-pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, run};
+pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run};
 pub use start::{STARTS, Start, StartInput};
 
 /// One method of solving a problem.

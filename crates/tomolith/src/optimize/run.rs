@@ -99,10 +99,21 @@ pub struct Row {
     pub seconds: f64,
 }
 
+/// The projected gradient of a row relative to the first of the history; none where there is none, or the first is 0.
+#[must_use]
+pub fn relative_gradient(history: &[Row], row: &Row) -> Option<f64> {
+    let first = history.iter().find_map(|row| row.projected_gradient)?;
+    row.projected_gradient
+        .map(|norm| norm / first)
+        .filter(|ratio| ratio.is_finite())
+}
+
 /// What observers see after each step, and once at the start.
 pub struct StepReport<'a, F> {
     /// The newest row of the history.
     pub row: &'a Row,
+    /// The projected gradient of the newest row, relative to the first; a resumed run knows the first of the run before.
+    pub relative_gradient: Option<f64>,
     /// Lowest loss so far.
     pub best_loss: f64,
     /// The patterns.
@@ -293,6 +304,7 @@ impl<F: Field> State<F> {
         let row = self.history.last()?;
         let report = StepReport {
             row,
+            relative_gradient: relative_gradient(&self.history, row),
             best_loss: self.best_loss,
             patterns: x,
             dose: &self.at.dose,

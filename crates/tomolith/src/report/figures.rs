@@ -89,28 +89,37 @@ impl Slice<'_> {
     }
 }
 
-/// Voxel `[z, y, x]` in the middle of the part, or of the grid when there is none.
-fn middle_of_part(labels: &Volume<u8>) -> [usize; 3] {
-    let [_, ny, nx] = labels.grid.shape;
-    let sums = labels
-        .values
-        .par_chunks((nx * ny).max(1))
-        .enumerate()
-        .map(|(z, plane)| {
-            let mut sums = [0u64; 4];
-            for (i, _) in plane.iter().enumerate().filter(|(_, l)| **l == label::PART) {
-                sums[0] += z as u64;
-                sums[1] += (i / nx) as u64;
-                sums[2] += (i % nx) as u64;
-                sums[3] += 1;
-            }
-            sums
+/// Voxel `[z, y, x]` in the middle of the box of all that is wanted (or of the grid, when nothing is).
+fn middle_of_box(grid: &VolumeGrid, is_wanted: impl Fn(usize) -> bool + Sync) -> [usize; 3] {
+    let [nz, ny, nx] = grid.shape;
+    let empty = [[usize::MAX, 0]; 3];
+    let join = |a: [[usize; 2]; 3], b: [[usize; 2]; 3]| -> [[usize; 2]; 3] {
+        std::array::from_fn(|i| [a[i][0].min(b[i][0]), a[i][1].max(b[i][1])])
+    };
+    let found = (0..nz)
+        .into_par_iter()
+        .map(|z| {
+            (0..ny * nx)
+                .filter(|i| is_wanted(z * ny * nx + i))
+                .map(|i| [z, i / nx, i % nx].map(|at| [at, at]))
+                .fold(empty, join)
         })
-        .reduce(|| [0; 4], |a, b| std::array::from_fn(|i| a[i] + b[i]));
-    std::array::from_fn(|axis| {
-        let mean = (2 * sums[axis] + sums[3]).checked_div(2 * sums[3]);
-        mean.map_or(labels.grid.shape[axis] / 2, |mean| mean as usize)
+        .reduce(|| empty, join);
+    std::array::from_fn(|axis| match found[axis] {
+        [low, high] if low <= high => usize::midpoint(low, high),
+        _ => grid.shape[axis] / 2,
     })
+}
+
+/// Voxels that get dose: the part, or what is not black in a grey image.
+fn is_wanted(data: &ReportData<'_>, i: usize) -> bool {
+    match (data.labels.values[i], data.inside) {
+        (label::PART, _) => true,
+        (label::VOID, Some(inside)) => {
+            data.evaluation.half_width.is_some() && inside.values[i] > 0.0
+        }
+        _ => false,
+    }
 }
 
 /// Three planes: target, dose, error.
@@ -121,21 +130,16 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     }
     let high = data.evaluation.histogram.range[1];
     let mut out = String::new();
-    for (axis, at) in middle_of_part(data.labels).into_iter().enumerate() {
+    let middle = middle_of_box(grid, |i| is_wanted(data, i));
+    for (axis, at) in middle.into_iter().enumerate() {
         let slice = Slice { grid, axis, at };
         let pictures = [
-            (
-                "Target",
-                target_picture(data, &slice).data_uri(&target_palette()),
-            ),
+            ("Target", target_uri(data, &slice, high)),
             (
                 "Dose",
                 dose_picture(data, &slice, high).data_uri(&dose_palette()),
             ),
-            (
-                "Error",
-                fate_picture(data, &slice).data_uri(&FATES.map(|f| f.0)),
-            ),
+            ("Error", error_uri(data, &slice)),
         ];
         let _ = write!(
             out,
@@ -189,19 +193,36 @@ fn dose_palette() -> Vec<Colour> {
         .collect()
 }
 
-fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture {
-    let part = |i: usize| data.labels.values[i] == label::PART;
-    let mut picture = slice.picture(|voxels| {
+/// The target; grey values in the colours of the response, so that the two can be compared.
+fn target_uri(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> String {
+    match (data.evaluation.half_width, data.inside) {
+        (Some(_), Some(wanted)) => {
+            mean_picture(data, &wanted.values, slice, high).data_uri(&dose_palette())
+        }
+        _ => target_picture(data, slice).data_uri(&target_palette()),
+    }
+}
+
+/// Means over the voxels that count, on the scale of the dose.
+fn mean_picture(data: &ReportData<'_>, values: &[f32], slice: &Slice<'_>, high: f64) -> Picture {
+    slice.picture(|voxels| {
         let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
-        let (sum, count) = counted.fold((0.0, 0.0), |(s, n), i| {
-            (s + f64::from(data.response.values[i]), n + 1.0)
-        });
+        let (sum, count) =
+            counted.fold((0.0, 0.0), |(s, n), i| (s + f64::from(values[i]), n + 1.0));
         if count == 0.0 {
             NOTHING
         } else {
             (sum / count / high * 253.0).clamp(0.0, 253.0) as u8
         }
-    });
+    })
+}
+
+fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture {
+    let part = |i: usize| data.labels.values[i] == label::PART;
+    let mut picture = mean_picture(data, &data.response.values, slice, high);
+    if data.evaluation.half_width.is_some() {
+        return picture;
+    }
     // The part's outline: pixels of the void that are close to a pixel of the part; two wide in large pictures, which
     // may be shown smaller than they are
     let inside = slice.picture(|voxels| {
@@ -223,6 +244,57 @@ fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture 
         }
     }
     picture
+}
+
+fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
+    match (data.evaluation.half_width, data.inside) {
+        (Some(half_width), Some(wanted)) => {
+            let palette: Vec<Colour> = (0..=255u8)
+                .map(|i| match i {
+                    NOTHING => [0; 4],
+                    i => difference(f64::from(i) / 254.0),
+                })
+                .collect();
+            difference_picture(data, wanted, slice, half_width).data_uri(&palette)
+        }
+        _ => fate_picture(data, slice).data_uri(&FATES.map(|f| f.0)),
+    }
+}
+
+/// Differences are drawn up to this many half widths of the band.
+const DIFFERENCE_REACH: f64 = 4.0;
+
+/// From too little (0, blue) over none (½, grey) to too much (1, red); grey in the band.
+fn difference(at: f64) -> Colour {
+    let off = 2.0 * at - 1.0;
+    let in_band = 1.0 / DIFFERENCE_REACH;
+    let share = ((off.abs() - in_band) / (1.0 - in_band)).clamp(0.0, 1.0);
+    let end = if off < 0.0 { FATES[3].0 } else { FATES[4].0 };
+    let middle = [200u8, 205, 211];
+    let blend = |i: usize| {
+        let (from, to) = (f64::from(middle[i]), f64::from(end[i]));
+        (from + (to - from) * share).round() as u8
+    };
+    [blend(0), blend(1), blend(2), 255]
+}
+
+/// The largest difference of each block, with its sign.
+fn difference_picture(
+    data: &ReportData<'_>,
+    wanted: &Volume<f32>,
+    slice: &Slice<'_>,
+    half_width: f64,
+) -> Picture {
+    let reach = DIFFERENCE_REACH * half_width.max(f64::MIN_POSITIVE);
+    slice.picture(|voxels| {
+        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
+        let differences =
+            counted.map(|i| f64::from(data.response.values[i]) - f64::from(wanted.values[i]));
+        let largest = differences.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        largest.map_or(NOTHING, |off| {
+            (127.0 + 127.0 * (off / reach).clamp(-1.0, 1.0)).round() as u8
+        })
+    })
 }
 
 /// The worst fate of each block: errors stay visible.
@@ -283,12 +355,39 @@ pub(super) fn colour_bar(
     label: &str,
     mark: Option<(f64, &str)>,
 ) -> String {
-    let stops: String = (0..=10)
+    bar_svg(
+        map,
+        label,
+        &marked_at(high, mark),
+        ["0".to_owned(), significant(high, 3)],
+    )
+}
+
+/// The colour bar of the differences.
+pub(super) fn error_bar(half_width: f64) -> String {
+    let reach = significant(DIFFERENCE_REACH * half_width, 3);
+    let ends = [format!("−{reach}"), format!("+{reach}")];
+    bar_svg(difference, "response − grey value", "", ends)
+}
+
+fn marked_at(high: f64, mark: Option<(f64, &str)>) -> String {
+    mark.map_or(String::new(), |(at, name)| {
+        let x = 10.0 + 300.0 * (at / high).clamp(0.0, 1.0);
+        let anchor = if x > 250.0 { "end" } else { "middle" };
+        format!(
+            "<path class=\"mark\" d=\"M{x:.1} 14v20\"/><text x=\"{x:.1}\" y=\"11\" text-anchor=\"{anchor}\">{}</text>",
+            escape(name)
+        )
+    })
+}
+
+fn bar_svg(map: fn(f64) -> Colour, label: &str, marked: &str, [low, high]: [String; 2]) -> String {
+    let stops: String = (0..=20)
         .map(|i| {
             format!(
                 "<stop offset=\"{}%\" stop-color=\"{}\"/>",
-                i * 10,
-                hex(map(f64::from(i) / 10.0))
+                i * 5,
+                hex(map(f64::from(i) / 20.0))
             )
         })
         .collect();
@@ -296,21 +395,12 @@ pub(super) fn colour_bar(
         .chars()
         .filter(char::is_ascii_alphanumeric)
         .collect::<String>();
-    let marked = mark.map_or(String::new(), |(at, name)| {
-        let x = 10.0 + 300.0 * (at / high).clamp(0.0, 1.0);
-        let anchor = if x > 250.0 { "end" } else { "middle" };
-        format!(
-            "<path class=\"mark\" d=\"M{x:.1} 14v20\"/><text x=\"{x:.1}\" y=\"11\" text-anchor=\"{anchor}\">{}</text>",
-            escape(name)
-        )
-    });
     format!(
         "<svg class=\"bar\" viewBox=\"0 0 320 62\" role=\"img\" aria-label=\"{label}\"><defs><linearGradient id=\"{id}\">{stops}\
          </linearGradient></defs><rect x=\"10\" y=\"18\" width=\"300\" height=\"12\" rx=\"2\" fill=\"url(#{id})\"/>{marked}\
-         <text x=\"10\" y=\"46\">0</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{}</text>\
-         <text x=\"310\" y=\"46\" text-anchor=\"end\">{}</text></svg>",
+         <text x=\"10\" y=\"46\">{low}</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{}</text>\
+         <text x=\"310\" y=\"46\" text-anchor=\"end\">{high}</text></svg>",
         escape(label),
-        significant(high, 3),
     )
 }
 
@@ -319,6 +409,7 @@ pub(super) fn dose_bar(data: &ReportData<'_>) -> String {
     let mark = data
         .evaluation
         .gel_threshold
+        .filter(|_| data.evaluation.half_width.is_none())
         .map(|t| (t, format!("gel threshold {}", significant(t, 3))));
     colour_bar(
         viridis,
@@ -510,14 +601,21 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_of_the_part_is_its_centroid() {
-        let mut labels = Volume::filled(VolumeGrid::centered([5, 6, 7], 0.1), label::VOID);
-        assert_eq!(middle_of_part(&labels), [2, 3, 3]);
-        for x in 2..=6 {
-            let i = labels.grid.index(1, 5, x);
-            labels.values[i] = label::PART;
-        }
-        assert_eq!(middle_of_part(&labels), [1, 5, 4]);
+    fn the_middle_is_that_of_the_box_not_of_the_mass() {
+        let grid = VolumeGrid::centered([5, 6, 7], 0.1);
+        assert_eq!(middle_of_box(&grid, |_| false), [2, 3, 3]);
+        // Much at x = 0, a single voxel at x = 6 and z = 4
+        let spike = grid.index(4, 5, 6);
+        let wanted = |i: usize| i == spike || (i.is_multiple_of(7) && i < 3 * 42);
+        assert_eq!(middle_of_box(&grid, wanted), [2, 2, 3]);
+    }
+
+    #[test]
+    fn differences_in_the_band_are_grey_and_beyond_it_coloured_by_their_sign() {
+        let [low, middle, high] = [0.0, 0.5, 1.0].map(difference);
+        assert_eq!((low, high), (FATES[3].0, FATES[4].0));
+        assert_eq!(difference(0.5 + 0.49 / DIFFERENCE_REACH), middle);
+        assert_ne!(difference(0.5 + 0.6 / DIFFERENCE_REACH), middle);
     }
 
     #[test]

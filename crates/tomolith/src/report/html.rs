@@ -4,12 +4,16 @@
 //! three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
-use super::{LightReport, ReportData};
-use super::figures::{FATES, dose_bar, sinogram, slices, strip};
+use super::figures::{FATES, dose_bar, error_bar, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
+use super::{LightReport, MovieReport, ReportData};
+use crate::field::BLOCK;
+use crate::grid::Volume;
 use crate::io::csv::HistoryRow;
 use crate::metrics::{Better, Evaluation, METRICS, Measure, MetricKind};
+use crate::target::label;
+use rayon::prelude::*;
 use std::fmt::Write as _;
 
 /// Numbers at the head of the page.
@@ -23,6 +27,9 @@ const HEADLINE: [&str; 8] = [
     "over_mm3",
     "under_mm3",
 ];
+
+/// Numbers at the head of the page of a grey target.
+const GREY_HEADLINE: [&str; 4] = ["in_band", "rms_error", "max_error_part", "max_error_void"];
 
 /// The page.
 #[must_use]
@@ -108,6 +115,16 @@ fn head(data: &ReportData<'_>) -> String {
 /// The result in words.
 fn sentence(evaluation: &Evaluation) -> String {
     let get = |name| evaluation.measures.get(name);
+    if let (Some(half_width), Some(in_band), Some(rms)) =
+        (evaluation.half_width, get("in_band"), get("rms_error"))
+    {
+        return format!(
+            "The response of <b>{} %</b> of the voxels lies within ±{} of the grey value that was asked for; the rms error is {}.",
+            significant(100.0 * in_band, 3),
+            significant(half_width, 3),
+            significant(rms, 3),
+        );
+    }
     let (Some(iou), Some(over), Some(under), Some(threshold)) = (
         get("iou"),
         get("over_mm3"),
@@ -168,9 +185,23 @@ fn shown(kind: &MetricKind, value: Measure, digits: usize) -> (String, &'static 
     }
 }
 
+/// Whether grey values were asked for.
+fn is_grey(data: &ReportData<'_>) -> bool {
+    data.evaluation.half_width.is_some()
+}
+
+/// Names of the numbers at the head of the page.
+fn headline(data: &ReportData<'_>) -> &'static [&'static str] {
+    if is_grey(data) {
+        &GREY_HEADLINE
+    } else {
+        &HEADLINE
+    }
+}
+
 fn cards(data: &ReportData<'_>) -> String {
     let mut out = String::from("<div class=\"cards\">");
-    for kind in HEADLINE
+    for kind in headline(data)
         .iter()
         .filter_map(|name| METRICS.iter().find(|k| k.name == *name))
     {
@@ -196,9 +227,14 @@ fn cards(data: &ReportData<'_>) -> String {
 
 /// Why there are two values.
 fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
-    let window = match (turning.measures.get("pw"), standing.measures.get("pw")) {
+    let (name, title) = if turning.half_width.is_some() {
+        ("rms_error", "rms error")
+    } else {
+        ("pw", "process window")
+    };
+    let window = match (turning.measures.get(name), standing.measures.get(name)) {
         (Some(turning), Some(standing)) => format!(
-            " Here the process window goes from {} to {}.",
+            " Here the {title} is {} standing still and {} turning.",
             significant(standing, 3),
             significant(turning, 3)
         ),
@@ -213,6 +249,16 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
 }
 
 fn dose_plots(data: &ReportData<'_>) -> String {
+    if let (Some(half_width), Some(wanted)) = (data.evaluation.half_width, data.inside) {
+        let curves = grey_curves(data, wanted, half_width);
+        return format!(
+            "<div class=\"two\"><section><h2>How far the response is off</h2><p class=\"muted\">Voxels per error, on a logarithmic scale. The grey band is what the objective \
+             asks for.</p>{}</section><section><h2>Response against grey value</h2><p class=\"muted\">Mean response of the voxels of each grey value, and one standard deviation \
+             to either side. The dashed line is what was asked for.</p>{}</section></div>",
+            error_plot(&curves, half_width),
+            tone_plot(&curves),
+        );
+    }
     format!(
         "<div class=\"two\"><section><h2>How much dose part and void get</h2><p class=\"muted\">Voxels per bin, on a logarithmic scale. The further the two hills are apart, \
          the safer the print.</p>{}</section><section><h2>How much the threshold matters</h2><p class=\"muted\">Overlap of print and part if the resin gels at this dose. A broad plateau \
@@ -220,6 +266,101 @@ fn dose_plots(data: &ReportData<'_>) -> String {
         histogram_plot(data),
         iou_plot(data),
     )
+}
+
+/// Bins of the error, and of the grey value.
+const ERRORS: usize = 81;
+const TONES: usize = 32;
+
+/// What a grey print does, counted.
+struct GreyCurves {
+    /// Largest error that is drawn.
+    reach: f64,
+    /// Bright (grey ≥ ½) and dark voxels per error from −reach to reach.
+    errors: [Vec<f64>; 2],
+    /// Per grey value from 0 to 1: voxels, sum of their responses and of the squares.
+    tones: Vec<[f64; 3]>,
+}
+
+fn grey_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> GreyCurves {
+    let largest = ["max_error_part", "max_error_void"]
+        .iter()
+        .filter_map(|name| data.evaluation.measures.get(name))
+        .fold(0.0, f64::max);
+    let reach = largest.max(2.0 * half_width).max(1e-6);
+    let empty = || GreyCurves {
+        reach,
+        errors: [vec![0.0; ERRORS], vec![0.0; ERRORS]],
+        tones: vec![[0.0; 3]; TONES],
+    };
+    let blocks: Vec<GreyCurves> = data
+        .labels
+        .values
+        .par_chunks(BLOCK)
+        .zip(data.response.values.par_chunks(BLOCK))
+        .zip(wanted.values.par_chunks(BLOCK))
+        .map(|((labels, response), wanted)| {
+            let mut curves = empty();
+            for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
+                let class = match label {
+                    label::PART => 0,
+                    label::VOID => 1,
+                    _ => continue,
+                };
+                let (m, f) = (f64::from(m), f64::from(f));
+                let bin = (m - f + reach) / (2.0 * reach) * ERRORS as f64;
+                curves.errors[class][(bin.max(0.0) as usize).min(ERRORS - 1)] += 1.0;
+                let tone = &mut curves.tones[((f * TONES as f64) as usize).min(TONES - 1)];
+                *tone = [tone[0] + 1.0, tone[1] + m, tone[2] + m * m];
+            }
+            curves
+        })
+        .collect();
+    blocks.iter().fold(empty(), |mut all, block| {
+        for class in 0..2 {
+            for (sum, count) in all.errors[class].iter_mut().zip(&block.errors[class]) {
+                *sum += count;
+            }
+        }
+        for (sum, tone) in all.tones.iter_mut().zip(&block.tones) {
+            *sum = std::array::from_fn(|i| sum[i] + tone[i]);
+        }
+        all
+    })
+}
+
+fn error_plot(curves: &GreyCurves, half_width: f64) -> String {
+    let reach = curves.reach;
+    let most = curves.errors.iter().flatten().copied().fold(1.0, f64::max);
+    let mut plot = Plot::new(
+        Axis::linear("response − grey value", -reach, reach),
+        Axis::log("voxels", 1.0, most),
+    );
+    plot.band(-half_width, half_width, "window", "objective's band");
+    plot.steps([-reach, reach], &curves.errors[1], "void", "dark (below ½)");
+    plot.steps([-reach, reach], &curves.errors[0], "part", "bright");
+    plot.svg("Histogram of the error of bright and dark voxels")
+}
+
+fn tone_plot(curves: &GreyCurves) -> String {
+    let tone = |(i, [count, sum, squares]): (usize, &[f64; 3])| {
+        let mean = sum / count;
+        let deviation = (squares / count - mean * mean).max(0.0).sqrt();
+        (*count > 0.0).then(|| ((i as f64 + 0.5) / TONES as f64, mean, deviation))
+    };
+    let tones: Vec<(f64, f64, f64)> = curves.tones.iter().enumerate().filter_map(tone).collect();
+    let line =
+        |sign: f64| -> Vec<[f64; 2]> { tones.iter().map(|(f, m, d)| [*f, m + sign * d]).collect() };
+    let high = line(1.0).iter().map(|p| p[1]).fold(1.0, f64::max);
+    let mut plot = Plot::new(
+        Axis::linear("grey value that was asked for", 0.0, 1.0),
+        Axis::linear("response", 0.0, high),
+    );
+    plot.line(&[[0.0, 0.0], [1.0, 1.0]], "still", "asked for");
+    plot.line(&line(1.0), "void", "± deviation");
+    plot.line(&line(-1.0), "void", "");
+    plot.line(&line(0.0), "accent", "mean");
+    plot.svg("Response against grey value")
 }
 
 fn histogram_plot(data: &ReportData<'_>) -> String {
@@ -283,6 +424,15 @@ fn iou_plot(data: &ReportData<'_>) -> String {
 }
 
 fn slices_section(data: &ReportData<'_>) -> String {
+    if let Some(half_width) = data.evaluation.half_width {
+        return format!(
+            "<section><h2>Slices through the middle of the image</h2><p class=\"muted\">The grey values that were asked for, the response to the dose, and the difference. \
+             Where a pixel stands for several voxels, it shows the largest difference.</p>{}<div class=\"legends\">{}{}</div></section>",
+            slices(data),
+            dose_bar(data),
+            error_bar(half_width),
+        );
+    }
     let fates: String = FATES
         .iter()
         .filter(|(_, name)| !name.is_empty())
@@ -294,7 +444,7 @@ fn slices_section(data: &ReportData<'_>) -> String {
         })
         .collect();
     format!(
-        "<section><h2>Slices through the middle of the part</h2><p class=\"muted\">What was asked for, the dose with the part's outline in white, and what the print would get wrong. \
+        "<section><h2>Slices through the middle of the part's box</h2><p class=\"muted\">What was asked for, the dose with the part's outline in white, and what the print would get wrong. \
          Where a pixel stands for several voxels, it shows the worst of them.</p>{}<div class=\"legends\">{}<div class=\"fates\">{fates}</div></div></section>",
         slices(data),
         dose_bar(data),
@@ -309,8 +459,8 @@ fn history(rows: &[HistoryRow]) -> String {
         ("Loss", "loss", series(rows, |r| r.loss)),
         (
             "Projected gradient",
-            "norm",
-            series(rows, |r| r.projected_gradient),
+            "relative to the first",
+            measured(rows, |r| r.projected_gradient),
         ),
         (
             "Voxels that would print wrongly",
@@ -348,7 +498,7 @@ fn series(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> f64) -> Vec<[f64; 
         .collect()
 }
 
-/// A series with gaps: metrics are not measured after every iteration.
+/// A series with gaps: metrics are not measured after every iteration, and the start has no gradient.
 fn measured(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> Option<f64>) -> Vec<[f64; 2]> {
     series(rows, |r| value(r).unwrap_or(f64::NAN))
 }
@@ -453,7 +603,14 @@ fn table(data: &ReportData<'_>) -> String {
         .map(|(name, grid, _)| format!("<th>{name}<br>{grid}</th>"))
         .collect();
     let mut rows = String::new();
-    for kind in METRICS {
+    let known = |kind: &&MetricKind| {
+        let mut measured = columns.iter().map(|c| c.2.measures.get(kind.name));
+        measured.any(|m| m.is_some())
+    };
+    // The numbers of the other kind of target are left out; a grey target's own come first
+    let mut kinds: Vec<&MetricKind> = METRICS.iter().filter(known).collect();
+    kinds.sort_by_key(|kind| is_grey(data) && !GREY_HEADLINE.contains(&kind.name));
+    for kind in kinds {
         let better = match kind.better {
             Better::Higher => " ↑",
             Better::Lower => " ↓",
@@ -477,37 +634,59 @@ fn table(data: &ReportData<'_>) -> String {
         }
         rows.push_str("</tr>");
     }
+    let grey = if is_grey(data) {
+        " For a grey target, “part” is where at least ½ was asked for."
+    } else {
+        ""
+    };
     format!(
         "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
-         the last one is what the optimisation itself saw.</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
+         the last one is what the optimisation itself saw.{grey}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
     )
 }
 
 fn times_and_movies(data: &ReportData<'_>) -> String {
     let mut out = String::new();
     if !data.movies.is_empty() {
-        let rows: String = data
+        let column = |name: &str, cell: &dyn Fn(&MovieReport) -> String| {
+            let cells: String = data
+                .movies
+                .iter()
+                .map(|m| format!("<td>{}</td>", cell(m)))
+                .collect();
+            format!("<tr><td>{name}</td>{cells}</tr>")
+        };
+        let heads: String = data
             .movies
             .iter()
             .map(|movie| {
-                let c = &movie.check;
                 format!(
-                    "<tr><td>{}</td><td class=\"head\">{} of 255</td><td class=\"head\">{}</td><td>{} /s</td><td>{}</td><td>{} × {}</td><td>{} MB</td></tr>",
-                    escape(&movie.file),
-                    c.largest_error,
-                    significant(c.rms_error, 2),
-                    significant(c.frame_rate, 4),
-                    c.frames,
-                    c.width,
-                    c.height,
-                    significant(c.bytes as f64 / 1e6, 3),
+                    "<th class=\"file\">{}</th>",
+                    escape(&movie.file).replace('_', "_<wbr>")
                 )
             })
             .collect();
+        let rows = [
+            column("Largest grey error", &|m| {
+                format!("{} of 255", m.check.largest_error)
+            }),
+            column("rms grey error", &|m| significant(m.check.rms_error, 2)),
+            column("Frames", &|m| m.check.frames.to_string()),
+            column("Rate", &|m| {
+                format!("{} /s", significant(m.check.frame_rate, 4))
+            }),
+            column("Pixels", &|m| {
+                format!("{} × {}", m.check.width, m.check.height)
+            }),
+            column("Size", &|m| {
+                format!("{} MB", significant(m.check.bytes as f64 / 1e6, 3))
+            }),
+        ]
+        .concat();
         let _ = write!(
             out,
             "<section><h2>Movie</h2><p class=\"muted\">Written, then decoded again and compared with the frames. H.264 is lossy: the PNG frames are exact.</p>\
-             <div class=\"scroll\"><table><thead><tr><th>File</th><th>Largest<br>grey error</th><th>rms<br>grey error</th><th>Rate</th><th>Frames</th><th>Pixels</th><th>Size</th></tr></thead><tbody>{rows}</tbody></table></div></section>"
+             <div class=\"scroll\"><table class=\"movies\"><thead><tr><th>File</th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
         );
     }
     let longest = data.timings.iter().map(|t| t.seconds).fold(0.0, f64::max);
@@ -518,8 +697,8 @@ fn times_and_movies(data: &ReportData<'_>) -> String {
             .iter()
             .map(|t| {
                 format!(
-                    "{}<div><i style=\"width:{:.1}%\"></i></div><span>{} s</span>",
-                    format_args!("<label>{}</label>", escape(&t.name)),
+                    "<div class=\"row\"><label>{}</label><div><i style=\"width:{:.1}%\"></i></div><span>{} s</span></div>",
+                    escape(&t.name),
                     100.0 * t.seconds / longest,
                     significant(t.seconds, 3),
                 )

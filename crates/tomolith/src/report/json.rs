@@ -4,12 +4,12 @@
 //! schema        "tomolith.report/1"
 //! part          name of the part
 //! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
-//!               with gel_threshold, sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
+//!               with gel_threshold, band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
 //!               and standing_still: the same without turning
 //! optimisation  the same on the optimisation's grid
 //! published     numbers with other authors' signs or normalisations
 //! lights        frames, size and scale of each light's patterns
-//! history       how many iterations and model calls, and the last loss
+//! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first
 //! movies        what a decoder makes of each movie
 //! warnings      sentences
 //! run           program, date and times: all that may differ between two equal runs
@@ -20,7 +20,7 @@
 use super::ReportData;
 use crate::metrics::Evaluation;
 use crate::metrics::evaluation::Histogram;
-use crate::metrics::scan::Spread;
+use crate::metrics::spread::Spread;
 use serde_json::{Map, Value, json};
 
 /// A number, or null.
@@ -115,6 +115,7 @@ fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
     let grid = &evaluation.grid;
     let rest = [
         ("gel_threshold", number(evaluation.gel_threshold)),
+        ("band_half_width", number(evaluation.half_width)),
         ("sub_angles", evaluation.sub_angles.into()),
         (
             "grid",

@@ -181,8 +181,8 @@ mod tests {
             let row = |i: usize| HistoryRow {
                 iteration: i,
                 loss: 10.0 / (1 + i) as f64,
-                projected_gradient: 1.0,
-                step: 1.0,
+                projected_gradient: (i > 0).then_some(1.0),
+                step: (i > 0).then_some(1.0),
                 forward_calls: 2 * i,
                 adjoint_calls: i,
                 seconds: i as f64,
@@ -320,6 +320,28 @@ mod tests {
                 "{tag}"
             );
         }
+    }
+
+    #[test]
+    fn a_grey_target_is_judged_by_its_errors() {
+        let sample = Sample::new();
+        let mut wanted = sample.response.clone();
+        wanted.values.iter_mut().for_each(|v| *v += 0.04);
+        let print = Print::new(&sample.labels, &sample.response).unwrap();
+        let evaluation = evaluate(&print.with_grey(&wanted, 0.05).unwrap());
+        let mut data = sample.data(&evaluation);
+        data.inside = Some(&wanted);
+        let page = html::report_html(&data);
+        assert!(
+            page.contains("<b>100 %</b> of the voxels lies within ±0.05"),
+            "{page}"
+        );
+        assert!(page.contains("How far the response is off") && page.contains("Rms error"));
+        assert!(!page.contains("How much the threshold matters") && !page.contains("NaN"));
+        let json = json::report_json(&data);
+        let rms = json["evaluation"]["rms_error"].as_f64().unwrap();
+        assert!((rms - 0.04).abs() < 1e-6, "{rms}");
+        assert_eq!(json["evaluation"]["band_half_width"], 0.05);
     }
 
     #[test]

@@ -63,20 +63,21 @@ impl Default for Params {
 
 impl Params {
     fn validate(&self) -> Result<()> {
-        for (key, value, positive) in [
-            ("lower", self.lower, false),
-            ("upper", self.upper, false),
-            ("steepness", self.steepness, true),
-            ("midpoint", self.midpoint, false),
-            ("asymmetry", self.asymmetry, true),
+        for (key, value, most, positive) in [
+            ("lower", self.lower, 1e9, false),
+            ("upper", self.upper, 1e9, false),
+            ("steepness", self.steepness, 1e6, true),
+            ("midpoint", self.midpoint, 1e9, false),
+            ("asymmetry", self.asymmetry, 100.0, true),
         ] {
-            if !value.is_finite() || (positive && value <= 0.0) {
+            // Also refuses NaN
+            if !(value.abs() <= most) || (positive && value <= 0.0) {
                 let accepted = if positive {
-                    "a finite number above 0"
+                    format!("a number above 0 and at most {most:e}")
                 } else {
-                    "a finite number"
+                    format!("a number from {:e} to {most:e}", -most)
                 };
-                return Err(Error::config(key, format!("found {value}"), accepted));
+                return Err(Error::config(key, format!("found {value:?}"), accepted));
             }
         }
         if self.lower >= self.upper {

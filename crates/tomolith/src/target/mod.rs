@@ -22,6 +22,7 @@
 //! assert!((volume / 4.18879 - 1.0).abs() < 1e-3); // 4/3·π, radius 1
 //! ```
 
+mod boxes;
 pub mod diagnosis;
 mod image;
 mod lines;

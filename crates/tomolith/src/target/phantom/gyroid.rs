@@ -12,6 +12,7 @@
 //! assert_eq!(cube.volume_mm3(), None); // no closed form
 //! ```
 
+use super::waves::wave;
 use super::{Body, BuildForm, Form, corners, cuboid, positive};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
@@ -65,13 +66,17 @@ fn build(section: &Section) -> Result<Form> {
         );
     }
     let half = p.size_mm.0 / 2.0;
-    let k = TAU / period;
+    let turns = 1.0 / period;
+    let k = TAU * turns;
     let level = 0.75 * k * p.wall_mm.0;
+    let steepest = 1.0 / (k * 3f64.sqrt());
     Ok(Form {
         body: Body::Solid(Box::new(move |point| {
-            let [(sx, cx), (sy, cy), (sz, cz)] = point.map(|v| (k * v).sin_cos());
+            let [x, y, z] = point;
+            let ((sx, cx), (sy, cy), (sz, cz)) =
+                (wave(x * turns), wave(y * turns), wave(z * turns));
             let g = sx * cy + sy * cz + sz * cx;
-            let wall = (g.abs() - level) / (k * 3f64.sqrt());
+            let wall = (g.abs() - level) * steepest;
             let cube = cuboid(point, [half; 3]);
             wall.max(cube)
         })),
