@@ -369,8 +369,38 @@ const WRONG: &[Wrong] = &[
     (
         "[stop]",
         "[printer]\nrpm = 3\n[stop]",
-        "[printer]",
-        &["printer", "not built yet"],
+        "rpm = 3",
+        &["printer.rpm", "unknown name"],
+    ),
+    (
+        "[stop]",
+        "[printer]\ncanvas = [40, 60]\n[stop]",
+        "[40, 60]",
+        &["printer.canvas", "need 48 × 24", "at least [48, 24]"],
+    ),
+    (
+        "[stop]",
+        "[printer]\ngrey_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
+        "grey_curve",
+        &["printer.grey_curve", "not monotone"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nflat_field = \"none.png\"\n[stop]",
+        "flat_field",
+        &["printer.flat_field", "none.png"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nrefresh_hz = 4.0\n[stop]",
+        "[[light]]",
+        &["output.rpm", "5 frames a second", "at most 8 turns"],
+    ),
+    (
+        "[stop]",
+        "[printer]\ncopies_px = [[0, 0], [30, 0]]\n[stop]",
+        "copies_px",
+        &["printer.copies_px", "copies 1 and 2 overlap"],
     ),
     (
         "0.05",

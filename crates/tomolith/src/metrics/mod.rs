@@ -19,6 +19,7 @@ pub mod isosurface;
 pub mod nearest;
 pub mod over_mm3;
 pub mod print;
+pub mod published;
 pub mod pw;
 pub mod quick;
 pub mod scan;
@@ -29,6 +30,7 @@ pub mod under_mm3;
 pub mod ver;
 
 pub use evaluation::{Evaluation, Measures, evaluate};
+pub use published::{Published, published};
 
 /// A number, or none where it is not defined.
 pub type Measure = Option<f64>;
