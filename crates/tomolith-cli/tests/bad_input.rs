@@ -365,7 +365,7 @@ const WRONG: &[Wrong] = &[
         "[48, 4]",
         &["light[0].pixels", "along the axis"],
     ),
-    // Tables that are planned
+    // The machine
     (
         "[stop]",
         "[printer]\nrpm = 3\n[stop]",
@@ -393,7 +393,7 @@ const WRONG: &[Wrong] = &[
     (
         "[stop]",
         "[printer]\nrefresh_hz = 4.0\n[stop]",
-        "[[light]]",
+        "[output]",
         &["output.rpm", "5 frames a second", "at most 8 turns"],
     ),
     (
@@ -402,6 +402,7 @@ const WRONG: &[Wrong] = &[
         "copies_px",
         &["printer.copies_px", "copies 1 and 2 overlap"],
     ),
+    // What is planned
     (
         "0.05",
         "0.05\nscattering_per_mm = 1.0",

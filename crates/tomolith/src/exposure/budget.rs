@@ -91,8 +91,13 @@ impl Exposure {
     #[must_use]
     pub fn budget(&self, white: f64, emitted: f64, pixels: usize, area_mm2: f64) -> Budget {
         let white_mj_per_mm2 = self.unit().map(|unit| white * unit);
-        let per_pass = self.peak().zip(self.frame_s()).map(|(peak, seconds)| peak * seconds);
-        let turns = white_mj_per_mm2.zip(per_pass).map(|(white, pass)| white / pass);
+        let per_pass = self
+            .peak()
+            .zip(self.frame_s())
+            .map(|(peak, seconds)| peak * seconds);
+        let turns = white_mj_per_mm2
+            .zip(per_pass)
+            .map(|(white, pass)| white / pass);
         let pass_s = self.frame_s().map(|seconds| seconds * self.frames as f64);
         let energy_per_turn_mj = per_pass.map(|pass| pass * area_mm2 * emitted);
         Budget {
@@ -101,7 +106,9 @@ impl Exposure {
             time_s: turns.zip(pass_s).map(|(turns, seconds)| turns * seconds),
             turns,
             energy_per_turn_mj,
-            energy_mj: energy_per_turn_mj.zip(turns).map(|(energy, turns)| energy * turns),
+            energy_mj: energy_per_turn_mj
+                .zip(turns)
+                .map(|(energy, turns)| energy * turns),
         }
     }
 }
@@ -122,11 +129,23 @@ mod tests {
         };
         let budget = exposure.budget(1.0, 3.0, 2, 1.0);
         assert_eq!(budget.light_used, 3.0 / 8.0);
-        assert_eq!((budget.time_s, budget.energy_per_turn_mj, budget.white_mj_per_mm2), (None, None, None));
-        let turning = Exposure { frame_arc: 0.1, ..exposure };
+        assert_eq!(
+            (
+                budget.time_s,
+                budget.energy_per_turn_mj,
+                budget.white_mj_per_mm2
+            ),
+            (None, None, None)
+        );
+        let turning = Exposure {
+            frame_arc: 0.1,
+            ..exposure
+        };
         // 0.1 mW/mm² for 0.1 rad = 5.73° at 36°/s
         let expected = 0.1 * 0.1f64.to_degrees() / 36.0 * 3.0;
-        assert!((turning.budget(1.0, 3.0, 2, 1.0).energy_per_turn_mj.unwrap() - expected).abs() < 1e-12);
+        assert!(
+            (turning.budget(1.0, 3.0, 2, 1.0).energy_per_turn_mj.unwrap() - expected).abs() < 1e-12
+        );
         assert_eq!(turning.white_in(5.0), None);
     }
 }

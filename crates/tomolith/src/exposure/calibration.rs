@@ -37,12 +37,27 @@ use std::f64::consts::PI;
 
 /// Every calibration frame: its name and what it is for.
 pub const CALIBRATIONS: &[(&str, &str)] = &[
-    ("border", "The outermost pixels: is the whole canvas in view?"),
-    ("checkerboard", "8 × 8 fields of black and white: straightness, evenness"),
-    ("crosshair", "Lines through the middle of the patterns: where the middle is"),
+    (
+        "border",
+        "The outermost pixels: is the whole canvas in view?",
+    ),
+    (
+        "checkerboard",
+        "8 × 8 fields of black and white: straightness, evenness",
+    ),
+    (
+        "crosshair",
+        "Lines through the middle of the patterns: where the middle is",
+    ),
     ("grey_steps", "16 equal steps of the level: the grey curve"),
-    ("siemens_star", "36 spokes: focus, the same in all directions"),
-    ("axis_lines", "The axis of rotation and the edges of the patterns: does the axis stand where it should?"),
+    (
+        "siemens_star",
+        "36 spokes: focus, the same in all directions",
+    ),
+    (
+        "axis_lines",
+        "The axis of rotation and the edges of the patterns: does the axis stand where it should?",
+    ),
     ("orientation", "A letter F: is it upright and not mirrored?"),
 ];
 
@@ -71,7 +86,11 @@ impl Calibration {
     pub fn new(spec: &PrinterSpec, field: &PatternGrid, bits: u32) -> Result<Self> {
         spec.ranges()?;
         if !(1..=16).contains(&bits) {
-            return Err(Error::config("bit_depth", format!("found {bits}"), "a whole number 1…16"));
+            return Err(Error::config(
+                "bit_depth",
+                format!("found {bits}"),
+                "a whole number 1…16",
+            ));
         }
         let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
         let mut placing = Placing {
@@ -84,8 +103,14 @@ impl Calibration {
             offset: spec.offset_px,
         };
         let axis_mm = spec.axis_offset_mm.0;
-        placing.canvas = spec.canvas.unwrap_or_else(|| placing.needed([axis_mm, axis_mm]));
-        Ok(Calibration { placing, axis_mm, bits })
+        placing.canvas = spec
+            .canvas
+            .unwrap_or_else(|| placing.needed([axis_mm, axis_mm]));
+        Ok(Calibration {
+            placing,
+            axis_mm,
+            bits,
+        })
     }
 
     /// One frame by its name, `[row, column]` of the canvas.
@@ -110,7 +135,8 @@ impl Calibration {
                 f64::from(u8::from(edge < 1.0))
             }),
             "checkerboard" => on_device(&|x, y| {
-                let field = |v: f64, n: usize| ((v / n as f64 + 0.5) * FIELDS as f64).floor() as i64;
+                let field =
+                    |v: f64, n: usize| ((v / n as f64 + 0.5) * FIELDS as f64).floor() as i64;
                 f64::from(u8::from((field(x, columns) + field(y, rows)) % 2 == 0))
             }),
             "grey_steps" => on_device(&|x, _| {
@@ -127,8 +153,11 @@ impl Calibration {
             }),
             "axis_lines" => at_vial(&|u, z| {
                 let edge = (u.abs() - half[0]).abs() < line && z.abs() < half[1];
-                let mark = (u / half[0] * 5.0).rem_euclid(1.0).min(1.0 - (u / half[0] * 5.0).rem_euclid(1.0));
-                let marks = u.abs() < half[0] && mark * half[0] / 5.0 < line && z.abs() < half[1] / 20.0;
+                let mark = (u / half[0] * 5.0)
+                    .rem_euclid(1.0)
+                    .min(1.0 - (u / half[0] * 5.0).rem_euclid(1.0));
+                let marks =
+                    u.abs() < half[0] && mark * half[0] / 5.0 < line && z.abs() < half[1] / 20.0;
                 u.abs() < line || edge || marks
             }),
             "orientation" => at_vial(&|u, z| {
@@ -156,13 +185,18 @@ impl Calibration {
             grid,
             bits: self.bits,
             full_scale: 1.0,
-            values: values.into_iter().map(|v| (v * top + 0.5).floor() as u16).collect(),
+            values: values
+                .into_iter()
+                .map(|v| (v * top + 0.5).floor() as u16)
+                .collect(),
         })
     }
 
     /// Half the size of the patterns, mm.
     fn half_mm(&self) -> [f64; 2] {
-        self.placing.pattern.map(|n| n as f64 * self.placing.pattern_pitch / 2.0)
+        self.placing
+            .pattern
+            .map(|n| n as f64 * self.placing.pattern_pitch / 2.0)
     }
 
     /// Mean over each device pixel of a picture that is given at places in device pixels from the middle.
@@ -176,7 +210,10 @@ impl Calibration {
                 let mut sum = 0.0;
                 for dy in 0..SAMPLES {
                     for dx in 0..SAMPLES {
-                        sum += light(x + at(dx) - columns as f64 / 2.0, rows as f64 / 2.0 - y - at(dy));
+                        sum += light(
+                            x + at(dx) - columns as f64 / 2.0,
+                            rows as f64 / 2.0 - y - at(dy),
+                        );
                     }
                 }
                 sum / (SAMPLES * SAMPLES) as f64
@@ -202,7 +239,10 @@ mod tests {
             assert_eq!(frame.values.iter().min(), Some(&0), "{name}");
             assert_eq!(frame.values.iter().max(), Some(&1023), "{name}");
         }
-        let steps = calibration("canvas = [128, 96]", 8).draw("grey_steps").unwrap().values;
+        let steps = calibration("canvas = [128, 96]", 8)
+            .draw("grey_steps")
+            .unwrap()
+            .values;
         let row: Vec<u16> = (0..16).map(|i| steps[i * 8 + 4]).collect();
         assert_eq!(row, (0..16).map(|i| i * 17).collect::<Vec<u16>>());
     }
@@ -210,13 +250,18 @@ mod tests {
     #[test]
     fn the_axis_is_drawn_where_the_machine_has_it() {
         // 0.7 mm right of the middle of the patterns, which lie 10 pixels right: column 64 + 10 + 7
-        let frame = calibration("canvas = [128, 96]\noffset_px = [10, 0]\naxis_offset_mm = 0.7", 8)
-            .draw("crosshair")
-            .unwrap();
+        let frame = calibration(
+            "canvas = [128, 96]\noffset_px = [10, 0]\naxis_offset_mm = 0.7",
+            8,
+        )
+        .draw("crosshair")
+        .unwrap();
         let top: Vec<usize> = (0..128).filter(|c| frame.values[*c] == 255).collect();
         assert_eq!(top, [80, 81]);
         // On a device that lies on its side the axis is a row
-        let frame = calibration("canvas = [128, 96]\nquarter_turns = 1", 8).draw("axis_lines").unwrap();
+        let frame = calibration("canvas = [128, 96]\nquarter_turns = 1", 8)
+            .draw("axis_lines")
+            .unwrap();
         assert!((0..128).all(|c| frame.values[48 * 128 + c] == 255));
     }
 

@@ -20,7 +20,10 @@ pub(super) fn read_map(path: &Path, canvas: [usize; 2]) -> Result<Vec<f32>> {
     let bad = |found: String| Error::Format {
         path: path.to_owned(),
         found,
-        accepted: format!("a map of {} × {} numbers, 0 or more, as the canvas", canvas[0], canvas[1]),
+        accepted: format!(
+            "a map of {} × {} numbers, 0 or more, as the canvas",
+            canvas[0], canvas[1]
+        ),
     };
     if [columns, rows] != canvas {
         return Err(bad(format!("{columns} × {rows} pixels")));

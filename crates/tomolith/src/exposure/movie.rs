@@ -65,7 +65,10 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
     let refuse = |why: &str, accepted: String| {
         Err(Error::config(
             "output.rpm",
-            format!("{rpm} turns per minute make a movie of {} frames a second, which {why}", short(rate)),
+            format!(
+                "{rpm} turns per minute make a movie of {} frames a second, which {why}",
+                short(rate)
+            ),
             accepted,
         ))
     };
@@ -73,14 +76,20 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
         let most = (frames as f64 * refresh_hz / rate).floor();
         return refuse(
             &format!("no screen of {refresh_hz} images a second shows"),
-            format!("at most {} turns per minute, or at most {most} frames", short(speed(refresh_hz))),
+            format!(
+                "at most {} turns per minute, or at most {most} frames",
+                short(speed(refresh_hz))
+            ),
         );
     }
     if frames > 1 && rate < SLOWEST * (1.0 - 1e-9) {
         let least = (frames as f64 * SLOWEST / rate).ceil();
         return refuse(
             "players do not show evenly",
-            format!("at least {} turns per minute, or at least {least} frames", short(speed(SLOWEST))),
+            format!(
+                "at least {} turns per minute, or at least {least} frames",
+                short(speed(SLOWEST))
+            ),
         );
     }
     Ok(rate)
@@ -117,10 +126,16 @@ mod tests {
     fn rates_that_no_player_shows_come_with_the_nearest_that_works() {
         let message = |rpm, frames| shown_rate(rpm, frames, TAU, 60.0).unwrap_err().to_string();
         let fast = message(30.0, 300);
-        assert!(fast.starts_with("output.rpm: ") && fast.contains("at most 12 turns"), "{fast}");
+        assert!(
+            fast.starts_with("output.rpm: ") && fast.contains("at most 12 turns"),
+            "{fast}"
+        );
         assert!(fast.contains("at most 120 frames"), "{fast}");
         let slow = message(0.01, 300);
-        assert!(slow.contains("0.05 frames") && slow.contains("at least 0.02 turns"), "{slow}");
+        assert!(
+            slow.contains("0.05 frames") && slow.contains("at least 0.02 turns"),
+            "{slow}"
+        );
         assert!(slow.contains("at least 600 frames"), "{slow}");
         for (rpm, frames) in [(12.0, 300), (30.0, 120), (0.02, 300), (0.01, 600)] {
             assert!(shown_rate(rpm, frames, TAU, 60.0).is_ok(), "{rpm} {frames}");

@@ -190,7 +190,12 @@ impl Placing {
     /// Pattern pixels under a device pixel, with the area that they share, in pattern pixels.
     fn shared(&self, square: &[[f64; 2]; 4], found: &mut Vec<(u32, f64)>) {
         let low = |axis: usize| square.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let high = |axis: usize| square.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let high = |axis: usize| {
+            square
+                .iter()
+                .map(|p| p[axis])
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
         let (low, high) = ([low(0), low(1)], [high(0), high(1)]);
         let aligned = self.turn.iter().any(|t| *t == 0.0);
         let cells = |axis: usize| {
@@ -210,7 +215,11 @@ impl Placing {
                 let area = (area / GRAIN).round() * GRAIN;
                 if area > 0.0 {
                     // A whole number of grains near 1 is 1: copies stay exact
-                    let area = if (area - 1.0).abs() < GRAIN { 1.0 } else { area };
+                    let area = if (area - 1.0).abs() < GRAIN {
+                        1.0
+                    } else {
+                        area
+                    };
                     found.push(((row * self.pattern[0] + column) as u32, area));
                 }
             }
@@ -335,26 +344,63 @@ mod tests {
         assert_eq!(
             shown(&placing, &pattern, 0.0),
             [
-                o, o, o, o, o, o, f(0), f(1), f(2), o, o, f(3), f(4), f(5), o, o, o, o, o, o
+                o,
+                o,
+                o,
+                o,
+                o,
+                o,
+                f(0),
+                f(1),
+                f(2),
+                o,
+                o,
+                f(3),
+                f(4),
+                f(5),
+                o,
+                o,
+                o,
+                o,
+                o,
+                o
             ]
         );
         // One pixel right and down; one pixel of axis offset moves along u
-        let moved = Placing { offset: [1.0, -1.0], ..placing.clone() };
+        let moved = Placing {
+            offset: [1.0, -1.0],
+            ..placing.clone()
+        };
         assert_eq!(shown(&moved, &pattern, 0.0)[12..15], [f(0), f(1), f(2)]);
         assert_eq!(shown(&moved, &pattern, -0.1)[11..14], [f(0), f(1), f(2)]);
         // A quarter turn counter-clockwise brings the right end up
-        let turned = Placing { turn: turn(1, 0.0), ..plain([2, 3], [3, 2]) };
-        assert_eq!(shown(&turned, &pattern, 0.0), [f(2), f(5), f(1), f(4), f(0), f(3)]);
-        let flipped = Placing { flips: [-1.0, 1.0], ..turned };
-        assert_eq!(shown(&flipped, &pattern, 0.0), [f(0), f(3), f(1), f(4), f(2), f(5)]);
+        let turned = Placing {
+            turn: turn(1, 0.0),
+            ..plain([2, 3], [3, 2])
+        };
+        assert_eq!(
+            shown(&turned, &pattern, 0.0),
+            [f(2), f(5), f(1), f(4), f(0), f(3)]
+        );
+        let flipped = Placing {
+            flips: [-1.0, 1.0],
+            ..turned
+        };
+        assert_eq!(
+            shown(&flipped, &pattern, 0.0),
+            [f(0), f(3), f(1), f(4), f(2), f(5)]
+        );
     }
 
     #[test]
     fn light_is_neither_lost_nor_made_at_any_scale_and_angle() {
         let pattern: Vec<f32> = (0..35).map(|i| 1.0 + (i % 9) as f32).collect();
-        for (pitch, degrees, quarters, shift) in
-            [(0.1, 0.0, 0, 0.033), (0.07, 0.0, 3, 0.0), (0.23, 3.0, 1, -0.02), (0.1, -20.0, 2, 0.04)]
-        {
+        for (pitch, degrees, quarters, shift) in [
+            (0.1, 0.0, 0, 0.033),
+            (0.07, 0.0, 3, 0.0),
+            (0.23, 3.0, 1, -0.02),
+            (0.1, -20.0, 2, 0.04),
+        ] {
             let placing = Placing {
                 pitch,
                 turn: turn(quarters, degrees),
@@ -365,7 +411,10 @@ mod tests {
             let device = shown(&placing, &pattern, shift);
             let sent: f64 = device.iter().sum::<f64>() * pitch * pitch;
             let wanted: f64 = pattern.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
-            assert!((sent / wanted - 1.0).abs() < 1e-6, "{pitch} {degrees}: {sent} {wanted}");
+            assert!(
+                (sent / wanted - 1.0).abs() < 1e-6,
+                "{pitch} {degrees}: {sent} {wanted}"
+            );
             let mut back = vec![0.0; pattern.len()];
             placing.overlaps(shift).back(|j| device[j], &mut back);
             let got: f64 = back.iter().sum::<f64>() * 0.01;
@@ -379,21 +428,41 @@ mod tests {
 
     #[test]
     fn a_fifth_of_a_pixel_is_shared_four_to_one() {
-        let placing = Placing { offset: [0.2, 0.0], ..plain([5, 1], [3, 1]) };
+        let placing = Placing {
+            offset: [0.2, 0.0],
+            ..plain([5, 1], [3, 1])
+        };
         let device = shown(&placing, &[0.0, 1.0, 0.0], 0.0);
         for (found, expected) in device.iter().zip([0.0, 0.0, 0.8, 0.2, 0.0]) {
             assert!((found - expected).abs() < 1e-8, "{device:?}");
         }
         let miss = placing.miss(0.0).unwrap();
-        assert!((miss[0] + 0.2).abs() < 1e-9 && miss[1].abs() < 1e-9, "{miss:?}");
+        assert!(
+            (miss[0] + 0.2).abs() < 1e-9 && miss[1].abs() < 1e-9,
+            "{miss:?}"
+        );
     }
 
     #[test]
     fn needs_grow_with_turns_and_offsets() {
         let placing = plain([1, 1], [30, 10]);
         assert_eq!(placing.needed([0.0, 0.0]), [30, 10]);
-        assert_eq!(Placing { turn: turn(1, 0.0), ..placing.clone() }.needed([0.0; 2]), [10, 30]);
-        assert_eq!(Placing { offset: [-5.0, 2.0], ..placing.clone() }.needed([0.0; 2]), [40, 14]);
+        assert_eq!(
+            Placing {
+                turn: turn(1, 0.0),
+                ..placing.clone()
+            }
+            .needed([0.0; 2]),
+            [10, 30]
+        );
+        assert_eq!(
+            Placing {
+                offset: [-5.0, 2.0],
+                ..placing.clone()
+            }
+            .needed([0.0; 2]),
+            [40, 14]
+        );
         assert_eq!(placing.needed([-0.1, 0.3]), [36, 10]);
         assert!(placing.overlap([29.0, 0.0]) && !placing.overlap([30.0, 0.0]));
         assert!(placing.overlap([29.0, 9.0]) && !placing.overlap([0.0, -10.0]));

@@ -174,18 +174,40 @@ impl PrinterSpec {
             if value >= least && value <= most {
                 return Ok(());
             }
-            Err(Error::config(format!("printer.{key}"), format!("found {value}"), accepted))
+            Err(Error::config(
+                format!("printer.{key}"),
+                format!("found {value}"),
+                accepted,
+            ))
         };
         for (i, n) in self.canvas.iter().flatten().enumerate() {
             let accepted = format!("a whole number from 1 to {LARGEST_EDGE}");
-            finite(&format!("canvas[{i}]"), *n as f64, 1.0, LARGEST_EDGE as f64, &accepted)?;
+            finite(
+                &format!("canvas[{i}]"),
+                *n as f64,
+                1.0,
+                LARGEST_EDGE as f64,
+                &accepted,
+            )?;
         }
         if let Some(Mm(pitch)) = self.pixel_pitch_mm {
-            finite("pixel_pitch_mm", pitch, f64::MIN_POSITIVE, 100.0, "a length > 0, at most 100 mm")?;
+            finite(
+                "pixel_pitch_mm",
+                pitch,
+                f64::MIN_POSITIVE,
+                100.0,
+                "a length > 0, at most 100 mm",
+            )?;
         }
         let most = LARGEST_EDGE as f64;
         for (i, value) in self.offset_px.into_iter().enumerate() {
-            finite(&format!("offset_px[{i}]"), value, -most, most, "pixels, -16384 to 16384")?;
+            finite(
+                &format!("offset_px[{i}]"),
+                value,
+                -most,
+                most,
+                "pixels, -16384 to 16384",
+            )?;
         }
         if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
             return Err(Error::config(
@@ -198,7 +220,13 @@ impl PrinterSpec {
             let key = format!("copies_px[{}][{}]", i / 2, i % 2);
             finite(&key, *value, -most, most, "pixels, -16384 to 16384")?;
         }
-        finite("quarter_turns", f64::from(self.quarter_turns), 0.0, 3.0, "0, 1, 2 or 3")?;
+        finite(
+            "quarter_turns",
+            f64::from(self.quarter_turns),
+            0.0,
+            3.0,
+            "0, 1, 2 or 3",
+        )?;
         finite(
             "rotation_deg",
             self.rotation_deg,
@@ -206,16 +234,40 @@ impl PrinterSpec {
             45.0,
             "degrees, -45 to 45 (and printer.quarter_turns)",
         )?;
-        finite("axis_offset_mm", self.axis_offset_mm.0, -1000.0, 1000.0, "mm, -1000 to 1000")?;
+        finite(
+            "axis_offset_mm",
+            self.axis_offset_mm.0,
+            -1000.0,
+            1000.0,
+            "mm, -1000 to 1000",
+        )?;
         finite("wobble_mm", self.wobble_mm.0, 0.0, 1000.0, "mm, 0 or more")?;
-        finite("wobble_deg", self.wobble_deg, -360.0, 360.0, "degrees, -360 to 360")?;
+        finite(
+            "wobble_deg",
+            self.wobble_deg,
+            -360.0,
+            360.0,
+            "degrees, -360 to 360",
+        )?;
         if let Some(start) = self.start_deg {
             finite("start_deg", start, -360.0, 360.0, "degrees, -360 to 360")?;
         }
-        finite("refresh_hz", self.refresh_hz, 1.0, 100_000.0, "images a second, 1 to 100000")?;
+        finite(
+            "refresh_hz",
+            self.refresh_hz,
+            1.0,
+            100_000.0,
+            "images a second, 1 to 100000",
+        )?;
         let least = f64::MIN_POSITIVE;
         if let Some(peak) = self.peak_irradiance_mw_per_cm2 {
-            finite("peak_irradiance_mw_per_cm2", peak, least, 1e9, "a number > 0, mW/cm²")?;
+            finite(
+                "peak_irradiance_mw_per_cm2",
+                peak,
+                least,
+                1e9,
+                "a number > 0, mW/cm²",
+            )?;
         }
         if let Some(time) = self.time_s {
             finite("time_s", time, least, 1e9, "a number > 0, s")?;
@@ -253,8 +305,13 @@ impl PrinterSpec {
         for count in self.canvas.iter_mut().flatten() {
             *count = (*count as f64 / factor).ceil() as usize + 2;
         }
-        self.pixel_pitch_mm.iter_mut().for_each(|pitch| pitch.0 *= factor);
-        let lengths = self.offset_px.iter_mut().chain(self.copies_px.iter_mut().flatten());
+        self.pixel_pitch_mm
+            .iter_mut()
+            .for_each(|pitch| pitch.0 *= factor);
+        let lengths = self
+            .offset_px
+            .iter_mut()
+            .chain(self.copies_px.iter_mut().flatten());
         lengths.for_each(|length| *length /= factor);
         for pair in &mut self.copies_px {
             *pair = pair.map(|length| length + length.signum() * f64::from(length != 0.0));
@@ -288,11 +345,17 @@ impl Printer {
     /// [`Error::Config`] with the key below `printer`: ranges, a canvas that is smaller than the patterns, copies that
     /// overlap, maps of another size, a start or a sense that the angles do not allow; [`Error::Io`] and
     /// [`Error::Format`] for files.
-    pub fn new(spec: &PrinterSpec, base: &Path, pattern: &PatternGrid, rotation: Rotation) -> Result<Self> {
+    pub fn new(
+        spec: &PrinterSpec,
+        base: &Path,
+        pattern: &PatternGrid,
+        rotation: Rotation,
+    ) -> Result<Self> {
         spec.ranges()?;
         let mut notes = Vec::new();
         let phase = spec.wobble_deg.to_radians();
-        let shift = |azimuth: &f64| spec.axis_offset_mm.0 + spec.wobble_mm.0 * (phase - azimuth).sin();
+        let shift =
+            |azimuth: &f64| spec.axis_offset_mm.0 + spec.wobble_mm.0 * (phase - azimuth).sin();
         let shifts: Vec<f64> = pattern.azimuths.iter().map(shift).collect();
         let placings = placings(spec, pattern, &shifts)?;
         let order = order(spec, pattern, rotation, &mut notes)?;
@@ -341,7 +404,11 @@ impl Printer {
     pub fn canvas_grid(&self) -> PatternGrid {
         let placing = &self.placings[0];
         PatternGrid {
-            azimuths: self.order.iter().map(|&k| self.pattern.azimuths[k]).collect(),
+            azimuths: self
+                .order
+                .iter()
+                .map(|&k| self.pattern.azimuths[k])
+                .collect(),
             frame_arc: self.pattern.frame_arc,
             rows: placing.canvas[1],
             columns: placing.canvas[0],
@@ -356,7 +423,9 @@ impl Printer {
 
     /// Brightness of a device pixel.
     fn bright(&self, device: usize) -> f64 {
-        self.brightness.as_ref().map_or(1.0, |b| f64::from(b[device]))
+        self.brightness
+            .as_ref()
+            .map_or(1.0, |b| f64::from(b[device]))
     }
 
     /// The areas shared in a frame of the patterns, for one copy.
@@ -370,7 +439,8 @@ impl Printer {
     /// Every device pixel that a frame of the patterns lights, and its intensity at the vial.
     fn each_pixel(&self, patterns: &Patterns, frame: usize, mut put: impl FnMut(usize, f64)) {
         for copy in 0..self.placings.len() {
-            self.overlaps(frame, copy).forward(patterns.frame(frame), &mut put);
+            self.overlaps(frame, copy)
+                .forward(patterns.frame(frame), &mut put);
         }
     }
 
@@ -398,7 +468,10 @@ impl Printer {
     pub fn expose(&self, patterns: &Patterns, bits: u32) -> Result<Quantised> {
         super::quantise::check(patterns, bits)?;
         same_shape("patterns of the printer", &self.pattern, &patterns.grid)?;
-        let (white, tone) = (self.white(patterns) as f32, Tone::new(self.curve.as_ref(), bits));
+        let (white, tone) = (
+            self.white(patterns) as f32,
+            Tone::new(self.curve.as_ref(), bits),
+        );
         let grid = self.canvas_grid();
         let mut values = vec![0; grid.len()];
         if white > 0.0 {
@@ -415,7 +488,12 @@ impl Printer {
                     });
                 });
         }
-        Ok(Quantised { grid, bits, full_scale: white, values })
+        Ok(Quantised {
+            grid,
+            bits,
+            full_scale: white,
+            values,
+        })
     }
 
     /// The light that frames put into the vial of the first copy: patterns, in the order of the light's angles.
@@ -434,7 +512,8 @@ impl Printer {
             .map(|(j, &frame)| {
                 let levels = &frames.values[j * self.device_pixels()..][..self.device_pixels()];
                 let mut light = vec![0.0f64; pixels];
-                let value = |device: usize| tone.intensity(levels[device]) * white * self.bright(device);
+                let value =
+                    |device: usize| tone.intensity(levels[device]) * white * self.bright(device);
                 self.overlaps(frame, 0).back(value, &mut light);
                 light.into_iter().map(|v| v as f32).collect()
             })
@@ -454,7 +533,8 @@ impl Printer {
             .values
             .par_chunks(self.device_pixels().max(1))
             .map(|levels| {
-                let light = |(device, &level): (usize, &u16)| tone.intensity(level) * self.bright(device);
+                let light =
+                    |(device, &level): (usize, &u16)| tone.intensity(level) * self.bright(device);
                 levels.iter().enumerate().map(light).sum()
             })
             .collect();
@@ -482,7 +562,9 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
         canvas: spec.canvas.unwrap_or([1, 1]),
         pattern: size_of(pattern),
         pattern_pitch: pattern.pitch_mm,
-        pitch: spec.pixel_pitch_mm.map_or(pattern.pitch_mm, |pitch| pitch.0),
+        pitch: spec
+            .pixel_pitch_mm
+            .map_or(pattern.pitch_mm, |pitch| pitch.0),
         turn: turn(spec.quarter_turns, spec.rotation_deg),
         flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
         offset: [spec.offset_px[0] + copy[0], spec.offset_px[1] + copy[1]],
@@ -505,7 +587,9 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
         needed = [needed[0].max(one[0]), needed[1].max(one[1])];
     }
     match spec.canvas {
-        None => placings.iter_mut().for_each(|placing| placing.canvas = needed),
+        None => placings
+            .iter_mut()
+            .for_each(|placing| placing.canvas = needed),
         Some(canvas) if canvas[0] < needed[0] || canvas[1] < needed[1] => {
             return Err(Error::config(
                 "printer.canvas",
@@ -513,7 +597,10 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
                     "{} × {} pixels, but the patterns of {} × {} need {} × {} with their scale, turns and offsets",
                     canvas[0], canvas[1], pattern.columns, pattern.rows, needed[0], needed[1]
                 ),
-                format!("at least [{}, {}], or fewer light.pixels", needed[0], needed[1]),
+                format!(
+                    "at least [{}, {}], or fewer light.pixels",
+                    needed[0], needed[1]
+                ),
             ));
         }
         Some(_) => {}
@@ -522,7 +609,12 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
 }
 
 /// The frame of the patterns that is shown as number j.
-fn order(spec: &PrinterSpec, pattern: &PatternGrid, rotation: Rotation, notes: &mut Vec<String>) -> Result<Vec<usize>> {
+fn order(
+    spec: &PrinterSpec,
+    pattern: &PatternGrid,
+    rotation: Rotation,
+    notes: &mut Vec<String>,
+) -> Result<Vec<usize>> {
     let frames = pattern.frames();
     let full = (pattern.frame_arc * frames as f64 - TAU).abs() < 1e-9;
     let forward = spec.sense.is_none_or(|sense| sense == rotation);
@@ -568,7 +660,8 @@ fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<Curve>> {
     let Some(file) = &spec.grey_curve_file else {
         return Ok(None);
     };
-    let points = super::maps::read_table(&base.join(file)).map_err(|e| at_key("grey_curve_file", e))?;
+    let points =
+        super::maps::read_table(&base.join(file)).map_err(|e| at_key("grey_curve_file", e))?;
     Curve::new(&points, "printer.grey_curve_file").map(Some)
 }
 
@@ -582,7 +675,11 @@ fn brightness(spec: &PrinterSpec, base: &Path, canvas: [usize; 2]) -> Result<Opt
     if let Some(map) = &mut map {
         let most = map.iter().copied().fold(0.0, f32::max);
         if most <= 0.0 {
-            return Err(Error::config("printer.flat_field", "a map that is dark everywhere", "an image of an even white"));
+            return Err(Error::config(
+                "printer.flat_field",
+                "a map that is dark everywhere",
+                "an image of an even white",
+            ));
         }
         map.iter_mut().for_each(|v| *v /= most);
     }
@@ -600,7 +697,11 @@ fn brightness(spec: &PrinterSpec, base: &Path, canvas: [usize; 2]) -> Result<Opt
 /// Says which key named a file that cannot be used.
 fn at_key(key: &str, error: Error) -> Error {
     let (found, accepted) = match &error {
-        Error::Format { path, found, accepted } => (format!("{}: {found}", path.display()), accepted.clone()),
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => (format!("{}: {found}", path.display()), accepted.clone()),
         Error::Io { .. } => (error.to_string(), "a file that can be read".to_owned()),
         _ => return error.under(&format!("printer.{key}")),
     };

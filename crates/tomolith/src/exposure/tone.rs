@@ -100,11 +100,12 @@ impl Tone {
         if above == 0 {
             return 0;
         }
-        let nearest = if above == table.len() || intensity - table[above - 1] < table[above] - intensity {
-            above - 1
-        } else {
-            above
-        };
+        let nearest =
+            if above == table.len() || intensity - table[above - 1] < table[above] - intensity {
+                above - 1
+            } else {
+                above
+            };
         nearest as u16
     }
 }
@@ -126,7 +127,9 @@ mod tests {
         for i in 0..1000 {
             let wanted = f64::from(i) / 999.0;
             let found = (tone.intensity(tone.level(wanted)) - wanted).abs();
-            let best = (0..=255).map(|l| (tone.intensity(l) - wanted).abs()).fold(1.0, f64::min);
+            let best = (0..=255)
+                .map(|l| (tone.intensity(l) - wanted).abs())
+                .fold(1.0, f64::min);
             assert_eq!(found, best, "{wanted}");
         }
     }
@@ -141,15 +144,26 @@ mod tests {
     fn what_is_no_curve_is_refused_with_the_place() {
         for (points, word) in [
             (&[[0.0, 0.0]][..], "1 points"),
-            (&[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]], "between points 2 and 3: not monotone"),
-            (&[[0.0, 0.0], [0.5, 0.5], [0.5, 0.6], [1.0, 1.0]], "the value goes from 0.5 to 0.5"),
+            (
+                &[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]],
+                "between points 2 and 3: not monotone",
+            ),
+            (
+                &[[0.0, 0.0], [0.5, 0.5], [0.5, 0.6], [1.0, 1.0]],
+                "the value goes from 0.5 to 0.5",
+            ),
             (&[[0.0, 0.0], [0.9, 1.0]], "values from 0 to 0.9"),
             (&[[0.0, -0.1], [1.0, 1.0]], "an intensity of -0.1"),
             (&[[0.0, 0.0], [1.0, f64::NAN]], "point 2"),
             (&[[0.0, 0.0], [1.0, 0.0]], "not monotone"),
         ] {
-            let message = Curve::new(points, "printer.grey_curve").unwrap_err().to_string();
-            assert!(message.contains(word) && message.starts_with("printer.grey_curve"), "{message}");
+            let message = Curve::new(points, "printer.grey_curve")
+                .unwrap_err()
+                .to_string();
+            assert!(
+                message.contains(word) && message.starts_with("printer.grey_curve"),
+                "{message}"
+            );
         }
     }
 }

@@ -3,6 +3,7 @@
 //! *What must it do, and who does it.* One file a format. Whatever is written appears whole or not at all: every
 //! writer goes through [`whole`].
 
+pub mod array;
 pub mod csv;
 pub mod frames;
 #[cfg(test)]

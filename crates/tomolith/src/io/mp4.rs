@@ -267,7 +267,9 @@ pub fn read_movie(path: &Path, rows: usize, columns: usize) -> Result<Frames> {
         each_image(&track, group, |_, image| {
             let (width, height) = image.dimensions();
             if width < columns || height < rows {
-                return Err(format!("frames of {width} × {height} pixels instead of {columns} × {rows}"));
+                return Err(format!(
+                    "frames of {width} × {height} pixels instead of {columns} × {rows}"
+                ));
             }
             for row in image.y().chunks(image.strides().0).take(rows) {
                 levels.extend(row[..columns].iter().map(|&level| u16::from(level)));
@@ -566,10 +568,18 @@ mod tests {
 
     #[test]
     fn a_movie_is_read_back_in_order_without_its_padding() {
-        let (grid, values) = movie(20, 17, 33, 8, |k, r, c| (k * 5 + r * 4 + c * 2) as f64 / 255.0);
+        let (grid, values) = movie(20, 17, 33, 8, |k, r, c| {
+            (k * 5 + r * 4 + c * 2) as f64 / 255.0
+        });
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
-        let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
+        let set = FrameSet {
+            light: None,
+            grid: &grid,
+            bits: 8,
+            full_scale: 1.0,
+            values: &values,
+        };
         write_movie(&path, &set, 30.0).unwrap();
         let read = read_movie(&path, 17, 33).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);

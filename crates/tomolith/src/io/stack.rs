@@ -51,7 +51,10 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
         for set in lights {
             let name = |what| name_of(what, set.light);
             let depth = if set.bits > 8 { 16 } else { 8 };
-            let levels = set.values.iter().map(|&level| rescale(level, set.bits, depth));
+            let levels = set
+                .values
+                .iter()
+                .map(|&level| rescale(level, set.bits, depth));
             if depth == 8 {
                 let levels = levels.map(|level| level as u8).collect();
                 add_levels(&mut npz, &name("frames"), set, levels)?;
@@ -59,7 +62,11 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
                 add_levels(&mut npz, &name("frames"), set, levels.collect())?;
             }
             add(&mut npz, &name("bits"), vec![i64::from(set.bits)])?;
-            add(&mut npz, &name("full_scale"), vec![f64::from(set.full_scale)])?;
+            add(
+                &mut npz,
+                &name("full_scale"),
+                vec![f64::from(set.full_scale)],
+            )?;
             add(&mut npz, &name("azimuth_rad"), set.grid.azimuths.clone())?;
             add(&mut npz, &name("pitch_mm"), vec![set.grid.pitch_mm])?;
         }
@@ -82,8 +89,13 @@ fn add_levels<W: Write + Seek, T: WritableElement>(
     npz.add_array(name, &array).map_err(other)
 }
 
-fn add<W: Write + Seek, T: WritableElement>(npz: &mut NpzWriter<W>, name: &str, values: Vec<T>) -> Result<(), Refused> {
-    npz.add_array(name, &Array1::from_vec(values)).map_err(other)
+fn add<W: Write + Seek, T: WritableElement>(
+    npz: &mut NpzWriter<W>,
+    name: &str,
+    values: Vec<T>,
+) -> Result<(), Refused> {
+    npz.add_array(name, &Array1::from_vec(values))
+        .map_err(other)
 }
 
 /// Reads the frames of one light.
@@ -94,14 +106,20 @@ pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
     let bad = |found: String| Error::Format {
         path: path.to_owned(),
         found,
-        accepted: "an .npz with `frames`, u8 or u16 [frame, row, column], and its `bits` and `full_scale`".to_owned(),
+        accepted:
+            "an .npz with `frames`, u8 or u16 [frame, row, column], and its `bits` and `full_scale`"
+                .to_owned(),
     };
     let file = File::open(path).map_err(|e| Error::io(path, e))?;
     let mut npz = NpzReader::new(BufReader::new(file)).map_err(|e| bad(e.to_string()))?;
     let name = name_of("frames", light);
     let (depth, array): (u32, Array3<u16>) = match npz.by_name::<ndarray::OwnedRepr<u8>, _>(&name) {
         Ok(bytes) => (8, bytes.mapv(u16::from)),
-        Err(_) => (16, npz.by_name(&name).map_err(|e| bad(format!("{name}: {e}")))?),
+        Err(_) => (
+            16,
+            npz.by_name(&name)
+                .map_err(|e| bad(format!("{name}: {e}")))?,
+        ),
     };
     let bits: Option<i64> = npz
         .by_name::<ndarray::OwnedRepr<i64>, ndarray::Ix1>(&name_of("bits", light))
@@ -120,7 +138,10 @@ pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
         shape: [frames, rows, columns],
         bits,
         full_scale: full_scale.map(|scale| scale as f32),
-        values: array.iter().map(|&level| rescale(level, depth, bits)).collect(),
+        values: array
+            .iter()
+            .map(|&level| rescale(level, depth, bits))
+            .collect(),
     })
 }
 
@@ -135,17 +156,35 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frames.npz");
         let grid = PatternGrid::full_turn(5, 0.0, 3, 7, 0.1);
-        let levels = |bits| (0..grid.len()).map(|i| (i * 37) as u16 % (top_level(bits).saturating_add(1).max(1))).collect::<Vec<_>>();
+        let levels = |bits| {
+            (0..grid.len())
+                .map(|i| (i * 37) as u16 % (top_level(bits).saturating_add(1).max(1)))
+                .collect::<Vec<_>>()
+        };
         let (blue, uv) = (levels(8), levels(12));
-        let set = |light, bits, values| FrameSet { light: Some(light), grid: &grid, bits, full_scale: 0.3, values };
+        let set = |light, bits, values| FrameSet {
+            light: Some(light),
+            grid: &grid,
+            bits,
+            full_scale: 0.3,
+            values,
+        };
         write_stack(&path, &[set("blue", 8, &blue), set("uv", 12, &uv)]).unwrap();
         let read = read_stack(&path, Some("uv")).unwrap();
         assert_eq!((read.bits, read.shape, &read.values), (12, [5, 3, 7], &uv));
         assert_eq!(read_stack(&path, Some("blue")).unwrap().values, blue);
-        assert!(read_stack(&path, None).unwrap_err().to_string().contains("frames"));
+        assert!(
+            read_stack(&path, None)
+                .unwrap_err()
+                .to_string()
+                .contains("frames")
+        );
         // What a reader in another language sees
         let mut npz = NpzReader::new(File::open(&path).unwrap()).unwrap();
         let bytes: Array3<u8> = npz.by_name("frames_blue").unwrap();
-        assert_eq!(bytes.iter().map(|&b| u16::from(b)).collect::<Vec<_>>(), blue);
+        assert_eq!(
+            bytes.iter().map(|&b| u16::from(b)).collect::<Vec<_>>(),
+            blue
+        );
     }
 }

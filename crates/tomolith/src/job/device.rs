@@ -5,7 +5,9 @@ use super::progress::{Event, Progress};
 use super::scene::Scene;
 use super::spec::{Angles, JobSpec};
 use crate::error::{Error, Result};
-use crate::exposure::{Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise};
+use crate::exposure::{
+    Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise,
+};
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::frames::{FrameSet, Frames, read_frames, write_frames};
 use crate::io::mp4::{check_movie, read_movie, write_movie};
@@ -28,14 +30,23 @@ pub(crate) const EXPOSURE: &str = "exposure.json";
 ///
 /// # Errors
 /// As [`Printer::new`].
-pub(crate) fn printers(spec: &JobSpec, base: &Path, lights: &[Light]) -> Result<Option<Vec<Printer>>> {
+pub(crate) fn printers(
+    spec: &JobSpec,
+    base: &Path,
+    lights: &[Light],
+) -> Result<Option<Vec<Printer>>> {
     let Some(printer) = &spec.printer else {
         return Ok(None);
     };
     let one = |(light, named): (&Light, &super::spec::LightSpec)| {
         Printer::new(printer, base, &light.pixels, named.rotation)
     };
-    lights.iter().zip(&spec.light).map(one).collect::<Result<_>>().map(Some)
+    lights
+        .iter()
+        .zip(&spec.light)
+        .map(one)
+        .collect::<Result<_>>()
+        .map(Some)
 }
 
 /// The largest pattern value in the time that the print may take, and that time.
@@ -56,7 +67,10 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
     })?;
     let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
     let frames = spec.light.iter().map(|light| light.angles.count()).sum();
-    let exposure = Exposure { frames, ..exposure(spec, 0, gel_dose) };
+    let exposure = Exposure {
+        frames,
+        ..exposure(spec, 0, gel_dose)
+    };
     Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
 }
 
@@ -68,7 +82,10 @@ fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
         Angles::List(_) => 0.0,
     };
     Exposure {
-        peak_mw_per_cm2: spec.printer.as_ref().and_then(|printer| printer.peak_irradiance_mw_per_cm2),
+        peak_mw_per_cm2: spec
+            .printer
+            .as_ref()
+            .and_then(|printer| printer.peak_irradiance_mw_per_cm2),
         rpm: spec.output.rpm,
         frames: angles.count(),
         frame_arc,
@@ -95,13 +112,29 @@ impl Written {
     pub(crate) fn of_raw(raw: Vec<Patterns>, scene: &Scene) -> Result<Self> {
         let bits = scene.spec.evaluate.bit_depth;
         let Some(printers) = &scene.printers else {
-            let frames: Vec<Quantised> = raw.iter().map(|raw| quantise(raw, bits)).collect::<Result<_>>()?;
+            let frames: Vec<Quantised> = raw
+                .iter()
+                .map(|raw| quantise(raw, bits))
+                .collect::<Result<_>>()?;
             let shown = frames.iter().map(Quantised::patterns).collect();
-            return Ok(Written { shown, raw: Some(raw), frames: Some(frames) });
+            return Ok(Written {
+                shown,
+                raw: Some(raw),
+                frames: Some(frames),
+            });
         };
-        let light = |(printer, raw): (&Printer, &Patterns)| printer.light_of(&printer.expose(raw, bits)?);
-        let shown = printers.iter().zip(&raw).map(light).collect::<Result<_>>()?;
-        Ok(Written { shown, raw: Some(raw), frames: None })
+        let light =
+            |(printer, raw): (&Printer, &Patterns)| printer.light_of(&printer.expose(raw, bits)?);
+        let shown = printers
+            .iter()
+            .zip(&raw)
+            .map(light)
+            .collect::<Result<_>>()?;
+        Ok(Written {
+            shown,
+            raw: Some(raw),
+            frames: None,
+        })
     }
 
     /// The levels of the machine, per light.
@@ -111,16 +144,24 @@ impl Written {
     pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantised]>> {
         match (&self.frames, &self.raw, &scene.printers) {
             (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
-            (None, Some(raw), Some(printers)) => exposed(printers, raw, scene.spec.evaluate.bit_depth).map(Cow::Owned),
+            (None, Some(raw), Some(printers)) => {
+                exposed(printers, raw, scene.spec.evaluate.bit_depth).map(Cow::Owned)
+            }
             _ => Ok(Cow::Borrowed(&[])),
         }
     }
 }
 
 /// Levels of patterns on their machines.
-pub(crate) fn exposed(printers: &[Printer], wanted: &[Patterns], bits: u32) -> Result<Vec<Quantised>> {
+pub(crate) fn exposed(
+    printers: &[Printer],
+    wanted: &[Patterns],
+    bits: u32,
+) -> Result<Vec<Quantised>> {
     let pairs = printers.iter().zip(wanted);
-    pairs.map(|(printer, wanted)| printer.expose(wanted, bits)).collect()
+    pairs
+        .map(|(printer, wanted)| printer.expose(wanted, bits))
+        .collect()
 }
 
 /// Patterns of a file, one set per light of the job: `patterns.npz`, or what a machine shows: a folder of frames, a
@@ -141,14 +182,25 @@ pub(crate) fn read(scene: &Scene, path: &Path, progress: &mut dyn Progress) -> R
         Some(printers) => printers[i].light_of(frames),
         None => Ok(frames.patterns()),
     };
-    let shown = frames.iter().enumerate().map(light).collect::<Result<_>>()?;
-    Ok(Written { shown, raw: None, frames: Some(frames) })
+    let shown = frames
+        .iter()
+        .enumerate()
+        .map(light)
+        .collect::<Result<_>>()?;
+    Ok(Written {
+        shown,
+        raw: None,
+        frames: Some(frames),
+    })
 }
 
 /// Names of the lights for files: none when there is only one.
 pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
     let several = spec.light.len() > 1;
-    spec.light.iter().map(|light| light.name.as_deref().filter(|_| several)).collect()
+    spec.light
+        .iter()
+        .map(|light| light.name.as_deref().filter(|_| several))
+        .collect()
 }
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown.
@@ -157,8 +209,15 @@ fn of_patterns(scene: &Scene, shown: Vec<Patterns>, raw: Option<Vec<Patterns>>) 
         return Written::of_raw(raw.unwrap_or(shown), scene);
     }
     let bits = scene.spec.evaluate.bit_depth;
-    let frames = shown.iter().map(|patterns| quantise(patterns, bits)).collect::<Result<_>>()?;
-    Ok(Written { shown, raw, frames: Some(frames) })
+    let frames = shown
+        .iter()
+        .map(|patterns| quantise(patterns, bits))
+        .collect::<Result<_>>()?;
+    Ok(Written {
+        shown,
+        raw,
+        frames: Some(frames),
+    })
 }
 
 /// `patterns.npz`: what is shown and, when the file holds it for every light, what was wanted.
@@ -170,14 +229,24 @@ pub(crate) fn wanted_of(
     let arrays = read_patterns(path)?;
     let (mut shown, mut raw) = (Vec::new(), Vec::new());
     for (light, name) in optics.lights.iter().zip(names) {
-        let found = arrays.iter().find(|a| a.light.as_deref() == *name).ok_or_else(|| Error::Format {
-            path: path.to_owned(),
-            found: format!("no patterns for the light {}", name.unwrap_or("(the only one)")),
-            accepted: "one array `patterns`, or `patterns_<light>` for each light of the job".to_owned(),
-        })?;
+        let found = arrays
+            .iter()
+            .find(|a| a.light.as_deref() == *name)
+            .ok_or_else(|| Error::Format {
+                path: path.to_owned(),
+                found: format!(
+                    "no patterns for the light {}",
+                    name.unwrap_or("(the only one)")
+                ),
+                accepted: "one array `patterns`, or `patterns_<light>` for each light of the job"
+                    .to_owned(),
+            })?;
         let grid = &light.pixels;
         same_shape(path, "patterns [angle, row, column]", grid, found.shape)?;
-        let patterns = |values: &Vec<f32>| Patterns { grid: grid.clone(), values: values.clone() };
+        let patterns = |values: &Vec<f32>| Patterns {
+            grid: grid.clone(),
+            values: values.clone(),
+        };
         shown.push(patterns(&found.shown));
         raw.extend(found.raw.as_ref().map(patterns));
     }
@@ -197,20 +266,28 @@ fn same_shape(path: &Path, what: &str, grid: &PatternGrid, found: [usize; 3]) ->
 }
 
 /// Frames of one light in a folder, a stack or a movie; None when the file is none of these.
-fn frames_of(scene: &Scene, i: usize, path: &Path, progress: &mut dyn Progress) -> Result<Option<Quantised>> {
+fn frames_of(
+    scene: &Scene,
+    i: usize,
+    path: &Path,
+    progress: &mut dyn Progress,
+) -> Result<Option<Quantised>> {
     let name = names(&scene.spec)[i];
     let grid = match &scene.printers {
         Some(printers) => printers[i].canvas_grid(),
         None => scene.optics.lights[i].pixels.clone(),
     };
-    let is_movie = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("mp4"));
+    let is_movie = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("mp4"));
     let found = if path.is_dir() {
         read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?
     } else if is_movie {
         if name.is_some() {
             return Err(Error::Unsupported {
                 what: path.display().to_string(),
-                reason: "a movie holds one light, the job has several: give the folder of frames".to_owned(),
+                reason: "a movie holds one light, the job has several: give the folder of frames"
+                    .to_owned(),
             });
         }
         read_movie(path, grid.rows, grid.columns)?
@@ -221,13 +298,28 @@ fn frames_of(scene: &Scene, i: usize, path: &Path, progress: &mut dyn Progress) 
         }
     };
     same_shape(path, "frames [frame, row, column]", &grid, found.shape)?;
-    let Frames { bits, full_scale, values, .. } = found;
-    let full_scale = full_scale.or_else(|| white_beside(path)).unwrap_or_else(|| {
-        let text = format!("{} does not say what white is worth: it is taken as 1", path.display());
-        progress.event(&Event::Note { text });
-        1.0
-    });
-    Ok(Some(Quantised { grid, bits, full_scale, values }))
+    let Frames {
+        bits,
+        full_scale,
+        values,
+        ..
+    } = found;
+    let full_scale = full_scale
+        .or_else(|| white_beside(path))
+        .unwrap_or_else(|| {
+            let text = format!(
+                "{} does not say what white is worth: it is taken as 1",
+                path.display()
+            );
+            progress.event(&Event::Note { text });
+            1.0
+        });
+    Ok(Some(Quantised {
+        grid,
+        bits,
+        full_scale,
+        values,
+    }))
 }
 
 /// White of a movie, from the file beside it that names it.
@@ -235,7 +327,10 @@ fn white_beside(path: &Path) -> Option<f32> {
     let text = std::fs::read_to_string(path.with_file_name(EXPOSURE)).ok()?;
     let exposure: Value = serde_json::from_str(&text).ok()?;
     let name = path.file_name()?.to_str()?;
-    let light = exposure["lights"].as_array()?.iter().find(|light| light["movie"] == name)?;
+    let light = exposure["lights"]
+        .as_array()?
+        .iter()
+        .find(|light| light["movie"] == name)?;
     light["white"].as_f64().map(|white| white as f32)
 }
 
@@ -272,7 +367,12 @@ impl<'a> Shown<'a> {
             };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
             let area_mm2 = grid.pitch_mm * grid.pitch_mm;
-            let budget = exposure(spec, i, gel_dose).budget(white, emitted, grid.rows * grid.columns, area_mm2);
+            let budget = exposure(spec, i, gel_dose).budget(
+                white,
+                emitted,
+                grid.rows * grid.columns,
+                area_mm2,
+            );
             ShownLight {
                 bits: frames.bits,
                 white: frames.full_scale,
@@ -281,7 +381,11 @@ impl<'a> Shown<'a> {
             }
         };
         let lights = frames.iter().enumerate().map(light).collect();
-        Shown { spec, names, lights }
+        Shown {
+            spec,
+            names,
+            lights,
+        }
     }
 
     pub(crate) fn lights(&self) -> &[ShownLight] {
@@ -298,7 +402,12 @@ impl<'a> Shown<'a> {
         progress: &mut dyn Progress,
     ) -> Result<Vec<MovieReport>> {
         write_frames(&folder.join("frames"), sets)?;
-        if self.spec.printer.as_ref().is_some_and(|printer| printer.stack) {
+        if self
+            .spec
+            .printer
+            .as_ref()
+            .is_some_and(|printer| printer.stack)
+        {
             write_stack(&folder.join("frames.npz"), sets)?;
         }
         let rpm = self.spec.output.rpm;
@@ -310,11 +419,16 @@ impl<'a> Shown<'a> {
                 let text = "a list of angles has no frame rate: no movie is written".to_owned();
                 progress.event(&Event::Note { text });
             } else {
-                let part = set.light.map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
+                let part = set
+                    .light
+                    .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
                 let name = movie_name(&part, rpm);
                 let path = folder.join(&name);
                 write_movie(&path, set, frame_rate(rpm, set.grid.frames(), arc)?)?;
-                movies.push(MovieReport { check: check_movie(&path, set)?, file: name.clone() });
+                movies.push(MovieReport {
+                    check: check_movie(&path, set)?,
+                    file: name.clone(),
+                });
                 movie = Some(name);
             }
             lights.push(self.light_json(i, set, movie.as_deref()));
@@ -329,8 +443,17 @@ impl<'a> Shown<'a> {
 
     fn light_json(&self, i: usize, set: &FrameSet<'_>, movie: Option<&str>) -> Value {
         let (spec, grid) = (&self.spec.light[i], set.grid);
-        let sense = self.spec.printer.as_ref().and_then(|printer| printer.sense).unwrap_or(spec.rotation);
-        let degrees: Vec<f64> = grid.azimuths.iter().map(|a| a.rem_euclid(TAU).to_degrees()).collect();
+        let sense = self
+            .spec
+            .printer
+            .as_ref()
+            .and_then(|printer| printer.sense)
+            .unwrap_or(spec.rotation);
+        let degrees: Vec<f64> = grid
+            .azimuths
+            .iter()
+            .map(|a| a.rem_euclid(TAU).to_degrees())
+            .collect();
         json!({
             "name": self.names[i],
             "movie": movie,

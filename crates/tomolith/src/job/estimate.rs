@@ -310,6 +310,7 @@ fn thinned<T: Copy>(volume: &Volume<T>, step: usize) -> Volume<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::LANES;
 
     fn extent() -> Extent {
         Extent {

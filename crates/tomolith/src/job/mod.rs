@@ -6,12 +6,14 @@
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
 //! | every row of every family's table | [`kinds`], [`schema`] |
+//! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
 mod device;
 pub mod document;
 mod estimate;
+pub mod export;
 pub mod folder;
 mod judge;
 pub mod kinds;

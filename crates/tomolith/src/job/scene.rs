@@ -118,14 +118,18 @@ impl Scene {
 
     /// Bounds the pixels by what the machine can give in the time that it has.
     fn bound_by_time(&mut self) -> Result<()> {
-        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response()?.as_ref())? else {
+        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response()?.as_ref())?
+        else {
             return Ok(());
         };
         let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
         if max < self.spec.bounds.min {
             return Err(Error::config(
                 "printer.time_s",
-                format!("in {seconds} s a pixel gives {white:.4}, less than bounds.min = {}", self.spec.bounds.min),
+                format!(
+                    "in {seconds} s a pixel gives {white:.4}, less than bounds.min = {}",
+                    self.spec.bounds.min
+                ),
                 "more time or more light",
             ));
         }

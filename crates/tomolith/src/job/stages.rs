@@ -1,5 +1,6 @@
 //! The stages of a run: target → voxels → patterns → judgement → files.
 
+use super::device::{self, Written};
 use super::estimate::{self, Work};
 use super::folder::RunFolder;
 use super::judge::judge;
@@ -8,9 +9,8 @@ use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::device::{self, Written};
 use super::write::{self, Done};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::Run;
 use crate::report::Timing;

@@ -59,7 +59,10 @@ fn printer(spec: &JobSpec) -> Result<()> {
             shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)?;
         }
     }
-    if spec.printer.as_ref().is_some_and(|printer| printer.time_s.is_some())
+    if spec
+        .printer
+        .as_ref()
+        .is_some_and(|printer| printer.time_s.is_some())
         && spec.resin.critical_dose_mj_per_mm3.is_none()
     {
         return Err(Error::config(

@@ -1,7 +1,7 @@
 //! The files of a run folder.
 
-use super::folder::RunFolder;
 use super::device::{self, Written};
+use super::folder::RunFolder;
 use super::judge::Judged;
 use super::optimise::Optimised;
 use super::progress::Progress;
@@ -68,7 +68,13 @@ pub(crate) fn all(
         .collect();
     let gel_dose = judged.gel_dose(scene)?;
     let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
-    let shown = device::Shown::new(&scene.spec, scene.printers.as_deref(), &names, &frames, gel_dose);
+    let shown = device::Shown::new(
+        &scene.spec,
+        scene.printers.as_deref(),
+        &names,
+        &frames,
+        gel_dose,
+    );
     let movies = shown.write(&new, &scene.name, &sets, progress)?;
     write_volume(&new.join("dose.npy"), &judged.dose)?;
     write_vti(

@@ -543,9 +543,16 @@ fn patterns(data: &ReportData<'_>) -> String {
 /// Time, energy and use of the light.
 fn machine(light: &LightReport<'_>) -> String {
     let budget = &light.budget;
-    let of = if light.name.is_empty() { String::new() } else { format!(", light {}", escape(light.name)) };
+    let of = if light.name.is_empty() {
+        String::new()
+    } else {
+        format!(", light {}", escape(light.name))
+    };
     let number = |value: Option<f64>, unit: &str| {
-        value.map_or_else(|| "–".to_owned(), |value| format!("{} {unit}", significant(value, 3)))
+        value.map_or_else(
+            || "–".to_owned(),
+            |value| format!("{} {unit}", significant(value, 3)),
+        )
     };
     let canvas = light.canvas.map_or_else(
         || "the patterns as they are".to_owned(),
@@ -553,12 +560,24 @@ fn machine(light: &LightReport<'_>) -> String {
     );
     let rows: String = [
         ("Device", canvas),
-        ("Time to print", budget.time_s.map_or_else(|| "–".to_owned(), clock)),
+        (
+            "Time to print",
+            budget.time_s.map_or_else(|| "–".to_owned(), clock),
+        ),
         ("Turns of the vial", number(budget.turns, "")),
-        ("White, over the whole print", number(budget.white_mj_per_mm2, "mJ/mm²")),
-        ("Energy at the vial per turn", number(budget.energy_per_turn_mj, "mJ")),
+        (
+            "White, over the whole print",
+            number(budget.white_mj_per_mm2, "mJ/mm²"),
+        ),
+        (
+            "Energy at the vial per turn",
+            number(budget.energy_per_turn_mj, "mJ"),
+        ),
         ("Energy at the vial in all", number(budget.energy_mj, "mJ")),
-        ("Share of the device's light that is used", number(Some(100.0 * budget.light_used), "%")),
+        (
+            "Share of the device's light that is used",
+            number(Some(100.0 * budget.light_used), "%"),
+        ),
     ]
     .iter()
     .map(|(name, value)| format!("<tr><td>{name}</td><td>{value}</td></tr>"))
@@ -568,7 +587,9 @@ fn machine(light: &LightReport<'_>) -> String {
     } else {
         ""
     };
-    format!("<section><h2>On the printer{of}</h2><table class=\"plain\"><tbody>{rows}</tbody></table>{missing}</section>")
+    format!(
+        "<section><h2>On the printer{of}</h2><table class=\"plain\"><tbody>{rows}</tbody></table>{missing}</section>"
+    )
 }
 
 /// Seconds as hours, minutes and seconds.

@@ -105,7 +105,9 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
     })
 }
 
-fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
+/// The numbers and curves of an evaluation.
+#[must_use]
+pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
     let mut map: Map<String, Value> = evaluation
         .measures
         .0

@@ -4,6 +4,7 @@
 //! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
 //! dark, and fits a desk and a telephone.
 
+pub mod compare;
 mod figures;
 pub mod html;
 pub mod json;
