@@ -1,5 +1,9 @@
 //! What can be typed.
 
+use crate::compare::CompareArguments;
+use crate::export::{CalibrateArguments, ExportArguments};
+use crate::metrics::MetricsArguments;
+use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -11,6 +15,8 @@ Examples:
   tomolith simulate gear.toml --patterns old.npz    what do these patterns print?
   tomolith kinds vial                               every vial with its parameters
   tomolith schema > job.schema.json                 for editors that complete TOML
+  tomolith export out/01-gear --output gear-frames  frames and movie for a machine
+  tomolith compare out/01-gear out/02-gyroid        runs side by side on one page
 
 Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 cancelled";
 
@@ -42,6 +48,18 @@ pub(crate) enum Command {
     },
     /// Print the JSON Schema of a job file
     Schema,
+    /// Turn a mesh into voxels: .npy, .vti or .png
+    Voxelize(VoxelizeArguments),
+    /// Turn a part by formula into voxels: .npy, .vti or .png
+    Phantom(PhantomArguments),
+    /// Measure a dose against a target, anybody's arrays: every number of the report and every published one
+    Metrics(MetricsArguments),
+    /// Write frames and movie of a run for another machine
+    Export(ExportArguments),
+    /// Draw calibration frames for a machine
+    Calibrate(CalibrateArguments),
+    /// Put several runs side by side on one page
+    Compare(CompareArguments),
 }
 
 #[derive(Debug, Args)]
@@ -88,8 +106,8 @@ pub(crate) struct RunArguments {
 pub(crate) struct SimulateArguments {
     #[command(flatten)]
     pub(crate) job: JobArguments,
-    /// The patterns: `patterns.npz` of a run folder
-    #[arg(long, value_name = "NPZ")]
+    /// The patterns: `patterns.npz` of a run folder; or what a machine shows: a folder of frames, `frames.npz`, a movie
+    #[arg(long, value_name = "FILE")]
     pub(crate) patterns: PathBuf,
     /// Run folder, in place of `output.folder`
     #[arg(long, short, value_name = "DIR")]

@@ -3,9 +3,13 @@
 //! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 cancelled.
 
 mod arguments;
+mod compare;
+mod export;
 mod help;
+mod metrics;
 mod screen;
 mod trouble;
+mod voxelize;
 
 use arguments::{Arguments, Command, JobArguments, Manner, RunArguments, SimulateArguments};
 use clap::Parser;
@@ -42,6 +46,12 @@ fn main() -> ExitCode {
             )
         }
         Command::Schema => (Manner::default(), help::schema().map(|()| true)),
+        Command::Voxelize(given) => quick(given.sampling.manner, || voxelize::voxelize(given)),
+        Command::Phantom(given) => quick(given.sampling.manner, || voxelize::phantom(given)),
+        Command::Metrics(given) => quick(given.manner, || metrics::metrics(given)),
+        Command::Export(given) => quick(given.manner, || export::export(given)),
+        Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
+        Command::Compare(given) => quick(given.manner, || compare::compare(given)),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,
@@ -55,6 +65,11 @@ fn main() -> ExitCode {
             })
         }
     }
+}
+
+/// A command that is met when it ends without an error.
+fn quick(manner: Manner, work: impl FnOnce() -> Result<()>) -> (Manner, Result<bool>) {
+    (manner, prepare(manner).and_then(|()| work()).map(|()| true))
 }
 
 /// `tomolith run`: whether the asked quality was met.

@@ -390,13 +390,44 @@ const WRONG: &[Wrong] = &[
         "[48, 4]",
         &["light[0].pixels", "along the axis"],
     ),
-    // Tables that are planned
+    // The machine
     (
         "[stop]",
         "[printer]\nrpm = 3\n[stop]",
-        "[printer]",
-        &["printer", "not built yet"],
+        "rpm = 3",
+        &["printer.rpm", "unknown name"],
     ),
+    (
+        "[stop]",
+        "[printer]\ncanvas = [40, 60]\n[stop]",
+        "[40, 60]",
+        &["printer.canvas", "need 48 × 24", "at least [48, 24]"],
+    ),
+    (
+        "[stop]",
+        "[printer]\ngrey_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
+        "grey_curve",
+        &["printer.grey_curve", "not monotone"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nflat_field = \"none.png\"\n[stop]",
+        "flat_field",
+        &["printer.flat_field", "none.png"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nrefresh_hz = 4.0\n[stop]",
+        "[output]",
+        &["output.rpm", "5 frames a second", "at most 8 turns"],
+    ),
+    (
+        "[stop]",
+        "[printer]\ncopies_px = [[0, 0], [30, 0]]\n[stop]",
+        "copies_px",
+        &["printer.copies_px", "copies 1 and 2 overlap"],
+    ),
+    // What is planned
     (
         "0.05",
         "0.05\nscattering_per_mm = 1.0",

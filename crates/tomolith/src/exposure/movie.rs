@@ -43,6 +43,63 @@ pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
     Ok(rpm / 60.0 * TAU * frames as f64 / arc)
 }
 
+/// Slowest movie that players show evenly, frames a second.
+const SLOWEST: f64 = 0.1;
+/// The fastest screens, images a second: the limit where no printer says its own.
+pub const FASTEST: f64 = 240.0;
+
+/// The frame rate of a movie at `rpm`, when a device that shows `refresh_hz` images a second can play it.
+///
+/// ```
+/// use tomolith::exposure::shown_rate;
+/// assert_eq!(shown_rate(10.0, 360, std::f64::consts::TAU, 60.0).unwrap(), 60.0);
+/// let message = shown_rate(12.0, 360, std::f64::consts::TAU, 60.0).unwrap_err().to_string();
+/// assert!(message.contains("72 frames a second") && message.contains("at most 10 turns"), "{message}");
+/// ```
+///
+/// # Errors
+/// [`Error::Config`] with the nearest speed that works; as [`frame_rate`].
+pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<f64> {
+    let rate = frame_rate(rpm, frames, arc)?;
+    let speed = |rate_hz: f64| rpm * rate_hz / rate;
+    let refuse = |why: &str, accepted: String| {
+        Err(Error::config(
+            "output.rpm",
+            format!(
+                "{rpm} turns per minute make a movie of {} frames a second, which {why}",
+                short(rate)
+            ),
+            accepted,
+        ))
+    };
+    if rate > refresh_hz * (1.0 + 1e-9) {
+        let most = (frames as f64 * refresh_hz / rate).floor();
+        return refuse(
+            &format!("no screen of {refresh_hz} images a second shows"),
+            format!(
+                "at most {} turns per minute, or at most {most} frames",
+                short(speed(refresh_hz))
+            ),
+        );
+    }
+    if frames > 1 && rate < SLOWEST * (1.0 - 1e-9) {
+        let least = (frames as f64 * SLOWEST / rate).ceil();
+        return refuse(
+            "players do not show evenly",
+            format!(
+                "at least {} turns per minute, or at least {least} frames",
+                short(speed(SLOWEST))
+            ),
+        );
+    }
+    Ok(rate)
+}
+
+/// At most four digits behind the point.
+fn short(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
+}
+
 /// `<part>_<rpm>rpm.mp4`; what is no letter, digit, `-`, `_` or `.` in the part's name becomes `_`.
 #[must_use]
 pub fn movie_name(part: &str, rpm: f64) -> String {
@@ -64,6 +121,26 @@ pub fn movie_name(part: &str, rpm: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rates_that_no_player_shows_come_with_the_nearest_that_works() {
+        let message = |rpm, frames| shown_rate(rpm, frames, TAU, 60.0).unwrap_err().to_string();
+        let fast = message(30.0, 300);
+        assert!(
+            fast.starts_with("output.rpm: ") && fast.contains("at most 12 turns"),
+            "{fast}"
+        );
+        assert!(fast.contains("at most 120 frames"), "{fast}");
+        let slow = message(0.01, 300);
+        assert!(
+            slow.contains("0.05 frames") && slow.contains("at least 0.02 turns"),
+            "{slow}"
+        );
+        assert!(slow.contains("at least 600 frames"), "{slow}");
+        for (rpm, frames) in [(12.0, 300), (30.0, 120), (0.02, 300), (0.01, 600)] {
+            assert!(shown_rate(rpm, frames, TAU, 60.0).is_ok(), "{rpm} {frames}");
+        }
+    }
 
     #[test]
     fn half_a_turn_in_half_the_frames_has_the_same_rate() {

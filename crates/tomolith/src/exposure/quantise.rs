@@ -49,24 +49,7 @@ pub struct Quantised {
 /// # Errors
 /// [`Error::Config`] when `bits` is not 1…16; [`Error::NonFinite`] when a value is negative, infinite or not a number.
 pub fn quantise(patterns: &Patterns, bits: u32) -> Result<Quantised> {
-    if !(1..=16).contains(&bits) {
-        return Err(Error::config(
-            "bit_depth",
-            format!("found {bits}"),
-            "a whole number 1…16",
-        ));
-    }
-    if let Some(&value) = patterns
-        .values
-        .par_iter()
-        .find_first(|v| !(v.is_finite() && **v >= 0.0))
-    {
-        return Err(Error::NonFinite {
-            what: "a pattern value to be quantised".to_owned(),
-            value: f64::from(value),
-            iteration: 0,
-        });
-    }
+    check(patterns, bits)?;
     let full_scale = patterns.values.par_iter().copied().reduce(|| 0.0, f32::max);
     let mut values = vec![0; patterns.values.len()];
     if full_scale > 0.0 {
@@ -89,6 +72,29 @@ pub fn quantise(patterns: &Patterns, bits: u32) -> Result<Quantised> {
     })
 }
 
+/// Whether patterns can be brought to a bit depth.
+pub(super) fn check(patterns: &Patterns, bits: u32) -> Result<()> {
+    if !(1..=16).contains(&bits) {
+        return Err(Error::config(
+            "bit_depth",
+            format!("found {bits}"),
+            "a whole number 1…16",
+        ));
+    }
+    if let Some(&value) = patterns
+        .values
+        .par_iter()
+        .find_first(|v| !(v.is_finite() && **v >= 0.0))
+    {
+        return Err(Error::NonFinite {
+            what: "a pattern value to be quantised".to_owned(),
+            value: f64::from(value),
+            iteration: 0,
+        });
+    }
+    Ok(())
+}
+
 impl Quantised {
     /// The patterns that these levels stand for: q/(2^bits − 1)·full_scale.
     #[must_use]
@@ -103,6 +109,17 @@ impl Quantised {
                 .map(|&q| (f64::from(q) / top * scale) as f32)
                 .collect(),
         }
+    }
+
+    /// Sum over all pixels of level over highest level.
+    #[must_use]
+    pub fn sum(&self) -> f64 {
+        let blocks: Vec<u64> = self
+            .values
+            .par_chunks(BLOCK)
+            .map(|block| block.iter().map(|&q| u64::from(q)).sum())
+            .collect();
+        blocks.iter().sum::<u64>() as f64 / f64::from(top_level(self.bits))
     }
 
     /// A view of these levels for writers of frames and movies.

@@ -3,6 +3,7 @@
 //! *What must it do, and who does it.* One file a format. Whatever is written appears whole or not at all: every
 //! writer goes through [`whole`].
 
+pub mod array;
 pub mod csr;
 pub mod csv;
 pub mod frames;
@@ -12,6 +13,7 @@ pub mod image;
 pub mod mesh;
 pub mod mp4;
 pub mod npy;
+pub mod stack;
 pub mod stl;
 pub mod vti;
 pub mod whole;

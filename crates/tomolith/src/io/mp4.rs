@@ -40,12 +40,12 @@
 //! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
 //! ```
 
-use super::frames::FrameSet;
+use super::frames::{FrameSet, Frames};
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use muxide::api::{MuxerBuilder, VideoCodec};
 use openh264::OpenH264API;
-use openh264::decoder::Decoder;
+use openh264::decoder::{DecodedYUV, Decoder};
 use openh264::encoder::{
     BitRate, Complexity, Encoder, EncoderConfig, FrameRate, IntraFramePeriod, QpRange,
     RateControlMode, VuiConfig,
@@ -254,15 +254,50 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
     })
 }
 
-/// Largest error and sum of squared errors of a group of frames.
-fn compare(
+/// Reads the levels of a movie of H.264 as [`write_movie`] writes it, 8 bits, `[frame, row, column]`; of padded frames the
+/// given number of rows and columns from the top left.
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Format`] when the file is damaged, smaller than the frames, or cannot be decoded.
+pub fn read_movie(path: &Path, rows: usize, columns: usize) -> Result<Frames> {
+    let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    let track = Track::find(&file).ok_or_else(|| refused(path, "no readable H.264 track"))?;
+    let decode = |group: std::ops::Range<usize>| {
+        let mut levels = Vec::with_capacity(group.len() * rows * columns);
+        each_image(&track, group, |_, image| {
+            let (width, height) = image.dimensions();
+            if width < columns || height < rows {
+                return Err(format!(
+                    "frames of {width} × {height} pixels instead of {columns} × {rows}"
+                ));
+            }
+            for row in image.y().chunks(image.strides().0).take(rows) {
+                levels.extend(row[..columns].iter().map(|&level| u16::from(level)));
+            }
+            Ok(())
+        })?;
+        Ok(levels)
+    };
+    let groups: Vec<Vec<u16>> = groups(track.samples.len())
+        .into_par_iter()
+        .map(decode)
+        .collect::<Result<_, String>>()
+        .map_err(|message| refused(path, &message))?;
+    Ok(Frames {
+        shape: [track.samples.len(), rows, columns],
+        bits: 8,
+        full_scale: None,
+        values: groups.concat(),
+    })
+}
+
+/// Decodes a group of frames.
+fn each_image(
     track: &Track<'_>,
     group: std::ops::Range<usize>,
-    set: &FrameSet<'_>,
-    size: (usize, usize),
-) -> Result<(u8, u64), String> {
+    mut see: impl FnMut(usize, &DecodedYUV<'_>) -> Result<(), String>,
+) -> Result<(), String> {
     let mut decoder = Decoder::new().map_err(|e| e.to_string())?;
-    let (mut largest, mut squares) = (0, 0);
     for frame in group {
         let packet = track
             .packet(frame)
@@ -271,6 +306,20 @@ fn compare(
             .decode(&packet)
             .map_err(|e| format!("frame {frame}: {e}"))?
             .ok_or_else(|| format!("frame {frame} holds no image"))?;
+        see(frame, &image)?;
+    }
+    Ok(())
+}
+
+/// Largest error and sum of squared errors of a group of frames.
+fn compare(
+    track: &Track<'_>,
+    group: std::ops::Range<usize>,
+    set: &FrameSet<'_>,
+    size: (usize, usize),
+) -> Result<(u8, u64), String> {
+    let (mut largest, mut squares) = (0, 0);
+    each_image(track, group, |frame, image| {
         if image.dimensions() != size {
             return Err(format!("frame {frame} has {:?} pixels", image.dimensions()));
         }
@@ -280,7 +329,8 @@ fn compare(
             largest = largest.max(error);
             squares += u64::from(error) * u64::from(error);
         }
-    }
+        Ok(())
+    })?;
     Ok((largest, squares))
 }
 
@@ -514,6 +564,29 @@ mod tests {
             "{check:?}"
         );
         assert!(check.rms_error < 0.6, "{check:?}");
+    }
+
+    #[test]
+    fn a_movie_is_read_back_in_order_without_its_padding() {
+        let (grid, values) = movie(20, 17, 33, 8, |k, r, c| {
+            (k * 5 + r * 4 + c * 2) as f64 / 255.0
+        });
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.mp4");
+        let set = FrameSet {
+            light: None,
+            grid: &grid,
+            bits: 8,
+            full_scale: 1.0,
+            values: &values,
+        };
+        write_movie(&path, &set, 30.0).unwrap();
+        let read = read_movie(&path, 17, 33).unwrap();
+        assert_eq!(read.shape, [20, 17, 33]);
+        for (found, expected) in read.values.iter().zip(&values) {
+            assert!(found.abs_diff(*expected) <= 4, "{found} {expected}");
+        }
+        assert!(read_movie(&path, 17, 40).is_err());
     }
 
     #[test]

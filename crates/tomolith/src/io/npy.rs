@@ -20,7 +20,7 @@
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use ndarray::{Array3, ArrayView3};
+use ndarray::{Array2, Array3, ArrayView3};
 use ndarray_npy::{
     NpzReader, NpzWriter, ReadNpyError, ReadNpyExt, ReadNpzError, ReadableElement, WritableElement,
     WriteNpyExt,
@@ -91,6 +91,23 @@ pub fn read_volume<T: ReadableElement>(path: &Path) -> Result<([usize; 3], Vec<T
     let array = Array3::<T>::read_npy(BufReader::new(file))
         .map_err(|e| bad(path, e, "a 3D .npy array [z, y, x] of the stated type"))?;
     Ok(c_order(array))
+}
+
+/// Reads a 2D `.npy` array of f32 or f64, `[row, column]`: its shape and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
+pub fn read_matrix(path: &Path) -> Result<([usize; 2], Vec<f32>)> {
+    let open = || File::open(path).map(BufReader::new);
+    let wide = |file| Array2::<f64>::read_npy(file).map(|array| array.mapv(|v| v as f32));
+    let file = open().map_err(|e| Error::io(path, e))?;
+    let array = match Array2::<f32>::read_npy(file) {
+        Ok(array) => array,
+        Err(_) => wide(open().map_err(|e| Error::io(path, e))?)
+            .map_err(|e| bad(path, e, "a 2D .npy array of f32 or f64"))?,
+    };
+    let (rows, columns) = array.dim();
+    Ok(([rows, columns], array.iter().copied().collect()))
 }
 
 /// Reads an `.npy` volume of f32 onto a grid.

@@ -40,6 +40,15 @@ pub(crate) struct Judged {
     pub(crate) warnings: Vec<String>,
 }
 
+impl Judged {
+    /// Dose at which the print of the headline is solid; None when nothing is.
+    pub(crate) fn gel_dose(&self, scene: &Scene) -> Result<Option<f64>> {
+        let response = scene.response()?;
+        let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
+        Ok(self.evaluation.gel_threshold.map(dose))
+    }
+}
+
 /// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from.
 ///
 /// # Errors

@@ -6,12 +6,15 @@
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
 //! | every row of every family's table | [`kinds`], [`schema`] |
+//! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
 mod coarse;
+mod device;
 pub mod document;
 mod estimate;
+pub mod export;
 pub mod folder;
 mod judge;
 pub mod kinds;
@@ -156,9 +159,9 @@ folder = "out/part"
             ),
             (
                 "0.95",
-                "0.95\n[printer]\nrpm = 3",
-                "[printer",
-                ["printer", "not built yet"],
+                "0.95\n[penalty]\nsparsity = 3",
+                "[penalty",
+                ["penalty", "not built yet"],
             ),
             (
                 "iterations = 40",

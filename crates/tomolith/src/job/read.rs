@@ -5,6 +5,7 @@ use super::kinds::{Family, families, with_defaults};
 use super::spec::{Angles, JobSpec, ProjectorSpec, default_objective};
 use super::validate;
 use crate::error::{Error, Result};
+use crate::exposure::PrinterSpec;
 use std::path::{Path, PathBuf};
 
 /// How much coarser a quick trial is, and its limits.
@@ -101,6 +102,9 @@ impl Job {
         for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
             *file = absolute(&self.base().join(&*file));
         }
+        for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
+            *file = absolute(&self.base().join(&*file));
+        }
         spec
     }
 
@@ -125,6 +129,9 @@ impl Job {
                 Angles::List(list) => list.truncate(TOY_FRAMES),
             }
         }
+        spec.printer
+            .iter_mut()
+            .for_each(|printer| printer.coarsen(TOY));
         spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
         spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
         spec.evaluate.require_iou = None;

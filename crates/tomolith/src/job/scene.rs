@@ -1,12 +1,14 @@
 //! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
 
 use super::build::Optics;
+use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use crate::error::{Error, Result};
+use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::kind::Section;
@@ -41,6 +43,8 @@ pub(crate) struct Scene {
     pub(crate) shape: Box<dyn Shape>,
     /// Vial and lights.
     pub(crate) optics: Optics,
+    /// The machine, one per light.
+    pub(crate) printers: Option<Vec<Printer>>,
     /// Voxels of the optimisation.
     pub(crate) grid: VolumeGrid,
     /// How large it all is.
@@ -73,6 +77,7 @@ impl Scene {
         }
         RunFolder::check(&job.folder())?;
         let optics = Optics::new(&spec)?;
+        let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         try_kinds(&spec, shape.is_grey(), &job.base())?;
@@ -101,9 +106,13 @@ impl Scene {
             spec,
             shape,
             optics,
+            printers,
             grid,
             extent,
         };
+        let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
+        scene.warnings.extend(notes.cloned());
+        scene.bound_by_time()?;
         if scene.spec.resin.pure_radon && scene.spec.resin.absorption_per_mm > 0.0 {
             scene
                 .warnings
@@ -119,6 +128,30 @@ impl Scene {
             "a folder on a larger disk, or a smaller job",
         )?;
         Ok(scene)
+    }
+
+    /// Bounds the pixels by what the machine can give in the time that it has.
+    fn bound_by_time(&mut self) -> Result<()> {
+        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response()?.as_ref())?
+        else {
+            return Ok(());
+        };
+        let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
+        if max < self.spec.bounds.min {
+            return Err(Error::config(
+                "printer.time_s",
+                format!(
+                    "in {seconds} s a pixel gives {white:.4}, less than bounds.min = {}",
+                    self.spec.bounds.min
+                ),
+                "more time or more light",
+            ));
+        }
+        self.spec.bounds.max = Some(max);
+        self.notes.push(format!(
+            "in {seconds} s the brightest pixel gives {white:.4}: bounds.max is {max:.4}"
+        ));
+        Ok(())
     }
 
     /// Lowers the optimiser's memory and the refinement of the evaluation until both fit, and says so.

@@ -7,6 +7,8 @@
 
 use super::document::Document;
 use crate::error::{Error, Result};
+use crate::exposure::PrinterSpec;
+pub use crate::exposure::Rotation;
 use crate::kind::Section;
 use crate::optics::interface::Polarisation;
 use crate::optimize::checkpoint;
@@ -19,16 +21,11 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 3] = [
+const PLANNED: [(&str, &str, &str); 2] = [
     (
         "bath",
         "absorbing baths are not in this version",
         "a clear bath's index is vial.surrounding_index",
-    ),
-    (
-        "printer",
-        "models of machines are not in this version",
-        "patterns are exported as they are: no canvas, no flips, no grey curve",
     ),
     (
         "resin.phase",
@@ -89,6 +86,9 @@ pub struct JobSpec {
     /// How the written patterns are judged.
     #[serde(default)]
     pub evaluate: EvaluateSpec,
+    /// The machine that shows the patterns; they are shown as they are without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub printer: Option<PrinterSpec>,
     /// What is written, and where.
     #[serde(default)]
     pub output: OutputSpec,
@@ -175,17 +175,6 @@ pub struct LightSpec {
     pub polarisation: Polarisation,
     /// The optics, `projector.KIND`.
     pub projector: ProjectorSpec,
-}
-
-/// Sense in which the vial turns, seen from above.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Rotation {
-    /// Light then arrives counter-clockwise in the resin: azimuths grow.
-    #[default]
-    Clockwise,
-    /// Azimuths fall.
-    Counterclockwise,
 }
 
 /// The optics of a light.

@@ -1,5 +1,6 @@
 //! The stages of a run: target → voxels → patterns → judgement → files.
 
+use super::device::{self, Written};
 use super::estimate::{self, Work};
 use super::folder::RunFolder;
 use super::judge::judge;
@@ -8,11 +9,8 @@ use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::write::{self, Done, Written};
+use super::write::{self, Done};
 use crate::error::{Error, Result};
-use crate::exposure::quantise;
-use crate::grid::Patterns;
-use crate::io::npy::read_patterns;
 use crate::metrics::Evaluation;
 use crate::models::Run;
 use crate::report::Timing;
@@ -35,7 +33,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
     clock.stage("evaluating the written patterns");
-    let patterns = Written::quantised(optimised.raw.clone(), scene.spec.evaluate.bit_depth)?;
+    let patterns = Written::of_raw(optimised.raw.clone(), &scene)?;
     let judged = judge(
         &scene,
         &voxels,
@@ -74,7 +72,7 @@ pub fn simulate(
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let scene = Scene::new(job)?;
-    let patterns = read(&scene, patterns)?;
+    let patterns = device::read(&scene, patterns, clock.progress)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
@@ -257,54 +255,6 @@ fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxe
         .chain(found)
         .collect();
     Ok((voxels, warnings))
-}
-
-/// Patterns of a file, one set per light of the job.
-fn read(scene: &Scene, path: &Path) -> Result<Written> {
-    let arrays = read_patterns(path)?;
-    let (mut shown, mut raw) = (Vec::new(), Vec::new());
-    for (i, light) in scene.optics.lights.iter().enumerate() {
-        let name = scene.light_name(i);
-        let found = arrays
-            .iter()
-            .find(|a| a.light.as_deref() == name)
-            .ok_or_else(|| Error::Format {
-                path: path.to_owned(),
-                found: format!(
-                    "no patterns for the light {}",
-                    name.unwrap_or("(the only one)")
-                ),
-                accepted: "one array `patterns`, or `patterns_<light>` for each light of the job"
-                    .to_owned(),
-            })?;
-        let grid = &light.pixels;
-        if found.shape != grid.shape() {
-            return Err(Error::Shape {
-                what: format!("{}: patterns [angle, row, column]", path.display()),
-                expected: grid.shape().to_vec(),
-                found: found.shape.to_vec(),
-            });
-        }
-        shown.push(Patterns {
-            grid: grid.clone(),
-            values: found.shown.clone(),
-        });
-        raw.extend(found.raw.clone().map(|values| Patterns {
-            grid: grid.clone(),
-            values,
-        }));
-    }
-    let bits = scene.spec.evaluate.bit_depth;
-    let quantised = shown
-        .iter()
-        .map(|patterns| quantise(patterns, bits))
-        .collect::<Result<_>>()?;
-    let raw = (raw.len() == shown.len()).then_some(raw);
-    Ok(Written {
-        quantised,
-        shown,
-        raw,
-    })
 }
 
 fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {

@@ -2,6 +2,8 @@
 
 use super::spec::{Angles, BoundsSpec, JobSpec, LightSpec};
 use crate::error::{Error, Result};
+use crate::exposure::movie::FASTEST;
+use crate::exposure::shown_rate;
 use std::collections::BTreeSet;
 
 /// Fastest turn of a vial, 1/min.
@@ -39,7 +41,37 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
     lights(&spec.light)?;
     spec.objectives()?;
     bounds_and_stop(spec)?;
-    evaluate_and_output(spec)
+    evaluate_and_output(spec)?;
+    printer(spec)
+}
+
+/// The machine, and whether it can show the frames as fast as they follow each other.
+fn printer(spec: &JobSpec) -> Result<()> {
+    let refresh_hz = match &spec.printer {
+        None => FASTEST,
+        Some(printer) => {
+            printer.ranges()?;
+            printer.refresh_hz
+        }
+    };
+    for light in &spec.light {
+        if let Angles::Even { count, arc_deg, .. } = light.angles {
+            shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)?;
+        }
+    }
+    if spec
+        .printer
+        .as_ref()
+        .is_some_and(|printer| printer.time_s.is_some())
+        && spec.resin.critical_dose_mj_per_mm3.is_none()
+    {
+        return Err(Error::config(
+            "printer.time_s",
+            "a time without the dose that the resin needs",
+            "resin.critical_dose_mj_per_mm3 beside it, or no such key",
+        ));
+    }
+    Ok(())
 }
 
 fn grid(spec: &JobSpec) -> Result<()> {
@@ -407,6 +439,20 @@ mod tests {
             ("evaluate.require_iou=99", "evaluate.require_iou"),
             ("evaluate.threshold=0", "evaluate.threshold"),
             ("output.rpm=0", "output.rpm"),
+            ("output.rpm=90", "output.rpm"),
+            ("output.rpm=0.03", "output.rpm"),
+            ("printer.quarter_turns=4", "printer.quarter_turns"),
+            ("printer.canvas=[0, 9]", "printer.canvas[0]"),
+            ("printer.refresh_hz=20", "output.rpm"),
+            ("printer.time_s=60", "printer.time_s"),
+            (
+                "printer={ time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 }",
+                "printer.time_s",
+            ),
+            (
+                "printer.grey_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]",
+                "printer.grey_curve",
+            ),
             ("output.folder=\"\"", "output.folder"),
             ("objectives=[{ l2 = {} }]", "objectives"),
         ] {

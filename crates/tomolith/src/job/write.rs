@@ -1,18 +1,16 @@
 //! The files of a run folder.
 
+use super::device::{self, Written};
 use super::folder::RunFolder;
 use super::judge::Judged;
 use super::optimise::Optimised;
-use super::progress::{Event, Progress};
+use super::progress::Progress;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::Result;
-use crate::exposure::{Quantised, frame_rate, movie_name, quantise};
-use crate::grid::Patterns;
 use crate::io::csv::{HistoryRow, write_history};
-use crate::io::frames::{FrameSet, write_frames};
-use crate::io::mp4::{check_movie, write_movie};
+use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
@@ -22,35 +20,6 @@ use crate::metrics::published::value_of;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
 use std::path::Path;
-
-/// The patterns of a run, per light.
-pub(crate) struct Written {
-    /// As whole numbers.
-    pub(crate) quantised: Vec<Quantised>,
-    /// What they stand for.
-    pub(crate) shown: Vec<Patterns>,
-    /// Before quantisation.
-    pub(crate) raw: Option<Vec<Patterns>>,
-}
-
-impl Written {
-    /// Raw patterns and what the projector makes of them at its bit depth.
-    ///
-    /// # Errors
-    /// As [`quantise`].
-    pub(crate) fn quantised(raw: Vec<Patterns>, bits: u32) -> Result<Self> {
-        let quantised = raw
-            .iter()
-            .map(|raw| quantise(raw, bits))
-            .collect::<Result<Vec<_>>>()?;
-        let shown = quantised.iter().map(Quantised::patterns).collect();
-        Ok(Written {
-            quantised,
-            shown,
-            raw: Some(raw),
-        })
-    }
-}
 
 /// Everything there is at the end of a run.
 pub(crate) struct Done<'a> {
@@ -93,14 +62,22 @@ pub(crate) fn all(
         })
         .collect();
     write_patterns(&new.join("patterns.npz"), &pairs)?;
-    let sets: Vec<FrameSet<'_>> = patterns
-        .quantised
+    let frames = patterns.frames(scene)?;
+    let sets: Vec<FrameSet<'_>> = frames
         .iter()
         .enumerate()
         .map(|(i, levels)| levels.frames(scene.light_name(i)))
         .collect();
-    write_frames(&new.join("frames"), &sets)?;
-    let movies = movies(scene, &sets, &new, progress)?;
+    let gel_dose = judged.gel_dose(scene)?;
+    let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
+    let shown = device::Shown::new(
+        &scene.spec,
+        scene.printers.as_deref(),
+        &names,
+        &frames,
+        gel_dose,
+    );
+    let movies = shown.write(&new, &scene.name, &sets, progress)?;
     write_volume(&new.join("dose.npy"), &judged.dose)?;
     write_vti(
         &new.join("dose.vti"),
@@ -116,7 +93,7 @@ pub(crate) fn all(
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
     }
-    report(done, &new, &history, movies, timings)
+    report(done, &new, &history, movies, &shown, timings)
 }
 
 /// `report.json` and `report.html`.
@@ -125,6 +102,7 @@ fn report(
     folder: &Path,
     history: &[HistoryRow],
     movies: Vec<MovieReport>,
+    exposures: &device::Shown<'_>,
     timings: Vec<Timing>,
 ) -> Result<()> {
     let Done {
@@ -139,14 +117,16 @@ fn report(
     let lights = patterns
         .shown
         .iter()
-        .zip(&patterns.quantised)
+        .zip(exposures.lights())
         .zip(&scene.spec.light)
-        .map(|((shown, quantised), light)| LightReport {
+        .map(|((shown, exposure), light)| LightReport {
             name: light.name.as_deref().unwrap_or(""),
             patterns: shown,
-            bits: quantised.bits,
-            full_scale: quantised.full_scale,
+            bits: exposure.bits,
+            full_scale: exposure.white,
             wavelength_nm: Some(light.wavelength_nm),
+            canvas: exposure.canvas,
+            budget: exposure.budget,
         })
         .collect();
     let data = ReportData {
@@ -241,7 +221,7 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> 
 }
 
 /// Thresholds of the first objective, where it has any.
-fn window(spec: &JobSpec) -> Option<[f64; 2]> {
+pub(crate) fn window(spec: &JobSpec) -> Option<[f64; 2]> {
     let objective = spec.objectives().ok()?.swap_remove(0).value;
     objective.as_object()?.values().find_map(|parameters| {
         let get = |key: &str| parameters.get(key)?.as_f64();
@@ -292,40 +272,6 @@ fn date(now: std::time::SystemTime) -> String {
         minutes / 60,
         minutes % 60
     )
-}
-
-/// A movie per light, read back; lights whose frames make no movie (a list of angles) have none.
-fn movies(
-    scene: &Scene,
-    sets: &[FrameSet<'_>],
-    folder: &Path,
-    progress: &mut dyn Progress,
-) -> Result<Vec<MovieReport>> {
-    let mut checks = Vec::new();
-    for set in sets {
-        let arc = set.grid.frame_arc * set.grid.frames() as f64;
-        if arc == 0.0 {
-            let text = "a list of angles has no frame rate: no movie is written".to_owned();
-            progress.event(&Event::Note { text });
-            continue;
-        }
-        let part = set.light.map_or_else(
-            || scene.name.clone(),
-            |light| format!("{}_{light}", scene.name),
-        );
-        let name = movie_name(&part, scene.spec.output.rpm);
-        let path = folder.join(&name);
-        write_movie(
-            &path,
-            set,
-            frame_rate(scene.spec.output.rpm, set.grid.frames(), arc)?,
-        )?;
-        checks.push(MovieReport {
-            check: check_movie(&path, set)?,
-            file: name,
-        });
-    }
-    Ok(checks)
 }
 
 /// The predicted surface, the one that the evaluation measures, on all of its voxels.

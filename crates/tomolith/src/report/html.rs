@@ -7,7 +7,7 @@
 use super::figures::{FATES, dose_bar, error_bar, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
-use super::{MovieReport, ReportData};
+use super::{LightReport, MovieReport, ReportData};
 use crate::field::BLOCK;
 use crate::grid::Volume;
 use crate::io::csv::HistoryRow;
@@ -536,9 +536,71 @@ fn patterns(data: &ReportData<'_>) -> String {
                 significant(f64::from(light.full_scale), 4),
                 sinogram(light.patterns, light.full_scale),
                 strip(light.patterns, light.full_scale),
-            )
+            ) + &machine(light)
         })
         .collect()
+}
+
+/// Time, energy and use of the light.
+fn machine(light: &LightReport<'_>) -> String {
+    let budget = &light.budget;
+    let of = if light.name.is_empty() {
+        String::new()
+    } else {
+        format!(", light {}", escape(light.name))
+    };
+    let number = |value: Option<f64>, unit: &str| {
+        value.map_or_else(
+            || "–".to_owned(),
+            |value| format!("{} {unit}", significant(value, 3)),
+        )
+    };
+    let canvas = light.canvas.map_or_else(
+        || "the patterns as they are".to_owned(),
+        |[columns, rows]| format!("{columns} × {rows} pixels"),
+    );
+    let rows: String = [
+        ("Device", canvas),
+        (
+            "Time to print",
+            budget.time_s.map_or_else(|| "–".to_owned(), clock),
+        ),
+        ("Turns of the vial", number(budget.turns, "")),
+        (
+            "White, over the whole print",
+            number(budget.white_mj_per_mm2, "mJ/mm²"),
+        ),
+        (
+            "Energy at the vial per turn",
+            number(budget.energy_per_turn_mj, "mJ"),
+        ),
+        ("Energy at the vial in all", number(budget.energy_mj, "mJ")),
+        (
+            "Share of the device's light that is used",
+            number(Some(100.0 * budget.light_used), "%"),
+        ),
+    ]
+    .iter()
+    .map(|(name, value)| format!("<tr><td>{name}</td><td>{value}</td></tr>"))
+    .collect();
+    let missing = if budget.time_s.is_none() {
+        "<p class=\"note\">Times need resin.critical_dose_mj_per_mm3 and printer.peak_irradiance_mw_per_cm2.</p>"
+    } else {
+        ""
+    };
+    format!(
+        "<section><h2>On the printer{of}</h2><table class=\"plain\"><tbody>{rows}</tbody></table>{missing}</section>"
+    )
+}
+
+/// Seconds as hours, minutes and seconds.
+fn clock(seconds: f64) -> String {
+    let whole = seconds.round() as u64;
+    match whole {
+        0..60 => format!("{} s", significant(seconds, 3)),
+        60..3600 => format!("{} min {} s", whole / 60, whole % 60),
+        _ => format!("{} h {} min", whole / 3600, whole / 60 % 60),
+    }
 }
 
 fn table(data: &ReportData<'_>) -> String {

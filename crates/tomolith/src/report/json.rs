@@ -19,6 +19,7 @@
 
 use super::ReportData;
 use crate::metrics::Evaluation;
+use crate::metrics::evaluation::Histogram;
 use crate::metrics::spread::Spread;
 use serde_json::{Map, Value, json};
 
@@ -52,6 +53,8 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
                 "pitch_mm": number(grid.pitch_mm),
                 "bits": light.bits,
                 "full_scale": number(f64::from(light.full_scale)),
+                "canvas": light.canvas,
+                "budget": light.budget,
             })
         })
         .collect();
@@ -102,7 +105,9 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
     })
 }
 
-fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
+/// The numbers and curves of an evaluation.
+#[must_use]
+pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
     let mut map: Map<String, Value> = evaluation
         .measures
         .0
@@ -125,9 +130,17 @@ fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
         ("part", spread_json(evaluation.part)),
         ("void", spread_json(evaluation.void)),
         ("notes", json!(evaluation.notes)),
+        ("iou_curve", json!(evaluation.curve)),
+        ("histogram", histogram_json(&evaluation.histogram)),
     ];
     map.extend(rest.map(|(name, value)| (name.to_owned(), value)));
     map
+}
+
+/// Voxels per bin of part and void.
+fn histogram_json(histogram: &Histogram) -> Value {
+    let column = |i: usize| histogram.counts.iter().map(|n| n[i]).collect::<Vec<u64>>();
+    json!({ "range": histogram.range, "part": column(0), "void": column(1) })
 }
 
 fn spread_json(spread: Option<Spread>) -> Value {

@@ -4,6 +4,7 @@
 //! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
 //! dark, and fits a desk and a telephone.
 
+pub mod compare;
 mod figures;
 pub mod html;
 pub mod json;
@@ -12,6 +13,7 @@ mod picture;
 mod plot;
 
 use crate::error::{Error, Result};
+use crate::exposure::Budget;
 use crate::grid::{Patterns, Volume};
 use crate::io::csv::HistoryRow;
 use crate::io::mp4::MovieCheck;
@@ -33,6 +35,10 @@ pub struct LightReport<'a> {
     pub full_scale: f32,
     /// Wavelength, when known.
     pub wavelength_nm: Option<f64>,
+    /// Columns and rows of the device, when a printer is named.
+    pub canvas: Option<[usize; 2]>,
+    /// Time, energy and use of the light.
+    pub budget: Budget,
 }
 
 /// A movie that was written, and what a decoder made of it.
@@ -219,6 +225,15 @@ mod tests {
                     bits: 8,
                     full_scale: 6.0,
                     wavelength_nm: None,
+                    canvas: Some([32, 20]),
+                    budget: Budget {
+                        light_used: 0.25,
+                        white_mj_per_mm2: Some(40.0),
+                        time_s: Some(75.0),
+                        turns: Some(12.5),
+                        energy_per_turn_mj: Some(3.0),
+                        energy_mj: Some(37.5),
+                    },
                 }],
                 labels: &self.labels,
                 response: &self.response,
@@ -263,6 +278,8 @@ mod tests {
         assert_eq!(json["published"], serde_json::json!({}));
         assert_eq!(json["history"]["forward_calls"], 8);
         assert_eq!(json["run"]["timings_s"]["all"], 2.0);
+        assert_eq!(json["lights"][0]["budget"]["turns"], 12.5);
+        assert_eq!(json["lights"][0]["canvas"], serde_json::json!([32, 20]));
         let mut other = sample.data(&evaluation);
         (other.created, other.timings[0].seconds) = ("tomorrow", 9.0);
         let mut other = json::report_json(&other);
@@ -294,6 +311,7 @@ mod tests {
             assert!(!page.contains(bad), "{bad}");
         }
         assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
+        assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
         // Nine slices, a sinogram, eight frames
         assert_eq!(page.matches("data:image/png;base64,").count(), 18);
         for tag in ["section", "figure", "svg", "table", "div", "details"] {

@@ -1,0 +1,185 @@
+//! `tomolith metrics`: the numbers of anybody's dose against anybody's target.
+
+use crate::arguments::Manner;
+use crate::screen::say;
+use clap::Args;
+use serde_json::json;
+use tomolith::grid::{Volume, VolumeGrid};
+use tomolith::io::array::read_any;
+use tomolith::metrics::print::Print;
+use tomolith::metrics::published::Options;
+use tomolith::metrics::{Evaluation, METRICS, Published, evaluate, published};
+use tomolith::report::json::evaluation_json;
+use tomolith::target::label::{OUTSIDE, PART, VOID};
+use tomolith::{Error, Result};
+
+const EXAMPLES: &str = "\
+Examples:
+  tomolith metrics dose.npy target.npy --pitch-mm 0.02
+  tomolith metrics results.npz:dose results.npz:target --region cylinder --json
+Arrays are [z, y, x] or [y, x], of any number type; part is where the target is at least one half";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct MetricsArguments {
+    /// Dose (or response): FILE.npy, or FILE.npz:NAME
+    dose: String,
+    /// Target: inside fraction, 0 and 1, or grey values
+    target: String,
+    /// Which voxels count: 0 none, 1 void, 2 part, as in dose.vti of a run; in place of the target's half
+    #[arg(long, value_name = "ARRAY")]
+    labels: Option<String>,
+    /// Which voxels count: `box` for all, `cylinder` for the one about z that is inscribed
+    #[arg(long, default_value = "box", value_parser = ["box", "cylinder"])]
+    region: String,
+    /// Edge of a voxel, mm; distances are in voxels when left out
+    #[arg(long, value_name = "MM")]
+    pitch_mm: Option<f64>,
+    /// Dose at which the resin is solid; the one of the best IoU when left out
+    #[arg(long)]
+    threshold: Option<f64>,
+    /// The target's values are grey and to be reproduced
+    #[arg(long)]
+    grey: bool,
+    /// Half width of the band of BCLP's norms
+    #[arg(long, default_value_t = 0.05)]
+    epsilon: f64,
+    /// Per cent left out at each end of each region by the trimmed numbers
+    #[arg(long, default_value_t = 0.025)]
+    trim_percent: f64,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
+    let pitch_mm = given.pitch_mm.unwrap_or(1.0);
+    if !(pitch_mm.is_finite() && pitch_mm > 0.0) {
+        return Err(Error::config(
+            "--pitch-mm",
+            format!("found {pitch_mm}"),
+            "a number > 0, mm",
+        ));
+    }
+    let (shape, values) = read_any(&given.dose)?;
+    let grid = VolumeGrid::centered(shape, pitch_mm);
+    let dose = Volume {
+        grid: grid.clone(),
+        values,
+    };
+    let target = like(&grid, &given.target)?;
+    let labels = labels(given, &target)?;
+    let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
+    if given.grey {
+        print = print.with_grey(&target, given.epsilon)?;
+    }
+    if let Some(threshold) = given.threshold {
+        print = print.with_threshold(threshold)?;
+    }
+    let evaluation = evaluate(&print);
+    let options = Options {
+        grey: given.grey,
+        epsilon: given.epsilon,
+        trim_percent: given.trim_percent,
+        ..Options::default()
+    };
+    let numbers = published(&dose, &target, &labels, &options)?;
+    if given.manner.json {
+        let line = json!({ "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers });
+        say(&line.to_string());
+    } else if !given.manner.quiet {
+        show(&evaluation, &numbers, given.pitch_mm.is_some());
+    }
+    Ok(())
+}
+
+/// An array of the dose's shape.
+fn like(grid: &VolumeGrid, source: &str) -> Result<Volume<f32>> {
+    let (shape, values) = read_any(source)?;
+    if shape != grid.shape {
+        return Err(Error::Shape {
+            what: source.to_owned(),
+            expected: grid.shape.to_vec(),
+            found: shape.to_vec(),
+        });
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
+    })
+}
+
+fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> {
+    let grid = &target.grid;
+    let [_, ny, nx] = grid.shape;
+    let radius = if given.region == "cylinder" {
+        nx.min(ny) as f64 * grid.pitch_mm / 2.0
+    } else {
+        f64::INFINITY
+    };
+    let asked = given
+        .labels
+        .as_ref()
+        .map(|source| like(grid, source))
+        .transpose()?;
+    let label = |i: usize| {
+        let label = match &asked {
+            None if target.values[i] >= 0.5 => PART,
+            None => VOID,
+            Some(labels) => match labels.values[i] {
+                0.0 => OUTSIDE,
+                1.0 => VOID,
+                2.0 => PART,
+                other => {
+                    return Err(Error::config(
+                        "--labels",
+                        format!("a label of {other}"),
+                        "0 outside, 1 void, 2 part",
+                    ));
+                }
+            },
+        };
+        let inside = grid.x(i % nx).hypot(grid.y(i / nx % ny)) < radius;
+        Ok(if inside { label } else { OUTSIDE })
+    };
+    Ok(Volume {
+        grid: grid.clone(),
+        values: (0..grid.len()).map(label).collect::<Result<_>>()?,
+    })
+}
+
+fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
+    let number =
+        |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.6}"));
+    let unit = |unit: &str| match unit {
+        "mm" | "mm³" if !scaled => unit.replace("mm", "voxel"),
+        other => other.to_owned(),
+    };
+    for kind in METRICS {
+        let value = evaluation.measures.get(kind.name);
+        if value.is_some() {
+            say(&format!(
+                "{:>26} {:>14} {:<8} {}",
+                kind.name,
+                number(value),
+                unit(kind.unit),
+                kind.summary
+            ));
+        }
+    }
+    say("");
+    say("as published:");
+    for one in numbers {
+        say(&format!(
+            "{:>26} {:>14} {:<8} {} ({})",
+            one.name,
+            number(one.value),
+            unit(one.unit),
+            one.note,
+            one.source
+        ));
+    }
+    evaluation
+        .notes
+        .iter()
+        .for_each(|note| say(&format!("{:>26} {note}", "note")));
+}

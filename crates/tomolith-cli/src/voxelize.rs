@@ -1,0 +1,239 @@
+//! `tomolith voxelize` and `tomolith phantom`: parts as voxels, for anybody's use.
+
+use crate::arguments::Manner;
+use crate::screen::say;
+use clap::Args;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use tomolith::grid::{PatternGrid, Volume};
+use tomolith::io::frames::{FrameSet, write_frames};
+use tomolith::io::npy::write_volume;
+use tomolith::io::vti::{VtiValues, write_vti};
+use tomolith::job::Document;
+use tomolith::kind::Section;
+use tomolith::target::{PHANTOMS, Resolution, Target, TargetSpec, build, default_grid, voxelise};
+use tomolith::{Error, Result};
+
+const VOXELIZE: &str = "\
+Examples:
+  tomolith voxelize part.stl --pitch-mm 0.05 --output part.npy
+  tomolith voxelize part.stl --shape 200 200 260 --size-mm 12 --binary --output part.vti --json";
+
+const PHANTOM: &str = "\
+Examples:
+  tomolith phantom gear --pitch-mm 0.05 --output gear.npy
+  tomolith phantom gyroid --set size_mm=4 --set cells=2 --pitch-mm 0.02 --output slices.png
+`tomolith kinds target.phantom` lists the phantoms and their parameters";
+
+/// What both commands ask for.
+#[derive(Debug, Args)]
+pub(crate) struct Sampling {
+    /// Edge of a voxel, mm
+    #[arg(long, value_name = "MM", required_unless_present = "shape")]
+    pitch_mm: Option<f64>,
+    /// Voxels along x, y and z; the pitch follows from the part
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], conflicts_with = "pitch_mm")]
+    shape: Option<Vec<usize>>,
+    /// Longest edge of the part, mm; true size when left out
+    #[arg(long, value_name = "MM")]
+    size_mm: Option<f64>,
+    /// Angles about x, y and z, degrees
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_hyphen_values = true)]
+    rotate_deg: Option<Vec<f64>>,
+    /// 1 where at least half of the voxel is inside, else 0, in place of the inside fraction
+    #[arg(long)]
+    binary: bool,
+    /// File to write: .npy [z, y, x], .vti for ParaView, .png with all slices from low z to high z side by side
+    #[arg(long, short, value_name = "FILE")]
+    output: PathBuf,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = VOXELIZE)]
+pub(crate) struct VoxelizeArguments {
+    /// Mesh: .stl, .obj, .ply or .3mf
+    mesh: PathBuf,
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = PHANTOM)]
+pub(crate) struct PhantomArguments {
+    /// Its name, for example `gear`
+    name: String,
+    /// A parameter: `--set teeth=16` (repeatable)
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+}
+
+/// `tomolith voxelize`.
+pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
+    let spec = TargetSpec {
+        mesh: Some(given.mesh.clone()),
+        ..TargetSpec::default()
+    };
+    sample(spec, &given.sampling)
+}
+
+/// `tomolith phantom`.
+pub(crate) fn phantom(given: &PhantomArguments) -> Result<()> {
+    // The name is looked up first, so that a slip in it is named as such
+    Section::new("phantom", Value::String(given.name.clone())).kind(PHANTOMS)?;
+    let mut table = Document::toml("command line", "")?;
+    given
+        .set
+        .iter()
+        .try_for_each(|assignment| table.set(assignment))?;
+    let spec = TargetSpec {
+        phantom: Some(json!({ given.name.as_str(): table.root })),
+        ..TargetSpec::default()
+    };
+    sample(spec, &given.sampling)
+}
+
+fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
+    let kind = Kind::of(&given.output)?;
+    spec.size_mm = given.size_mm.map(tomolith::units::Mm);
+    spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
+    let shape = build(&spec, Path::new(""), "target")?;
+    let resolution = match (&given.shape, given.pitch_mm) {
+        (Some(n), _) => Resolution::Shape([n[0], n[1], n[2]]),
+        (None, pitch) => Resolution::Pitch(pitch.unwrap_or_default()),
+    };
+    let grid = default_grid(shape.bounds_mm(), resolution).map_err(as_option)?;
+    let mut target = voxelise(shape.as_ref(), &spec.name(), &grid)?;
+    let volume_mm3 = target
+        .inside
+        .values
+        .iter()
+        .map(|&v| f64::from(v))
+        .sum::<f64>()
+        * grid.voxel_mm3();
+    let part = (0..grid.len()).filter(|&i| target.is_part(i)).count();
+    if given.binary {
+        target.inside.values = (0..grid.len())
+            .map(|i| f32::from(u8::from(target.is_part(i))))
+            .collect();
+    }
+    write(&given.output, kind, &target, given.binary)?;
+    let [nz, ny, nx] = grid.shape;
+    let exact = shape.volume_mm3();
+    if given.manner.json {
+        let line = json!({
+            "event": "done", "file": given.output, "part": target.name, "shape_zyx": grid.shape, "pitch_mm": grid.pitch_mm,
+            "center_xyz_mm": grid.center_mm, "part_voxels": part, "volume_mm3": volume_mm3, "exact_volume_mm3": exact,
+            "warnings": shape.warnings(),
+        });
+        say(&line.to_string());
+    } else if !given.manner.quiet {
+        let exact = exact.map_or(String::new(), |exact| format!(" (exactly {exact:.6} mm³)"));
+        say(&format!(
+            "{:>10} {nx} × {ny} × {nz} voxels of {} mm",
+            "grid", grid.pitch_mm
+        ));
+        say(&format!(
+            "{:>10} {part} voxels, {volume_mm3:.6} mm³{exact}",
+            "part"
+        ));
+        shape
+            .warnings()
+            .iter()
+            .for_each(|text| say(&format!("{:>10} {text}", "warning")));
+        say(&format!("{:>10} {}", "written", given.output.display()));
+    }
+    Ok(())
+}
+
+/// An error about a key of a grid, as one about the option of that name.
+fn as_option(mut error: Error) -> Error {
+    if let Error::Config { key, .. } = &mut error {
+        *key = format!("--{}", key.replace('_', "-"));
+    }
+    error
+}
+
+/// What a file name asks for.
+#[derive(Clone, Copy)]
+enum Kind {
+    Npy,
+    Vti,
+    Png,
+}
+
+impl Kind {
+    fn of(path: &Path) -> Result<Self> {
+        match path
+            .extension()
+            .and_then(|e| e.to_str())
+            .map(str::to_ascii_lowercase)
+            .as_deref()
+        {
+            Some("npy") => Ok(Kind::Npy),
+            Some("vti") => Ok(Kind::Vti),
+            Some("png") => Ok(Kind::Png),
+            _ => Err(Error::config(
+                "--output",
+                format!("`{}`", path.display()),
+                "a file name ending in .npy, .vti or .png",
+            )),
+        }
+    }
+}
+
+fn write(path: &Path, kind: Kind, target: &Target, binary: bool) -> Result<()> {
+    let Volume { grid, values } = &target.inside;
+    let bytes = || values.iter().map(|&v| v as u8).collect::<Vec<u8>>();
+    match (kind, binary) {
+        (Kind::Npy, false) => write_volume(path, &target.inside),
+        (Kind::Npy, true) => write_volume(
+            path,
+            &Volume {
+                grid: grid.clone(),
+                values: bytes(),
+            },
+        ),
+        (Kind::Vti, false) => write_vti(path, grid, &[("inside", VtiValues::F32(values))]),
+        (Kind::Vti, true) => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))]),
+        (Kind::Png, _) => write_slices(path, &target.inside),
+    }
+}
+
+/// All slices side by side in rows, low z first, +y on top.
+fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
+    let [nz, ny, nx] = volume.grid.shape;
+    let across = (nz as f64 * ny as f64 / nx as f64)
+        .sqrt()
+        .ceil()
+        .clamp(1.0, nz as f64) as usize;
+    let mut sheet = PatternGrid::full_turn(
+        1,
+        0.0,
+        nz.div_ceil(across) * ny,
+        across * nx,
+        volume.grid.pitch_mm,
+    );
+    sheet.frame_arc = 0.0;
+    let mut levels = vec![0u16; sheet.len()];
+    for (i, &value) in volume.values.iter().enumerate() {
+        let (z, y, x) = (i / (nx * ny), i / nx % ny, i % nx);
+        let (row, column) = (z / across * ny + ny - 1 - y, z % across * nx + x);
+        levels[row * sheet.columns + column] = (value.clamp(0.0, 1.0) * 255.0).round() as u16;
+    }
+    let set = FrameSet {
+        light: None,
+        grid: &sheet,
+        bits: 8,
+        full_scale: 1.0,
+        values: &levels,
+    };
+    let aside = path.with_extension("png.folder");
+    write_frames(&aside, &[set])?;
+    let moved = std::fs::rename(aside.join("frame_0000.png"), path);
+    std::fs::remove_dir_all(&aside).map_err(|e| Error::io(&aside, e))?;
+    moved.map_err(|e| Error::io(path, e))
+}

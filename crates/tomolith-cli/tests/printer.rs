@@ -1,0 +1,501 @@
+//! What a machine shows makes the part that was designed, however the machine stands.
+//!
+//! A chiral part is optimised once and exported for machines with every flip and turn, both senses of rotation and another
+//! start. The test then plays the movie or the frames on a machine of its own, written from docs/printer.md alone: it cuts
+//! the picture out of the canvas, turns and mirrors it back by moving pixels, and lays the light down by a plain back
+//! projection. Of the library it uses the decoder of movies, nothing else.
+
+use serde_json::Value;
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tomolith::io::mp4::read_movie;
+
+const FRAMES: usize = 60;
+const COLUMNS: usize = 44;
+const ROWS: usize = 24;
+const PITCH_MM: f64 = 0.1;
+const SIZE_MM: f64 = 3.0;
+const HEIGHT_MM: f64 = 2.0;
+const START_DEG: f64 = 12.0;
+
+const JOB: &str = r#"[target]
+phantom.chiral = { size_mm = 3.0, height_mm = 2.0 }
+[grid]
+pitch_mm = 0.1
+[resin]
+refractive_index = 1.5
+pure_radon = true
+critical_dose_mj_per_mm3 = 2.0
+[vial.index_matched]
+radius_mm = 3.0
+[[light]]
+pixels = [44, 24]
+angles = { count = 60, start_deg = 12.0 }
+projector.collimated = { pixel_pitch_mm = 0.1 }
+[objective.threshold]
+[stop]
+iterations = 15
+[evaluate]
+refine = 1
+[output]
+folder = "run"
+"#;
+
+struct Bench {
+    temp: tempfile::TempDir,
+}
+
+impl Bench {
+    /// A folder with a run.
+    fn new() -> Self {
+        let bench = Bench {
+            temp: tempfile::tempdir().unwrap(),
+        };
+        fs::write(bench.path("job.toml"), JOB).unwrap();
+        bench.expect(0, &["run", "job.toml", "--quiet"]);
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn expect(&self, code: i32, arguments: &[&str]) -> String {
+        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .current_dir(self.temp.path())
+            .args(arguments)
+            .output()
+            .unwrap();
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
+        String::from_utf8_lossy(&output.stdout).into_owned() + &message
+    }
+
+    /// Exports the run for a machine into a folder.
+    fn export(&self, printer: &str, folder: &str) -> PathBuf {
+        fs::write(self.path("machine.toml"), format!("[printer]\n{printer}")).unwrap();
+        self.expect(
+            0,
+            &[
+                "export",
+                "run",
+                "--printer",
+                "machine.toml",
+                "--output",
+                folder,
+                "--quiet",
+            ],
+        );
+        self.path(folder)
+    }
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+/// A grey picture, row 0 on top.
+#[derive(Clone)]
+struct Picture {
+    rows: usize,
+    columns: usize,
+    values: Vec<f64>,
+}
+
+impl Picture {
+    fn from(rows: usize, columns: usize, at: impl Fn(usize, usize) -> f64) -> Self {
+        let values = (0..rows * columns)
+            .map(|i| at(i / columns, i % columns))
+            .collect();
+        Picture {
+            rows,
+            columns,
+            values,
+        }
+    }
+
+    fn at(&self, row: usize, column: usize) -> f64 {
+        self.values[row * self.columns + column]
+    }
+
+    fn clockwise(&self) -> Self {
+        Picture::from(self.columns, self.rows, |row, column| {
+            self.at(self.rows - 1 - column, row)
+        })
+    }
+
+    fn mirrored(&self, sideways: bool, upright: bool) -> Self {
+        Picture::from(self.rows, self.columns, |row, column| {
+            let row = if upright { self.rows - 1 - row } else { row };
+            self.at(
+                row,
+                if sideways {
+                    self.columns - 1 - column
+                } else {
+                    column
+                },
+            )
+        })
+    }
+
+    /// The rectangle of a size whose middle lies so many pixels right and up of this picture's.
+    fn cut(&self, rows: usize, columns: usize, [right, up]: [isize; 2]) -> Self {
+        let top = (self.rows - rows) as isize / 2 - up;
+        let left = (self.columns - columns) as isize / 2 + right;
+        Picture::from(rows, columns, |row, column| {
+            self.at(
+                (row as isize + top) as usize,
+                (column as isize + left) as usize,
+            )
+        })
+    }
+}
+
+/// A machine that shows its picture turned and mirrored, and a vial that turns.
+#[derive(Clone, Copy)]
+struct Machine {
+    canvas: [usize; 2],
+    quarter_turns: usize,
+    flips: [bool; 2],
+    offset: [isize; 2],
+    /// +1: the azimuth of the light grows in the resin frame, that is the vial turns clockwise.
+    sense: f64,
+    start_deg: f64,
+}
+
+impl Machine {
+    /// Its table.
+    fn table(&self) -> String {
+        let sense = if self.sense > 0.0 {
+            "clockwise"
+        } else {
+            "counterclockwise"
+        };
+        format!(
+            "canvas = {:?}\nquarter_turns = {}\nflip_horizontal = {}\nflip_vertical = {}\noffset_px = {:?}\nsense = \"{sense}\"\nstart_deg = {:?}\n",
+            self.canvas,
+            self.quarter_turns,
+            self.flips[0],
+            self.flips[1],
+            self.offset,
+            self.start_deg
+        )
+    }
+
+    /// The light at the vial of what the device shows: the machine undoes turn and flips, in this order.
+    fn light(&self, shown: &Picture) -> Picture {
+        let lies = self.quarter_turns % 2 == 1;
+        let (rows, columns) = if lies {
+            (COLUMNS, ROWS)
+        } else {
+            (ROWS, COLUMNS)
+        };
+        let mut light = shown.cut(rows, columns, self.offset);
+        (0..self.quarter_turns).for_each(|_| light = light.clockwise());
+        light.mirrored(self.flips[0], self.flips[1])
+    }
+
+    /// Best IoU of the light of these pictures with the part, and with the part's axes multiplied by signs.
+    fn prints(&self, shown: &[Picture]) -> [f64; 8] {
+        let light: Vec<Picture> = shown.iter().map(|picture| self.light(picture)).collect();
+        let dose = dose(&light, self.sense, self.start_deg);
+        std::array::from_fn(|i| {
+            fit(
+                &dose,
+                [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { 1.0 } else { -1.0 }),
+            )
+        })
+    }
+}
+
+/// Samples of the test's own volume along x and y; along z at the middle of each row of pixels.
+const EDGE: usize = 40;
+
+fn place(i: usize, n: usize) -> f64 {
+    (i as f64 - (n as f64 - 1.0) / 2.0) * PITCH_MM
+}
+
+/// Plain back projection `[z, y, x]`: columns grow along (−sin α, cos α), row 0 is the top.
+fn dose(light: &[Picture], sense: f64, start_deg: f64) -> Vec<f64> {
+    let mut dose = vec![0.0; ROWS * EDGE * EDGE];
+    for (k, picture) in light.iter().enumerate() {
+        let (sin, cos) = (start_deg + sense * 360.0 * k as f64 / FRAMES as f64)
+            .to_radians()
+            .sin_cos();
+        for (i, value) in dose.iter_mut().enumerate() {
+            let (iz, x, y) = (
+                i / (EDGE * EDGE),
+                place(i % EDGE, EDGE),
+                place(i / EDGE % EDGE, EDGE),
+            );
+            let column = (-x * sin + y * cos) / PITCH_MM + (COLUMNS as f64 - 1.0) / 2.0;
+            if column >= 0.0 && column < (COLUMNS - 1) as f64 {
+                let (left, share) = (column as usize, column.fract());
+                let row = ROWS - 1 - iz;
+                *value += picture.at(row, left) * (1.0 - share) + picture.at(row, left + 1) * share;
+            }
+        }
+    }
+    dose
+}
+
+/// Whether a point is in the part: an F, readable from above, whose foot is twice as high as the rest.
+fn inside(x: f64, y: f64, z: f64) -> bool {
+    let (x, y, z) = (x / SIZE_MM, y / SIZE_MM, z / HEIGHT_MM);
+    let within = |[x0, y0, x1, y1]: [f64; 4]| x0 <= x && x < x1 && y0 <= y && y < y1;
+    let bars = within([-0.375, 0.3, 0.375, 0.5]) || within([-0.375, -0.05, 0.175, 0.15]);
+    let letter = within([-0.375, -0.5, -0.125, 0.5]) || bars;
+    let foot = within([-0.375, -0.5, -0.125, -0.2]);
+    (letter && (-0.5..0.0).contains(&z)) || (foot && (-0.5..0.5).contains(&z))
+}
+
+fn fit(dose: &[f64], [sx, sy, sz]: [f64; 3]) -> f64 {
+    let sample = |(i, &dose): (usize, &f64)| {
+        let (x, y, z) = (
+            place(i % EDGE, EDGE),
+            place(i / EDGE % EDGE, EDGE),
+            place(i / (EDGE * EDGE), ROWS),
+        );
+        (dose, inside(sx * x, sy * y, sz * z))
+    };
+    let mut samples: Vec<(f64, bool)> = dose.iter().enumerate().map(sample).collect();
+    samples.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let part = samples.iter().filter(|s| s.1).count();
+    let (mut hit, mut miss, mut best) = (0usize, 0usize, 0.0f64);
+    for (_, is_part) in samples {
+        *(if is_part { &mut hit } else { &mut miss }) += 1;
+        best = best.max(hit as f64 / (part + miss) as f64);
+    }
+    best
+}
+
+/// The movie of a folder, decoded.
+fn movie(folder: &Path, [columns, rows]: [usize; 2]) -> Vec<Picture> {
+    let read = read_movie(&folder.join("chiral_10rpm.mp4"), rows, columns).unwrap();
+    assert_eq!(read.shape, [FRAMES, rows, columns]);
+    let picture = |levels: &[u16]| {
+        Picture::from(rows, columns, |row, column| {
+            f64::from(levels[row * columns + column])
+        })
+    };
+    read.values.chunks(rows * columns).map(picture).collect()
+}
+
+/// The PNG frames of a folder.
+fn frames(folder: &Path) -> Vec<Picture> {
+    let frame = |k: usize| {
+        let file = File::open(folder.join(format!("frames/frame_{k:04}.png"))).unwrap();
+        let mut reader = png::Decoder::new(BufReader::new(file)).read_info().unwrap();
+        let mut grey = vec![0; reader.output_buffer_size().unwrap()];
+        let shape = reader.next_frame(&mut grey).unwrap();
+        Picture::from(
+            shape.height as usize,
+            shape.width as usize,
+            |row, column| f64::from(grey[row * shape.width as usize + column]),
+        )
+    };
+    (0..FRAMES).map(frame).collect()
+}
+
+#[test]
+fn the_movie_alone_makes_the_right_part_on_machines_of_all_flips_and_turns() {
+    let bench = Bench::new();
+    for number in 0..16 {
+        // Four turns and both sideways flips are the eight ways a picture can stand; upright flips are the same ones again
+        let machine = Machine {
+            canvas: [90, 80],
+            quarter_turns: number % 4,
+            flips: [number / 4 % 2 == 1, number / 8 == 1],
+            offset: [7, -5],
+            sense: if number % 3 == 0 { 1.0 } else { -1.0 },
+            start_deg: START_DEG + 6.0 * (number % 5) as f64,
+        };
+        let folder = bench.export(&machine.table(), &format!("machine{number}"));
+        let shown = if number < 8 {
+            movie(&folder, machine.canvas)
+        } else {
+            frames(&folder)
+        };
+        let fits = machine.prints(&shown);
+        println!("{number}: {:.4}, mirrored {:.4}", fits[0], fits[1]);
+        assert!(fits[0] > 0.9, "{number}: {fits:?}");
+        for wrong in &fits[1..] {
+            assert!(*wrong < fits[0] - 0.3, "{number}: {fits:?}");
+        }
+        // The test sees what it is for: on a machine with one flip more the same movie makes another part
+        let other = Machine {
+            flips: [!machine.flips[0], machine.flips[1]],
+            ..machine
+        };
+        assert!(other.prints(&shown)[0] < fits[0] - 0.3, "{number}");
+        let turned = Machine {
+            sense: -machine.sense,
+            ..machine
+        };
+        assert!(turned.prints(&shown)[0] < fits[0] - 0.3, "{number}");
+    }
+}
+
+/// A machine with everything: other pixels, a turn, a curve, an axis that is off and wobbles, two copies.
+const EVERYTHING: &str = r#"canvas = [300, 260]
+pixel_pitch_mm = 0.05
+offset_px = [3.3, -8.6]
+flip_vertical = true
+quarter_turns = 3
+rotation_deg = 1.7
+axis_offset_mm = 0.13
+wobble_mm = 0.21
+wobble_deg = 40.0
+copies_px = [[-70, 0], [70, 0]]
+sense = "counterclockwise"
+start_deg = 78.0
+grey_curve = [[0.0, 0.01], [0.3, 0.1], [0.7, 0.5], [1.0, 1.0]]
+flat_field = "flat.npy"
+dead_pixels = "dead.npy"
+peak_irradiance_mw_per_cm2 = 50.0
+stack = true
+"#;
+
+#[test]
+fn simulate_takes_back_what_a_machine_does_from_every_file() {
+    let bench = Bench::new();
+    let pixels = |value: &dyn Fn(usize, usize) -> f64| npy(260, 300, value);
+    let edge = |row: usize, column: usize| {
+        let (x, y) = (column as f64 / 150.0 - 1.0, row as f64 / 130.0 - 1.0);
+        1.0 - 0.3 * (x * x + y * y)
+    };
+    fs::write(bench.path("flat.npy"), pixels(&edge)).unwrap();
+    let dead =
+        |row: usize, column: usize| f64::from(u8::from(row * 300 + column == 131 * 300 + 77));
+    fs::write(bench.path("dead.npy"), pixels(&dead)).unwrap();
+    fs::write(
+        bench.path("machine.toml"),
+        format!("{JOB}[printer]\n{EVERYTHING}").replace("\"run\"", "\"everything\""),
+    )
+    .unwrap();
+    bench.expect(0, &["run", "machine.toml", "--quiet"]);
+    let report = json(&bench.path("everything/report.json"));
+    let plain = json(&bench.path("run/report.json"));
+    let iou = |report: &Value| report["evaluation"]["iou"].as_f64().unwrap();
+    println!("IoU: plain {:.4}, machine {:.4}", iou(&plain), iou(&report));
+    assert!(
+        iou(&report) > iou(&plain) - 0.03,
+        "{} {}",
+        iou(&report),
+        iou(&plain)
+    );
+    for (file, tolerance) in [
+        ("patterns.npz", 0.0),
+        ("frames", 0.0),
+        ("frames.npz", 0.0),
+        ("chiral_10rpm.mp4", 0.01),
+    ] {
+        bench.expect(
+            0,
+            &[
+                "simulate",
+                "machine.toml",
+                "--quiet",
+                "--patterns",
+                &format!("everything/{file}"),
+                "--output",
+                "again",
+            ],
+        );
+        let again = json(&bench.path("again/report.json"));
+        println!("{file}: {:.4}", iou(&again));
+        assert!(
+            (iou(&again) - iou(&report)).abs() <= tolerance,
+            "{file}: {} {}",
+            iou(&again),
+            iou(&report)
+        );
+        let scale = |report: &Value| report["lights"][0]["full_scale"].as_f64().unwrap();
+        assert_eq!(scale(&again), scale(&report), "{file}");
+    }
+    // The report states time, energy and use of the light
+    let budget = &report["lights"][0]["budget"];
+    let number = |name: &str| budget[name].as_f64().unwrap();
+    let turns = number("turns");
+    assert!(
+        (number("time_s") - 6.0 * turns).abs() < 1e-6 * turns,
+        "{budget}"
+    ); // 10 turns a minute
+    assert!(
+        (number("energy_mj") - turns * number("energy_per_turn_mj")).abs()
+            < 1e-6 * number("energy_mj")
+    );
+    assert!(number("light_used") > 0.0 && number("light_used") < 0.5);
+    // White is shown for a sixtieth of the time, at half a mW/mm²
+    let white = number("time_s") / 60.0 * 0.5;
+    assert!(
+        (number("white_mj_per_mm2") / white - 1.0).abs() < 1e-6,
+        "{budget}"
+    );
+
+    // A movie without a machine in the job is of another size, and is refused
+    let said = bench.expect(
+        2,
+        &[
+            "simulate",
+            "job.toml",
+            "--patterns",
+            "everything/frames",
+            "--output",
+            "no",
+        ],
+    );
+    assert!(said.contains("expected shape [60, 24, 44]"), "{said}");
+}
+
+#[test]
+fn a_time_bounds_the_pixels() {
+    let bench = Bench::new();
+    let time = |folder: &str| {
+        json(&bench.path(folder).join("report.json"))["lights"][0]["budget"]["time_s"]
+            .as_f64()
+            .unwrap()
+    };
+    let machine = "[printer]\npeak_irradiance_mw_per_cm2 = 50.0\n";
+    fs::write(bench.path("timed.toml"), format!("{JOB}{machine}")).unwrap();
+    bench.expect(0, &["run", "timed.toml", "--quiet", "--output", "free"]);
+    let free = time("free");
+    let limit = format!("printer.time_s={}", free * 0.8);
+    bench.expect(
+        0,
+        &[
+            "run",
+            "timed.toml",
+            "--quiet",
+            "--output",
+            "bound",
+            "--set",
+            &limit,
+        ],
+    );
+    // The gel dose of the print is not exactly the middle of the window that the bound was made with
+    assert!(
+        (time("bound") / (0.8 * free) - 1.0).abs() < 0.1,
+        "{free} {}",
+        time("bound")
+    );
+}
+
+/// A .npy file of f64, C order, without a library.
+fn npy(rows: usize, columns: usize, value: &dyn Fn(usize, usize) -> f64) -> Vec<u8> {
+    let mut header =
+        format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
+    while (10 + header.len() + 1) % 64 != 0 {
+        header.push(' ');
+    }
+    header.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.bytes());
+    for i in 0..rows * columns {
+        bytes.extend(value(i / columns, i % columns).to_le_bytes());
+    }
+    bytes
+}

@@ -1,0 +1,472 @@
+//! Patterns on their way to the machine of a job, and back from files that a machine shows.
+
+use super::build::Optics;
+use super::progress::{Event, Progress};
+use super::scene::Scene;
+use super::spec::{Angles, JobSpec};
+use crate::error::{Error, Result};
+use crate::exposure::{
+    Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise,
+};
+use crate::grid::{PatternGrid, Patterns};
+use crate::io::frames::{FrameSet, Frames, read_frames, write_frames};
+use crate::io::mp4::{check_movie, read_movie, write_movie};
+use crate::io::npy::read_patterns;
+use crate::io::stack::{read_stack, write_stack};
+use crate::io::write_whole;
+use crate::models::parallel::Light;
+use crate::report::MovieReport;
+use crate::response::Response;
+use serde_json::{Value, json};
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+use std::io::Write;
+use std::path::Path;
+
+/// Name of the file that says how frames and movies are to be shown.
+pub(crate) const EXPOSURE: &str = "exposure.json";
+
+/// The machine of a job for each of its lights.
+///
+/// # Errors
+/// As [`Printer::new`].
+pub(crate) fn printers(
+    spec: &JobSpec,
+    base: &Path,
+    lights: &[Light],
+) -> Result<Option<Vec<Printer>>> {
+    let Some(printer) = &spec.printer else {
+        return Ok(None);
+    };
+    let one = |(light, named): (&Light, &super::spec::LightSpec)| {
+        Printer::new(printer, base, &light.pixels, named.rotation)
+    };
+    lights
+        .iter()
+        .zip(&spec.light)
+        .map(one)
+        .collect::<Result<_>>()
+        .map(Some)
+}
+
+/// The largest pattern value in the time that the print may take, and that time.
+///
+/// # Errors
+/// [`Error::Config`] when the dose that turns the resin solid is not known.
+pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<Option<(f64, f64)>> {
+    let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
+        return Ok(None);
+    };
+    let middle = || super::write::window(spec).map(|[lower, upper]| f64::midpoint(lower, upper));
+    let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
+        Error::config(
+            "printer.time_s",
+            "a time, but not at which dose the resin is solid",
+            "evaluate.threshold beside it",
+        )
+    })?;
+    let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
+    let frames = spec.light.iter().map(|light| light.angles.count()).sum();
+    let exposure = Exposure {
+        frames,
+        ..exposure(spec, 0, gel_dose)
+    };
+    Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
+}
+
+/// What is known of the exposure of a light.
+fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
+    let angles = &spec.light[light].angles;
+    let frame_arc = match angles {
+        Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
+        Angles::List(_) => 0.0,
+    };
+    Exposure {
+        peak_mw_per_cm2: spec
+            .printer
+            .as_ref()
+            .and_then(|printer| printer.peak_irradiance_mw_per_cm2),
+        rpm: spec.output.rpm,
+        frames: angles.count(),
+        frame_arc,
+        critical_mj_per_mm3: spec.resin.critical_dose_mj_per_mm3,
+        gel_dose,
+    }
+}
+
+/// The patterns of a run, per light.
+pub(crate) struct Written {
+    /// The light that the frames put into the vial.
+    pub(crate) shown: Vec<Patterns>,
+    /// What was wanted: before quantisation and machine.
+    pub(crate) raw: Option<Vec<Patterns>>,
+    /// Levels, where they are small or were read; else they are made again when they are needed.
+    frames: Option<Vec<Quantised>>,
+}
+
+impl Written {
+    /// Raw patterns and what the machine makes of them at its bit depth.
+    ///
+    /// # Errors
+    /// As [`quantise`] and [`Printer::expose`].
+    pub(crate) fn of_raw(raw: Vec<Patterns>, scene: &Scene) -> Result<Self> {
+        let bits = scene.spec.evaluate.bit_depth;
+        let Some(printers) = &scene.printers else {
+            let frames: Vec<Quantised> = raw
+                .iter()
+                .map(|raw| quantise(raw, bits))
+                .collect::<Result<_>>()?;
+            let shown = frames.iter().map(Quantised::patterns).collect();
+            return Ok(Written {
+                shown,
+                raw: Some(raw),
+                frames: Some(frames),
+            });
+        };
+        let light =
+            |(printer, raw): (&Printer, &Patterns)| printer.light_of(&printer.expose(raw, bits)?);
+        let shown = printers
+            .iter()
+            .zip(&raw)
+            .map(light)
+            .collect::<Result<_>>()?;
+        Ok(Written {
+            shown,
+            raw: Some(raw),
+            frames: None,
+        })
+    }
+
+    /// The levels of the machine, per light.
+    ///
+    /// # Errors
+    /// As [`of_raw`](Self::of_raw).
+    pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantised]>> {
+        match (&self.frames, &self.raw, &scene.printers) {
+            (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
+            (None, Some(raw), Some(printers)) => {
+                exposed(printers, raw, scene.spec.evaluate.bit_depth).map(Cow::Owned)
+            }
+            _ => Ok(Cow::Borrowed(&[])),
+        }
+    }
+}
+
+/// Levels of patterns on their machines.
+pub(crate) fn exposed(
+    printers: &[Printer],
+    wanted: &[Patterns],
+    bits: u32,
+) -> Result<Vec<Quantised>> {
+    let pairs = printers.iter().zip(wanted);
+    pairs
+        .map(|(printer, wanted)| printer.expose(wanted, bits))
+        .collect()
+}
+
+/// Patterns of a file, one set per light of the job: `patterns.npz`, or what a machine shows: a folder of frames, a
+/// `frames.npz`, a movie.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine.
+pub(crate) fn read(scene: &Scene, path: &Path, progress: &mut dyn Progress) -> Result<Written> {
+    let mut frames = Vec::new();
+    for i in 0..scene.spec.light.len() {
+        let Some(found) = frames_of(scene, i, path, progress)? else {
+            return wanted_of(path, &scene.optics, &names(&scene.spec))
+                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw));
+        };
+        frames.push(found);
+    }
+    let light = |(i, frames): (usize, &Quantised)| match &scene.printers {
+        Some(printers) => printers[i].light_of(frames),
+        None => Ok(frames.patterns()),
+    };
+    let shown = frames
+        .iter()
+        .enumerate()
+        .map(light)
+        .collect::<Result<_>>()?;
+    Ok(Written {
+        shown,
+        raw: None,
+        frames: Some(frames),
+    })
+}
+
+/// Names of the lights for files: none when there is only one.
+pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
+    let several = spec.light.len() > 1;
+    spec.light
+        .iter()
+        .map(|light| light.name.as_deref().filter(|_| several))
+        .collect()
+}
+
+/// Patterns of an array: with a machine they are what is wanted, else what is shown.
+fn of_patterns(scene: &Scene, shown: Vec<Patterns>, raw: Option<Vec<Patterns>>) -> Result<Written> {
+    if scene.printers.is_some() {
+        return Written::of_raw(raw.unwrap_or(shown), scene);
+    }
+    let bits = scene.spec.evaluate.bit_depth;
+    let frames = shown
+        .iter()
+        .map(|patterns| quantise(patterns, bits))
+        .collect::<Result<_>>()?;
+    Ok(Written {
+        shown,
+        raw,
+        frames: Some(frames),
+    })
+}
+
+/// `patterns.npz`: what is shown and, when the file holds it for every light, what was wanted.
+pub(crate) fn wanted_of(
+    path: &Path,
+    optics: &Optics,
+    names: &[Option<&str>],
+) -> Result<(Vec<Patterns>, Option<Vec<Patterns>>)> {
+    let arrays = read_patterns(path)?;
+    let (mut shown, mut raw) = (Vec::new(), Vec::new());
+    for (light, name) in optics.lights.iter().zip(names) {
+        let found = arrays
+            .iter()
+            .find(|a| a.light.as_deref() == *name)
+            .ok_or_else(|| Error::Format {
+                path: path.to_owned(),
+                found: format!(
+                    "no patterns for the light {}",
+                    name.unwrap_or("(the only one)")
+                ),
+                accepted: "one array `patterns`, or `patterns_<light>` for each light of the job"
+                    .to_owned(),
+            })?;
+        let grid = &light.pixels;
+        same_shape(path, "patterns [angle, row, column]", grid, found.shape)?;
+        let patterns = |values: &Vec<f32>| Patterns {
+            grid: grid.clone(),
+            values: values.clone(),
+        };
+        shown.push(patterns(&found.shown));
+        raw.extend(found.raw.as_ref().map(patterns));
+    }
+    let raw = (raw.len() == shown.len()).then_some(raw);
+    Ok((shown, raw))
+}
+
+fn same_shape(path: &Path, what: &str, grid: &PatternGrid, found: [usize; 3]) -> Result<()> {
+    if found == grid.shape() {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: format!("{}: {what}", path.display()),
+        expected: grid.shape().to_vec(),
+        found: found.to_vec(),
+    })
+}
+
+/// Frames of one light in a folder, a stack or a movie; None when the file is none of these.
+fn frames_of(
+    scene: &Scene,
+    i: usize,
+    path: &Path,
+    progress: &mut dyn Progress,
+) -> Result<Option<Quantised>> {
+    let name = names(&scene.spec)[i];
+    let grid = match &scene.printers {
+        Some(printers) => printers[i].canvas_grid(),
+        None => scene.optics.lights[i].pixels.clone(),
+    };
+    let is_movie = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("mp4"));
+    let found = if path.is_dir() {
+        read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?
+    } else if is_movie {
+        if name.is_some() {
+            return Err(Error::Unsupported {
+                what: path.display().to_string(),
+                reason: "a movie holds one light, the job has several: give the folder of frames"
+                    .to_owned(),
+            });
+        }
+        read_movie(path, grid.rows, grid.columns)?
+    } else {
+        match read_stack(path, name) {
+            Ok(frames) => frames,
+            Err(_) => return Ok(None),
+        }
+    };
+    same_shape(path, "frames [frame, row, column]", &grid, found.shape)?;
+    let Frames {
+        bits,
+        full_scale,
+        values,
+        ..
+    } = found;
+    let full_scale = full_scale
+        .or_else(|| white_beside(path))
+        .unwrap_or_else(|| {
+            let text = format!(
+                "{} does not say what white is worth: it is taken as 1",
+                path.display()
+            );
+            progress.event(&Event::Note { text });
+            1.0
+        });
+    Ok(Some(Quantised {
+        grid,
+        bits,
+        full_scale,
+        values,
+    }))
+}
+
+/// White of a movie, from the file beside it that names it.
+fn white_beside(path: &Path) -> Option<f32> {
+    let text = std::fs::read_to_string(path.with_file_name(EXPOSURE)).ok()?;
+    let exposure: Value = serde_json::from_str(&text).ok()?;
+    let name = path.file_name()?.to_str()?;
+    let light = exposure["lights"]
+        .as_array()?
+        .iter()
+        .find(|light| light["movie"] == name)?;
+    light["white"].as_f64().map(|white| white as f32)
+}
+
+/// How one light is shown.
+#[derive(Clone, Copy)]
+pub(crate) struct ShownLight {
+    pub(crate) bits: u32,
+    pub(crate) white: f32,
+    pub(crate) canvas: Option<[usize; 2]>,
+    pub(crate) budget: Budget,
+}
+
+/// How a job is shown: frames, movies, times.
+pub(crate) struct Shown<'a> {
+    spec: &'a JobSpec,
+    names: &'a [Option<&'a str>],
+    lights: Vec<ShownLight>,
+}
+
+impl<'a> Shown<'a> {
+    /// Times and energies of frames; the dose that turns the resin solid in units of the job, when known.
+    pub(crate) fn new(
+        spec: &'a JobSpec,
+        printers: Option<&[Printer]>,
+        names: &'a [Option<&'a str>],
+        frames: &[Quantised],
+        gel_dose: Option<f64>,
+    ) -> Self {
+        let light = |(i, frames): (usize, &Quantised)| {
+            let printer = printers.map(|printers| &printers[i]);
+            let emitted = match printer {
+                Some(printer) => printer.emitted(frames),
+                None => frames.sum(),
+            };
+            let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
+            let area_mm2 = grid.pitch_mm * grid.pitch_mm;
+            let budget = exposure(spec, i, gel_dose).budget(
+                white,
+                emitted,
+                grid.rows * grid.columns,
+                area_mm2,
+            );
+            ShownLight {
+                bits: frames.bits,
+                white: frames.full_scale,
+                canvas: printer.map(|_| [grid.columns, grid.rows]),
+                budget,
+            }
+        };
+        let lights = frames.iter().enumerate().map(light).collect();
+        Shown {
+            spec,
+            names,
+            lights,
+        }
+    }
+
+    pub(crate) fn lights(&self) -> &[ShownLight] {
+        &self.lights
+    }
+
+    /// Writes frames, movies, the stack when it is asked for, and `exposure.json`; the movies are read back. Lights whose
+    /// frames make no movie (a list of angles) have none.
+    pub(crate) fn write(
+        &self,
+        folder: &Path,
+        part: &str,
+        sets: &[FrameSet<'_>],
+        progress: &mut dyn Progress,
+    ) -> Result<Vec<MovieReport>> {
+        write_frames(&folder.join("frames"), sets)?;
+        if self
+            .spec
+            .printer
+            .as_ref()
+            .is_some_and(|printer| printer.stack)
+        {
+            write_stack(&folder.join("frames.npz"), sets)?;
+        }
+        let rpm = self.spec.output.rpm;
+        let (mut movies, mut lights) = (Vec::new(), Vec::new());
+        for (i, set) in sets.iter().enumerate() {
+            let arc = set.grid.frame_arc * set.grid.frames() as f64;
+            let mut movie = None;
+            if arc == 0.0 {
+                let text = "a list of angles has no frame rate: no movie is written".to_owned();
+                progress.event(&Event::Note { text });
+            } else {
+                let part = set
+                    .light
+                    .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
+                let name = movie_name(&part, rpm);
+                let path = folder.join(&name);
+                write_movie(&path, set, frame_rate(rpm, set.grid.frames(), arc)?)?;
+                movies.push(MovieReport {
+                    check: check_movie(&path, set)?,
+                    file: name.clone(),
+                });
+                movie = Some(name);
+            }
+            lights.push(self.light_json(i, set, movie.as_deref()));
+        }
+        let exposure = json!({ "schema": "tomolith.exposure/1", "rpm": rpm, "lights": lights });
+        write_whole(&folder.join(EXPOSURE), |file| {
+            serde_json::to_writer_pretty(&mut *file, &exposure).map_err(std::io::Error::from)?;
+            Ok(file.write_all(b"\n")?)
+        })?;
+        Ok(movies)
+    }
+
+    fn light_json(&self, i: usize, set: &FrameSet<'_>, movie: Option<&str>) -> Value {
+        let (spec, grid) = (&self.spec.light[i], set.grid);
+        let sense = self
+            .spec
+            .printer
+            .as_ref()
+            .and_then(|printer| printer.sense)
+            .unwrap_or(spec.rotation);
+        let degrees: Vec<f64> = grid
+            .azimuths
+            .iter()
+            .map(|a| a.rem_euclid(TAU).to_degrees())
+            .collect();
+        json!({
+            "name": self.names[i],
+            "movie": movie,
+            "frames": grid.frames(),
+            "columns": grid.columns,
+            "rows": grid.rows,
+            "pixel_pitch_mm": grid.pitch_mm,
+            "bits": set.bits,
+            "white": set.full_scale,
+            "frame_rate": frame_rate(self.spec.output.rpm, grid.frames(), grid.frame_arc * grid.frames() as f64).ok(),
+            "vial_turns": if sense == Rotation::Clockwise { "clockwise" } else { "counterclockwise" },
+            "azimuth_deg": degrees,
+            "budget": self.lights[i].budget,
+        })
+    }
+}

@@ -1,0 +1,232 @@
+//! A run for another machine: its patterns through another `[printer]`, without a new optimisation.
+
+use super::build::Optics;
+use super::device::{self, Shown};
+use super::progress::{Event, Progress};
+use super::read::Job;
+use crate::error::{Error, Result};
+use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
+use crate::io::frames::{FrameSet, write_frames};
+use crate::io::write_folder_whole;
+use crate::kind::Section;
+use crate::response::RESPONSES;
+use serde::Serialize;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// What was exported.
+#[derive(Clone, Debug, Serialize)]
+pub struct Exported {
+    /// The folder.
+    pub folder: PathBuf,
+    /// One per light.
+    pub lights: Vec<ExportedLight>,
+}
+
+/// One light of an export.
+#[derive(Clone, Debug, Serialize)]
+pub struct ExportedLight {
+    /// Its name, when there are several.
+    pub name: Option<String>,
+    /// Columns and rows of the device.
+    pub canvas: [usize; 2],
+    /// Frames.
+    pub frames: usize,
+    /// The movie; none for a list of angles.
+    pub movie: Option<String>,
+    /// Its frames a second.
+    pub frame_rate: Option<f64>,
+    /// Time, energy and use of the light.
+    pub budget: Budget,
+}
+
+/// The job of a run folder, with the `[printer]` of another file when one is given, and overrides.
+///
+/// # Errors
+/// As [`Job::read`]; [`Error::Config`] when the folder is no run, or the file holds no `[printer]`.
+pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> Result<Job> {
+    let file = run.join("job.toml");
+    if !file.is_file() {
+        return Err(Error::config(
+            "RUN",
+            format!("`{}` holds no job.toml", run.display()),
+            "the folder of a run of Tomolith",
+        ));
+    }
+    let mut document = super::Document::read(&file)?;
+    if let Some(machine) = printer {
+        let other = super::Document::read(machine)?;
+        let table = other.root.get("printer").cloned().ok_or_else(|| {
+            Error::config(
+                "--printer",
+                format!("{} holds no [printer]", machine.display()),
+                "a TOML file with a table [printer]",
+            )
+        })?;
+        let spec = Section::new("printer", table).parse::<PrinterSpec>();
+        let mut spec = spec.map_err(|e| other.locate(e))?;
+        let base = machine.parent().map(Path::to_owned).unwrap_or_default();
+        for file in spec.files_mut() {
+            let here = base.join(&*file);
+            *file = std::path::absolute(&here).unwrap_or(here);
+        }
+        spec.ranges().map_err(|e| other.locate(e))?;
+        if let Value::Object(root) = &mut document.root {
+            let table = serde_json::to_value(&spec)
+                .map_err(|e| Error::config("printer", e.to_string(), "a table"))?;
+            root.insert("printer".to_owned(), table);
+        }
+    }
+    overrides
+        .iter()
+        .try_for_each(|assignment| document.set(assignment))?;
+    Job::from_document(document)
+}
+
+/// Writes frames, movie and `exposure.json` of a run's patterns for the machine of `job` into a new folder.
+///
+/// # Errors
+/// As [`Printer::new`](crate::exposure::Printer::new); [`Error::Config`] when the folder is not empty.
+pub fn export(
+    job: &Job,
+    run: &Path,
+    folder: &Path,
+    progress: &mut dyn Progress,
+) -> Result<Exported> {
+    must_be_free(folder)?;
+    let spec = &job.spec;
+    let optics = Optics::new(spec).map_err(|e| job.locate(e))?;
+    let printers =
+        device::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
+    let names = device::names(spec);
+    let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names)?;
+    let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
+    let frames: Vec<Quantised> = match &printers {
+        Some(printers) => device::exposed(printers, &wanted, bits)?,
+        None => wanted
+            .iter()
+            .map(|wanted| quantise(wanted, bits))
+            .collect::<Result<_>>()?,
+    };
+    for text in printers
+        .iter()
+        .flatten()
+        .flat_map(|printer| printer.notes().to_vec())
+    {
+        progress.event(&Event::Warning { text });
+    }
+    let sets: Vec<FrameSet<'_>> = frames
+        .iter()
+        .zip(&names)
+        .map(|(frames, name)| frames.frames(*name))
+        .collect();
+    let shown = Shown::new(
+        spec,
+        printers.as_deref(),
+        &names,
+        &frames,
+        gel_dose(job, run)?,
+    );
+    let part = spec.target.name();
+    make_parent(folder)?;
+    let movies = write_folder_whole(folder, |aside| {
+        Ok(shown.write(aside, &part, &sets, progress)?)
+    })?;
+    let mut movies = movies.into_iter();
+    let lights = sets.iter().zip(shown.lights()).map(|(set, light)| {
+        let movie = (set.grid.frame_arc > 0.0).then(|| movies.next()).flatten();
+        ExportedLight {
+            name: set.light.map(str::to_owned),
+            canvas: [set.grid.columns, set.grid.rows],
+            frames: set.grid.frames(),
+            frame_rate: movie.as_ref().map(|movie| movie.check.frame_rate),
+            movie: movie.map(|movie| movie.file),
+            budget: light.budget,
+        }
+    });
+    Ok(Exported {
+        lights: lights.collect(),
+        folder: folder.to_owned(),
+    })
+}
+
+/// The dose at which the run's print is solid, from its report.
+fn gel_dose(job: &Job, run: &Path) -> Result<Option<f64>> {
+    let text = std::fs::read_to_string(run.join("report.json")).unwrap_or_default();
+    let report: Value = serde_json::from_str(&text).unwrap_or_default();
+    let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
+        return Ok(None);
+    };
+    let (kind, inner) = Section::new("response", job.spec.response.clone()).kind(RESPONSES)?;
+    let response = (kind.build)(&inner)?;
+    Ok(Some(f64::from(response.inverse(threshold as f32))))
+}
+
+/// Draws calibration frames for the machine of a job (each light has its own folder, when there are several).
+///
+/// # Errors
+/// As [`Calibration::new`] and [`Calibration::draw`]; [`Error::Config`] when the folder is not empty.
+pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
+    let optics = Optics::new(&job.spec).map_err(|e| job.locate(e))?;
+    let printer = job.spec.printer.clone().unwrap_or_default();
+    let several = device::names(&job.spec);
+    let mut written = Vec::new();
+    must_be_free(folder)?;
+    for (light, name) in optics.lights.iter().zip(several) {
+        let calibration = Calibration::new(&printer, &light.pixels, job.spec.evaluate.bit_depth)
+            .map_err(|e| job.locate(e))?;
+        let place = name.map_or_else(|| folder.to_owned(), |name| folder.join(name));
+        written.extend(draw(&calibration, names, &place)?);
+    }
+    Ok(written)
+}
+
+/// Draws frames of these names, each `NAME.png`, into a new folder.
+///
+/// # Errors
+/// As [`Calibration::draw`]; [`Error::Io`].
+pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
+    let drawn = names
+        .iter()
+        .map(|name| calibration.draw(name))
+        .collect::<Result<Vec<_>>>()?;
+    must_be_free(folder)?;
+    make_parent(folder)?;
+    write_folder_whole(folder, |aside| {
+        for (name, frame) in names.iter().zip(&drawn) {
+            let place = aside.join(format!("{name}.folder"));
+            write_frames(&place, &[frame.frames(None)])?;
+            std::fs::rename(
+                place.join("frame_0000.png"),
+                aside.join(format!("{name}.png")),
+            )?;
+            std::fs::remove_dir(&place)?;
+        }
+        Ok(())
+    })?;
+    Ok(names
+        .iter()
+        .map(|name| folder.join(format!("{name}.png")))
+        .collect())
+}
+
+fn make_parent(folder: &Path) -> Result<()> {
+    let parent = folder.parent().unwrap_or(Path::new(""));
+    std::fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))
+}
+
+/// Refuses a folder that holds anything.
+fn must_be_free(folder: &Path) -> Result<()> {
+    let taken = match std::fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_some(),
+        Err(_) => folder.exists(),
+    };
+    if taken {
+        return Err(Error::config(
+            "--output",
+            format!("`{}` is not empty", folder.display()),
+            "a folder that does not exist yet, or an empty one",
+        ));
+    }
+    Ok(())
+}
