@@ -4,6 +4,7 @@
 //! writer goes through [`whole`].
 
 pub mod array;
+pub mod csr;
 pub mod csv;
 pub mod frames;
 #[cfg(test)]

@@ -4,7 +4,8 @@ use super::spec::{JobSpec, LightSpec, Region};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::kind::Section;
-use crate::models::parallel::Light;
+use crate::models::parallel::{Kernel, Light};
+use crate::models::{Choice, MODELS};
 use crate::optics::resin::Resin;
 use crate::optics::vial::{VIALS, Vial};
 use crate::target::{Shape, label};
@@ -18,6 +19,8 @@ pub(crate) struct Optics {
     pub(crate) vial: Box<dyn Vial>,
     /// One per light.
     pub(crate) lights: Vec<Light>,
+    /// How light becomes dose.
+    pub(crate) model: Choice,
 }
 
 impl Optics {
@@ -25,12 +28,19 @@ impl Optics {
     pub(crate) fn new(spec: &JobSpec) -> Result<Self> {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
         let vial = (kind.build)(&section)?;
+        let (kind, section) = Section::new("model", spec.model.clone()).kind(MODELS)?;
+        let model = (kind.build)(&section)?;
+        let Choice::Parallel(parallel) = &model;
         let lights = spec
             .light
             .iter()
-            .map(|light| light_of(spec, light))
+            .map(|light| light_of(spec, light, parallel.kernel))
             .collect();
-        Ok(Optics { vial, lights })
+        Ok(Optics {
+            vial,
+            lights,
+            model,
+        })
     }
 
     /// The same lights with frames averaged over so many angles.
@@ -173,7 +183,7 @@ impl Optics {
     }
 }
 
-fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
+fn light_of(spec: &JobSpec, light: &LightSpec, kernel: Kernel) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = &spec.resin;
@@ -202,6 +212,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
         },
         surrounding_index: spec.vial.surrounding_index,
         polarisation: light.polarisation,
+        kernel,
         sub_angles: light.sub_angles,
         active: None,
     }

@@ -2,6 +2,7 @@
 //! here.
 
 use crate::kind::{Kind, KindPage};
+use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
@@ -33,6 +34,7 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Fa
 pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
+        family("model", "How light becomes dose", MODELS),
         family("objective", "What is minimised", OBJECTIVES),
         family("optimizer", "How it is minimised", OPTIMIZERS),
         family("start", "Where it begins", STARTS),

@@ -151,6 +151,7 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     if let Some(phantom) = &mut spec.target.phantom {
         *phantom = with_defaults(pages("target.phantom"), phantom);
     }
+    spec.model = with_defaults(pages("model"), &spec.model);
     spec.response = with_defaults(pages("response"), &spec.response);
     spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
     spec.start = with_defaults(pages("start"), &spec.start);

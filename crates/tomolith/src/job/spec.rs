@@ -57,6 +57,9 @@ pub struct JobSpec {
     pub resin: ResinSpec,
     /// What stands around the resin, `[vial.KIND]`.
     pub vial: VialSpec,
+    /// How light becomes dose, `[model.KIND]`.
+    #[serde(default = "parallel")]
+    pub model: Value,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
     /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
@@ -289,6 +292,9 @@ fn kind(name: &str) -> Value {
     let mut map = Map::new();
     map.insert(name.to_owned(), Value::Object(Map::new()));
     Value::Object(map)
+}
+fn parallel() -> Value {
+    kind("parallel")
 }
 fn identity() -> Value {
     kind("identity")

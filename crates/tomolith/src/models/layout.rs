@@ -1,7 +1,8 @@
 //! How a model's fields are laid out, and the way to and from arrays in file order.
 //!
 //! Inside, z is the fastest axis: the geometry of one slice serves all heights, so a kernel walks along z. A dose field
-//! holds rows of lanes `[y][x][z]`, each row padded to whole vectors of 16 floats (64 bytes; see [`row_of`]). A pattern field holds only
+//! holds rows of lanes `[y][x][z]`, each row padded to whole vectors of 16 floats (64 bytes; see [`row_of`]); a single slice
+//! is a plain plane `[y][x]`. A pattern field holds only
 //! *active* pixels: for each (frame, column) one run of rows, from low z to high z.
 //!
 //! ```
@@ -31,15 +32,20 @@ pub enum Quantity {
 }
 
 /// Floats that a row of `nz` voxels takes: `nz` rounded up to whole vectors of 16, and long rows to an odd number of
-/// them. Rows a power of two apart would all compete for the same few sets of the caches.
+/// them. Rows a power of two apart would all compete for the same few sets of the caches. A single slice has no lanes
+/// along z: its rows are single voxels.
 ///
 /// ```
 /// use tomolith::models::layout::row_of;
 /// assert_eq!(row_of(20), 32); // two vectors
 /// assert_eq!(row_of(256), 272); // seventeen vectors instead of sixteen
+/// assert_eq!(row_of(1), 1); // a plane
 /// ```
 #[must_use]
 pub fn row_of(nz: usize) -> usize {
+    if nz == 1 {
+        return 1;
+    }
     let vectors = nz.div_ceil(LANES);
     let spread = vectors >= 8 && vectors.is_multiple_of(2);
     (vectors + usize::from(spread)) * LANES

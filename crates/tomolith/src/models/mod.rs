@@ -6,14 +6,35 @@
 //! back-projection).
 
 pub mod layout;
+pub mod matrix;
 pub mod parallel;
 pub mod planner;
 
 use crate::error::Result;
 use crate::field::Field;
+use crate::kind::{Kind, Section};
 pub use layout::{DoseLayout, PatternLayout, Quantity};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+
+/// The dose model that a job asks for.
+#[derive(Clone, Debug)]
+pub enum Choice {
+    /// Collimated light through a z-invariant vial.
+    Parallel(parallel::Params),
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        Choice::Parallel(parallel::Params::default())
+    }
+}
+
+/// Reads the parameters of a model from its section.
+pub type ChooseModel = fn(&Section) -> Result<Choice>;
+
+/// Every dose model; the first is the default.
+pub static MODELS: &[Kind<ChooseModel>] = &[parallel::KIND];
 
 /// What long work carries along: a way to be stopped.
 ///

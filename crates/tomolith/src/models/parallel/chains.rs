@@ -9,6 +9,7 @@
     reason = "kernel file: vector arithmetic needs intrinsics"
 )]
 
+use super::comb::{Integrals, Square};
 use super::kernel::Block;
 use super::strips::{Beam, Columns};
 #[cfg(doc)]
@@ -37,6 +38,12 @@ impl<'a> Chain<'a> {
             upward: beam.strips[first].upward,
             column: beam.strips[first].column,
         }
+    }
+
+    /// Pixel columns of the strips, in their order.
+    pub(super) fn columns_of_pixels(&self) -> impl Iterator<Item = usize> + use<> {
+        let (first, step) = (i64::from(self.column), i64::from(self.columns.step));
+        (0..self.count as i64).map(move |i| (first + step * i) as usize)
     }
 }
 
@@ -116,6 +123,46 @@ impl Avx512 {
         }
     }
 
+    /// Adds to the voxels of a tile's single slice, `[row][across]` of the chain, what the taps bring of the pixels in
+    /// `window`.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn add_taps(
+        self,
+        taps: &Taps,
+        rows: usize,
+        window: &[f32; WINDOW],
+        out: &mut Square,
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::add_taps(taps, rows, window, out);
+        }
+    }
+
+    /// What the cotangent of a tile's single slice gives to the strips of a chain.
+    #[cfg_attr(
+        not(target_arch = "x86_64"),
+        expect(unused_variables, reason = "no such machine")
+    )]
+    pub(super) fn chain_adjoint(
+        self,
+        chain: &Chain,
+        local: &Local,
+        integrals: &Integrals,
+    ) -> [f32; WINDOW] {
+        let mut sums = [0.0; WINDOW];
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: `self` proves that AVX-512F was detected.
+        unsafe {
+            avx512::chain_adjoint(chain, local, integrals, &mut sums);
+        }
+        sums
+    }
+
     /// Adds to every voxel of a tile what the chosen chains bring, over the lanes of the block. `rows[y]` holds the
     /// whole rows of lanes of the tile's voxels (·, y); `source` has [`GUARD`] rows before slot 0 and behind the last.
     ///
@@ -139,6 +186,9 @@ impl Avx512 {
         }
     }
 }
+
+/// Strips of a chain as vectors: at most 63, and one more edge.
+pub(super) const WINDOW: usize = 64;
 
 /// Rows of lanes before the first and behind the last slot: taps of no weight may reach beyond a chain.
 pub(super) const GUARD: usize = MOST_TAPS;
@@ -197,9 +247,10 @@ impl Taps {
 
 #[cfg(target_arch = "x86_64")]
 mod avx512 {
+    use super::super::comb::{Integrals, Square};
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
-    use super::{Chain, GUARD, LANES, MOST_TAPS, PATCH, PATCHES, Taps};
+    use super::{Chain, GUARD, LANES, MOST_TAPS, PATCH, PATCHES, Taps, WINDOW};
     use std::arch::x86_64::*;
 
     /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
@@ -533,6 +584,87 @@ mod avx512 {
             _mm512_castps_si512(last),
             _mm512_castps_si512(values),
         ))
+    }
+
+    /// See [`Avx512::add_taps`](super::Avx512::add_taps).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn add_taps(taps: &Taps, rows: usize, window: &[f32; WINDOW], out: &mut Square) {
+        let table: [__m512; 4] = std::array::from_fn(|i| load(window, 16 * i));
+        for at in (0..rows * TILE).step_by(TILE) {
+            let strips = &taps.strip[at..at + 16];
+            // SAFETY: sixteen bytes.
+            let strips = unsafe { _mm_loadu_si128(strips.as_ptr().cast()) };
+            let mut strip = _mm512_cvtepu8_epi32(strips);
+            let mut sum = load(out, at);
+            for weights in &taps.weight[..taps.taps] {
+                sum = _mm512_fmadd_ps(load(weights, at), look(table, strip), sum);
+                strip = _mm512_add_epi32(strip, _mm512_set1_epi32(1));
+            }
+            store(out, at, sum);
+        }
+    }
+
+    /// See [`Avx512::chain_adjoint`](super::Avx512::chain_adjoint).
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn chain_adjoint(
+        chain: &Chain,
+        local: &Local,
+        integrals: &Integrals,
+        sums: &mut [f32; WINDOW],
+    ) {
+        if chain.count < 32 {
+            chain_adjoint_in::<2>(chain, local, integrals, sums);
+        } else {
+            chain_adjoint_in::<4>(chain, local, integrals, sums);
+        }
+    }
+
+    /// A strip gets its density in each row times the integral of the cotangent between its edges.
+    #[target_feature(enable = "avx512f")]
+    fn chain_adjoint_in<const H: usize>(
+        chain: &Chain,
+        local: &Local,
+        integrals: &Integrals,
+        sums: &mut [f32; WINDOW],
+    ) {
+        let c = chain.columns;
+        let parts: [usize; H] = std::array::from_fn(|h| chain.first + 16 * h);
+        let sign = _mm512_set1_ps(if chain.upward { -1.0 } else { 1.0 });
+        let mut energy = parts.map(|at| first_row(chain, local, at));
+        let ratio = parts.map(|at| exp16(_mm512_mul_ps(load(&c.per_row, at), sign)));
+        let slope = parts.map(|at| load(&c.slope, at));
+        let corner = _mm512_set1_ps(local.origin[1]);
+        let offset = parts.map(|at| _mm512_sub_ps(load(&c.offset, at), corner));
+        let (zero, end) = (_mm512_setzero_ps(), _mm512_set1_ps(TILE as f32));
+        let last = _mm512_set1_epi32(TILE as i32 - 1);
+        let mut total = [zero; H];
+        for row in 0..local.rows {
+            let value = load(&integrals.value, row * TILE);
+            let constant = load(&integrals.constant, row * TILE);
+            let middle = _mm512_set1_ps(local.origin[0] + row as f32 + 0.5);
+            let edge: [__m512; H] =
+                std::array::from_fn(|h| _mm512_fmadd_ps(slope[h], middle, offset[h]));
+            let integral = edge.map(|edge| {
+                let edge = _mm512_min_ps(_mm512_max_ps(edge, zero), end);
+                let voxel = _mm512_min_epi32(_mm512_cvttps_epi32(edge), last);
+                let (value, constant) = (
+                    _mm512_permutexvar_ps(voxel, value),
+                    _mm512_permutexvar_ps(voxel, constant),
+                );
+                _mm512_fmadd_ps(edge, value, constant)
+            });
+            for h in 0..H {
+                let next = (h + 1).min(H - 1);
+                let width = _mm512_sub_ps(shift(edge[h], edge[next]), edge[h]);
+                let between = _mm512_sub_ps(shift(integral[h], integral[next]), integral[h]);
+                let density = _mm512_mul_ps(energy[h], inverse(width));
+                total[h] = _mm512_fmadd_ps(density, between, total[h]);
+                energy[h] = _mm512_mul_ps(energy[h], ratio[h]);
+            }
+        }
+        for (h, total) in total.into_iter().enumerate() {
+            store(sums, 16 * h, total);
+        }
     }
 
     /// See [`Avx512::gather_tile`](super::Avx512::gather_tile).

@@ -16,9 +16,10 @@
 //! legs in a double tube).
 //!
 //! # Discretisation
-//! `kernel = "distance-driven"`: see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
+//! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
 //! exact. A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
-//! voxel falls with the square of the pitch.
+//! voxel falls with the square of the pitch. The published kernels of pure Radon, `"line"`, `"linear"` and `"strip"`, are
+//! other enumerators of the same (column, voxel, weight): see [`radon`].
 //!
 //! # Source
 //! Design: Nicolet et al. 2024, §3 (volumetric rendering equation without scattering); kernel: De Man & Basu 2004.
@@ -55,18 +56,24 @@
 //! ```
 
 mod chains;
+mod comb;
 mod gather;
 mod heights;
 pub mod kernel;
 mod plan;
+mod plane;
+pub mod radon;
 mod strips;
 mod tiles;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
+use crate::kind::Kind;
 use crate::models::layout::PixelRun;
-use crate::models::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
+use crate::models::{
+    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling,
+};
 use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
 use crate::optics::vial::Vial;
@@ -74,10 +81,31 @@ use chains::GUARD;
 use gather::Gatherer;
 use kernel::{Block, Isa, MAX_BLOCK};
 use plan::{KernelPath, LightPlan};
+pub use radon::Kernel;
 use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use tiles::{TILE, Tile, TileEntries};
+
+/// Keys of `[model.parallel]`.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// How the light of a pixel column is shared among voxels; the last three for an index-matched vial and
+    /// `resin.pure_radon` only.
+    pub kernel: Kernel,
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "parallel",
+    summary: "Collimated light through a vial that does not change along z: refraction, absorption, pure Radon.",
+    example: "[model.parallel]\nkernel = \"distance-driven\"\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Parallel(section.parse()?)),
+};
 
 /// One light: its pixels and what the resin does at its wavelength.
 #[derive(Clone, Debug)]
@@ -90,6 +118,8 @@ pub struct Light {
     pub surrounding_index: f64,
     /// Polarisation at the projector.
     pub polarisation: Polarisation,
+    /// How a column's light is shared among voxels.
+    pub kernel: Kernel,
     /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
     pub sub_angles: usize,
     /// Rows that may be lit, per (frame, column): `(bottom, count)` counted from the lowest row. None: all.
@@ -105,6 +135,7 @@ impl Light {
             resin,
             surrounding_index: 1.0,
             polarisation: Polarisation::Unpolarised,
+            kernel: Kernel::DistanceDriven,
             sub_angles: 1,
             active: None,
         }
@@ -145,6 +176,7 @@ impl Parallel {
         let (mut offset, mut first_frame) = (0, 0);
         for light in lights {
             check(&light)?;
+            check_kernel(&light, vial)?;
             let all =
                 vec![(0, light.pixels.rows as u32); light.pixels.frames() * light.pixels.columns];
             let active = light.active.as_deref().unwrap_or(&all);
@@ -215,6 +247,11 @@ impl Parallel {
             .collect())
     }
 
+    /// Whether there is a single slice, whose rows have no lanes.
+    fn is_plane(&self) -> bool {
+        self.outputs[0].row == 1
+    }
+
     fn row(&self) -> usize {
         self.outputs[0].row / LANES
     }
@@ -258,6 +295,9 @@ impl Parallel {
         dose: &mut [f32],
         run: &Run,
     ) -> Result<()> {
+        if self.is_plane() {
+            return self.add_light_of_plane(light, frames, x, dose, run);
+        }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
@@ -301,6 +341,9 @@ impl Parallel {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
+        if self.is_plane() {
+            return self.adjoint_light_of_plane(light, cotangent, grad, run);
+        }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
@@ -363,6 +406,39 @@ fn check(light: &Light) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// Refuses a kernel of pure Radon where light bends or is weakened.
+fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
+    let name = light.kernel.name();
+    let refused = |found: String| {
+        Err(Error::config(
+            "model.parallel.kernel",
+            found,
+            "\"distance-driven\" (\"line\", \"linear\" and \"strip\" want an index-matched vial and resin.pure_radon = true)",
+        ))
+    };
+    if light.kernel == Kernel::DistanceDriven {
+        return Ok(());
+    }
+    if !is_straight(vial, light) {
+        return refused(format!(
+            "{name:?} is defined for straight light, and this vial refracts"
+        ));
+    }
+    if !light.resin.pure_radon {
+        return refused(format!(
+            "{name:?} is a kernel of pure Radon, and this resin absorbs"
+        ));
+    }
+    Ok(())
+}
+
+/// Whether light passes the vial as if it were not there: one round wall between equal indices.
+fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
+    let index = light.resin.refractive_index;
+    let outside = vial.surrounding_index(light.surrounding_index, index);
+    vial.walls().len() == 1 && vial.is_round() && (outside - index).abs() < 1e-12
 }
 
 /// The dose, cut into tiles: for each tile its rows of voxels.
@@ -441,7 +517,8 @@ impl LinearOperator for Parallel {
 
     fn describe(&self) -> String {
         format!(
-            "parallel (distance-driven kernel, {} path)",
+            "parallel ({} kernel, {} path)",
+            self.lights[0].kernel.name(),
             self.path.isa.name()
         )
     }

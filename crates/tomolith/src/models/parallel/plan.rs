@@ -1,11 +1,13 @@
 //! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
 
 use super::chains::{Avx512, Chain};
+use super::comb::Comb;
 use super::heights::Heights;
 use super::kernel::{Block, Isa, accumulate};
+use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
-use super::{GROUP, Light};
+use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::PatternLayout;
@@ -36,10 +38,13 @@ pub(super) struct LightPlan {
     pub(super) beams: Vec<Beam>,
     /// Beams of each frame.
     pub(super) of_frame: Vec<Range<usize>>,
+    /// Beams that are combs, for a single slice.
+    pub(super) combs: Vec<Option<Comb>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     heights: Heights,
     deposit: Deposit,
+    pub(super) kernel: Kernel,
     /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
     pub(super) lit: Vec<(u16, u16)>,
     pub(super) columns: usize,
@@ -67,14 +72,20 @@ impl LightPlan {
             active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
             pure_radon: resin.pure_radon,
         };
-        let beams = strips::beams(
-            &tracer,
-            vial.is_round(),
-            &light.pixels,
-            light.sub_angles.max(1),
-            grid,
-            &deposit,
-        );
+        let sub_angles = light.sub_angles.max(1);
+        let beams = if light.kernel == Kernel::DistanceDriven {
+            strips::beams(
+                &tracer,
+                vial.is_round(),
+                &light.pixels,
+                sub_angles,
+                grid,
+                &deposit,
+            )
+        } else {
+            let radius = vial.resin_wall().inscribed_radius();
+            radon::beams(light.kernel, radius, &light.pixels, sub_angles, grid)
+        };
         let frames = light.pixels.frames();
         let mut of_frame = vec![0..0; frames];
         for (i, beam) in beams.iter().enumerate() {
@@ -85,9 +96,23 @@ impl LightPlan {
                 range.start..i + 1
             };
         }
+        let is_comb = grid.shape[0] == 1
+            && light.kernel == Kernel::DistanceDriven
+            && is_straight(vial, light);
+        let combs: Vec<Option<Comb>> = beams
+            .par_iter()
+            .map(|beam| Comb::new(beam, &light.pixels, grid, &deposit).filter(|_| is_comb))
+            .collect();
+        let meeting =
+            |tile, (beam, comb): (&Beam, &Option<Comb>)| tiles::meeting(beam, comb.as_ref(), tile);
         let meetings = tiles
             .par_iter()
-            .flat_map_iter(|tile| beams.iter().map(|beam| tiles::meeting(beam, tile)))
+            .flat_map_iter(|tile| {
+                beams
+                    .iter()
+                    .zip(&combs)
+                    .map(move |pair| meeting(tile, pair))
+            })
             .collect();
         let heights = Heights::new(&light.pixels, grid, KernelPath::of(Isa::in_use()).wide);
         let lit = layout
@@ -101,9 +126,11 @@ impl LightPlan {
         LightPlan {
             beams,
             of_frame,
+            combs,
             meetings,
             heights,
             deposit,
+            kernel: light.kernel,
             lit,
             columns: light.pixels.columns,
             first_frame,
@@ -253,7 +280,11 @@ impl LightPlan {
         if let Some(wide) = path.wide.filter(|_| meeting.chain) {
             return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
         }
-        found.add(&beam.strips[first..end], &local, &self.deposit, keep);
+        let strips = &beam.strips[first..end];
+        match self.kernel {
+            Kernel::DistanceDriven => found.add(strips, &local, &self.deposit, keep),
+            kernel => found.add_radon(kernel, strips, &local, keep),
+        }
     }
 
     pub(super) fn updates_in(

@@ -68,6 +68,8 @@ pub(super) struct Strip {
 pub(super) struct Beam {
     /// Frame of the pattern grid.
     pub(super) frame: u32,
+    /// Where its light comes from, rad.
+    pub(super) azimuth: f64,
     pub(super) major: Major,
     /// In order of growing minor coordinate where they do not cross.
     pub(super) strips: Vec<Strip>,
@@ -120,7 +122,11 @@ pub(super) fn beams(
                     None => (Some(bundles(tracer, pixels, angle)), 0.0),
                 };
                 let list = own.as_ref().or(shared.as_ref()).map_or(&[][..], |v| v);
-                beams.extend(lay(frame as u32, list, turn, weight, grid, deposit));
+                let laid = lay(frame as u32, list, turn, weight, grid, deposit);
+                beams.extend(laid.into_iter().map(|mut beam| {
+                    beam.azimuth = angle;
+                    beam
+                }));
             }
             beams
         })
@@ -278,6 +284,11 @@ impl Beam {
         (self.columns.offset[n], self.columns.slope[n]) = (offset, slope);
     }
 
+    /// Whether [`Columns`] is filled: the kernels of pure Radon do without.
+    pub(super) fn has_columns(&self) -> bool {
+        !self.columns.offset.is_empty()
+    }
+
     /// Whether strips `first..end` are neighbours of one column each, that share edges and travel the same way.
     pub(super) fn is_chain(&self, first: usize, end: usize) -> bool {
         let [offset, slope] = self.strips[end - 1].edges[1];
@@ -306,6 +317,7 @@ fn lay(
     let (sin, cos) = turn.rem_euclid(TAU).sin_cos();
     let mut beams = [Major::X, Major::Y].map(|major| Beam {
         frame,
+        azimuth: turn,
         major,
         strips: Vec::new(),
         columns: Columns::default(),

@@ -6,6 +6,7 @@
 //! the length of the interval that each covers (the *distance-driven* kernel: De Man & Basu, Phys. Med. Biol. 49, 2463
 //! (2004)). Hence a pixel's energy is conserved and a uniform light gives a uniform dose, both without any tuning.
 
+use super::comb::Comb;
 use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
 
@@ -182,10 +183,12 @@ pub(super) struct Meeting {
     pub(super) end: u16,
     /// Whether they form a chain, with no resin wall within the tile.
     pub(super) chain: bool,
+    /// Whether they are a [`Comb`](super::comb::Comb) there.
+    pub(super) comb: bool,
 }
 
 /// How a beam and a tile meet.
-pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
+pub(super) fn meeting(beam: &Beam, comb: Option<&Comb>, tile: &Tile) -> Meeting {
     let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
     let meets = |strip: &Strip| local.may_meet(strip);
     let first = beam.strips.iter().position(meets);
@@ -195,12 +198,14 @@ pub(super) fn meeting(beam: &Beam, tile: &Tile) -> Meeting {
     };
     let end = last + 1;
     let chain = end - first <= MOST_IN_CHAIN
+        && beam.has_columns()
         && beam.is_chain(first, end)
         && local.is_plain(&beam.strips[first..end]);
     Meeting {
         first: first as u16,
         end: end as u16,
         chain,
+        comb: chain && comb.is_some_and(|comb| comb.holds(first..end)),
     }
 }
 
