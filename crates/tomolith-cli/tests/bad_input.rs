@@ -346,6 +346,31 @@ const WRONG: &[Wrong] = &[
             "fewer pixels or angles",
         ],
     ),
+    // Responses and penalties
+    (
+        "threshold]\nlower = 0.85\nupper = 0.95",
+        "pm]\nd_h = 1.4\nd_l = 0.7\n[response.logistic]\nupper = 1.0",
+        "pm]",
+        &["objective.pm", "1.4", "cannot reach"],
+    ),
+    (
+        "[stop]",
+        "[response.table]\ndose = [0, 1, 2]\nresponse = [0.0, 0.6, 0.5]\n[stop]",
+        "response = ",
+        &["response.table.response[2]", "0.5 after 0.6", "falls"],
+    ),
+    (
+        "[stop]",
+        "[response.logistic]\nupper = 0.97\n[stop]",
+        "response",
+        &["response", "no dose has the response 1", "0.97"],
+    ),
+    (
+        "[stop]",
+        "[[penalties]]\nsparsity = { exponent = 2 }\n[stop]",
+        "penalties",
+        &["penalties[0].weight", "missing"],
+    ),
     // What does not fit
     (
         "size_mm = 2.0",

@@ -7,6 +7,7 @@
 use crate::error::{Error, Result, nearest_name};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::path::{Path, PathBuf};
 
 /// One table of a job file, and the key path that led to it.
 #[derive(Clone, Debug)]
@@ -15,6 +16,8 @@ pub struct Section {
     pub path: String,
     /// The content.
     pub value: Value,
+    /// The folder that its relative paths begin in; empty for the current one.
+    base: PathBuf,
 }
 
 impl Section {
@@ -23,7 +26,21 @@ impl Section {
         Section {
             path: path.into(),
             value,
+            base: PathBuf::new(),
         }
+    }
+
+    /// The same section, its relative paths beginning in a folder.
+    #[must_use]
+    pub fn based(mut self, folder: &Path) -> Self {
+        folder.clone_into(&mut self.base);
+        self
+    }
+
+    /// Where a file that the section names is.
+    #[must_use]
+    pub fn file(&self, path: &Path) -> PathBuf {
+        self.base.join(path)
     }
 
     /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
@@ -89,7 +106,8 @@ impl Section {
                 nearest: nearest_name(name, names()).map(str::to_owned),
                 place: None,
             })?;
-        Ok((row, Section::new(format!("{}.{name}", self.path), value)))
+        let inner = Section::new(format!("{}.{name}", self.path), value);
+        Ok((row, inner.based(&self.base)))
     }
 }
 

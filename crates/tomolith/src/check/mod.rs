@@ -5,6 +5,8 @@
 pub mod model;
 mod objective;
 mod optimizer;
+#[cfg(test)]
+mod penalised;
 pub(crate) mod small;
 
 pub use objective::objective;

@@ -35,7 +35,7 @@ const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Updates of the calls that are timed, about; and frames, a multiple of what the kernel does at once.
-const TRIAL_UPDATES: usize = 400_000_000;
+const TRIAL_UPDATES: usize = 200_000_000;
 const TRIAL_FRAMES: usize = 8;
 /// Voxels along the longest edge of the thinned copy whose metrics are timed.
 const TRIAL_EDGE: usize = 80;
@@ -258,7 +258,6 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     let objective = scene.objective(layout, voxels)?;
     objective.value_and_gradient(&dose, &mut gradient);
     let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
-    let dose = layout.volume_of(dose.as_slice());
     let updates = model.updates() as f64;
     Ok(Rates {
         updates_per_s: 2.0 * updates / call_s,
@@ -266,7 +265,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         objective_s,
         vector_s: vector_s / x.len().max(1) as f64,
         sampling_s: sampling_s / scene.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels, &dose)?,
+        measuring_s: measuring(voxels)?,
         model: plan.reason,
     })
 }
@@ -278,13 +277,14 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64().max(1e-7), result)
 }
 
-/// Seconds per voxel to measure a print, from a copy of the dose with every n-th voxel.
-fn measuring(voxels: &Voxels, dose: &Volume<f32>) -> Result<f64> {
-    let longest = dose.grid.shape.iter().copied().max().unwrap_or(1);
-    let step = longest.div_ceil(TRIAL_EDGE);
+/// Seconds per voxel to measure a print, from every n-th voxel of the target taken for its dose: surfaces as long as a
+/// good print's, and as close to the part's.
+fn measuring(voxels: &Voxels) -> Result<f64> {
+    let longest = voxels.labels.grid.shape.iter().copied().max();
+    let step = longest.unwrap_or(1).div_ceil(TRIAL_EDGE);
     let labels = thinned(&voxels.labels, step);
-    let (inside, dose) = (thinned(&voxels.target.inside, step), thinned(dose, step));
-    let print = Print::new(&labels, &dose)?.with_inside(&inside)?;
+    let inside = thinned(&voxels.target.inside, step);
+    let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
     let (seconds, _) = timed(|| evaluate(&print));
     Ok(seconds / labels.values.len().max(1) as f64)
 }
@@ -377,10 +377,10 @@ mod tests {
     #[test]
     fn memory_is_that_of_the_arrays() {
         let extent = extent();
-        let lanes = 10usize.next_multiple_of(LANES) as f64 * 100.0;
+        let lanes = row_of(10) as f64 * 100.0;
         let [voxels, pixels] = extent.optimisation();
         assert!((voxels - lanes * 21.0 / 1e6).abs() < 1e-12);
-        let scratch = 600.0 * 10usize.next_multiple_of(LANES) as f64 * 4.0;
+        let scratch = 600.0 * row_of(10) as f64 * 4.0;
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
         assert_eq!(whole_mb([300.0, 4.5]), 324);

@@ -11,6 +11,8 @@ use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::metrics::print::{PatternStats, Print};
+use crate::metrics::published::slices::{Slice, slices};
+use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
 use crate::models::{Run, planner};
@@ -24,6 +26,10 @@ pub(crate) struct Judged {
     pub(crate) standing: Evaluation,
     /// Raw patterns on the optimisation's own grid, when there are raw ones.
     pub(crate) optimisation: Option<Evaluation>,
+    /// Numbers of the headline as they were published.
+    pub(crate) published: Vec<Published>,
+    /// Numbers of each slice of the headline.
+    pub(crate) slices: Vec<Slice>,
     /// Dose of the headline, averaged to the optimisation's voxels.
     pub(crate) dose: Volume<f32>,
     /// The target on the finer grid.
@@ -101,6 +107,15 @@ pub(crate) fn judge(
         cancel,
     )?;
     let mean = averaged(&turning, &scene.grid);
+    let material = scene.response()?;
+    let options = published::Options {
+        response: material.as_ref(),
+        grey: fine.target.grey,
+        patterns: shown,
+        ..Default::default()
+    };
+    let published = published::published(&turning, &fine.target.inside, &fine.labels, &options)?;
+    let slices = slices(&turning, &fine.labels, options.trim_percent);
     let response = scene.responses(turning)?;
     let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
     let steps = Steps {
@@ -121,6 +136,8 @@ pub(crate) fn judge(
         evaluation,
         standing,
         optimisation,
+        published,
+        slices,
         dose: mean,
         fine,
         response,

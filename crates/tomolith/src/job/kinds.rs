@@ -4,6 +4,7 @@
 use crate::kind::{Kind, KindPage};
 use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
+use crate::objective::penalty::PENALTIES;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
 use crate::optimize::start::STARTS;
@@ -36,6 +37,7 @@ pub fn families() -> Vec<Family> {
         family("vial", "What stands around the resin", VIALS),
         family("model", "How light becomes dose", MODELS),
         family("objective", "What is minimised", OBJECTIVES),
+        family("penalties", "What patterns cost by themselves", PENALTIES),
         family("optimizer", "How it is minimised", OPTIMIZERS),
         family("start", "Where it begins", STARTS),
         family(

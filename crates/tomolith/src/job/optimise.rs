@@ -82,7 +82,8 @@ pub(crate) fn optimise(
     let objective = scene.objective(&model.outputs()[0], voxels)?;
     let start = starting_patterns(scene, voxels, model, cancel)?;
     let limits = limits(spec, &start);
-    let mut problem = Problem::new(model, &objective, &limits, cancel)?;
+    let penalties = scene.penalties(model.patterns())?;
+    let mut problem = Problem::new(model, &objective, &limits, cancel)?.with_penalties(penalties);
     let mut optimizer = scene.optimizer()?;
     let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(

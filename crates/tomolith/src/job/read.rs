@@ -91,6 +91,13 @@ impl Job {
     pub fn resolved(&self) -> JobSpec {
         let mut spec = with_every_default(self.spec.clone());
         let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let tables = spec
+            .objective
+            .iter_mut()
+            .chain(spec.objectives.iter_mut().flatten());
+        for table in tables.chain([&mut spec.response]) {
+            each_file(table, &|file| absolute(&self.base().join(file)));
+        }
         spec.output.folder = Some(absolute(&self.folder()));
         for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
             *file = absolute(&self.base().join(&*file));
@@ -165,5 +172,21 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     {
         *objective = with_defaults(pages("objective"), objective);
     }
+    for penalty in &mut spec.penalties {
+        *penalty = with_defaults(pages("penalties"), penalty);
+    }
     spec
+}
+
+/// Changes every `file` of a table and the tables in it.
+fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
+    let Some(map) = value.as_object_mut() else {
+        return;
+    };
+    for (key, value) in map {
+        match value.as_str().filter(|_| key == "file").map(change) {
+            Some(file) => *value = file.to_string_lossy().into_owned().into(),
+            None => each_file(value, change),
+        }
+    }
 }

@@ -12,19 +12,20 @@ use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::kind::Section;
-use crate::models::DoseLayout;
+use crate::models::{DoseLayout, PatternLayout};
+use crate::objective::emphasis::{Common, Ground};
+use crate::objective::penalty::{PENALTIES, Penalties};
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{OPTIMIZERS, Optimizer};
-use crate::response::{RESPONSES, Response};
+use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{self, Resolution, Shape, Target, default_grid, label, label_voxels};
 use serde_json::Value;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
-/// Largest weight of an objective: its gradient is still a number in f32.
-const MOST_WEIGHT: f64 = 1e9;
 /// Share of the free memory that a run may plan with.
 const USABLE: f64 = 0.9;
 /// Parts of a voxel that are rounding of the job's lengths.
@@ -34,6 +35,8 @@ const ROUNDING: f64 = 1e-6;
 pub(crate) struct Scene {
     /// The tables; the optimiser's memory may have been lowered.
     pub(crate) spec: JobSpec,
+    /// The folder that files of the tables begin in.
+    pub(crate) base: PathBuf,
     /// Name of the part.
     pub(crate) name: String,
     /// The shape.
@@ -74,9 +77,16 @@ impl Scene {
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
-        try_kinds(&spec, shape.is_grey())?;
+        try_kinds(&spec, shape.is_grey(), &job.base())?;
         optics.must_hold(shape.as_ref())?;
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
+        for section in spec.objectives()? {
+            let path = section.path.clone();
+            let (common, _) = Common::split(section)?;
+            common
+                .check_files(&grid, &job.base())
+                .map_err(|e| e.under(&path))?;
+        }
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let extent = Extent::new(
             &optics,
@@ -86,6 +96,7 @@ impl Scene {
             memory,
         );
         let mut scene = Scene {
+            base: job.base(),
             name: spec.target.name(),
             warnings: shape.warnings(),
             notes: Vec::new(),
@@ -206,7 +217,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn response(&self) -> Result<Arc<dyn Response>> {
-        response(&self.spec)
+        response(Section::new("response", self.spec.response.clone()).based(&self.base))
     }
 
     /// The sum of the job's objectives.
@@ -223,7 +234,17 @@ impl Scene {
                 target,
                 response: self.response()?,
             },
+            &self.base,
+            true,
         )
+    }
+
+    /// The penalties on the patterns.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
+        penalties(&self.spec, lights)
     }
 
     /// The optimiser.
@@ -305,8 +326,7 @@ fn at_section(path: &str, error: Error) -> Error {
     }
 }
 
-fn response(spec: &JobSpec) -> Result<Arc<dyn Response>> {
-    let section = Section::new("response", spec.response.clone());
+fn response(section: Section) -> Result<Arc<dyn Response>> {
     let (kind, inner) = section.kind(RESPONSES)?;
     Ok(Arc::from((kind.build)(&inner)?))
 }
@@ -346,39 +366,69 @@ fn at_target(spec: &JobSpec, error: Error) -> Error {
     }
 }
 
-fn objectives(spec: &JobSpec, input: &ObjectiveInput<'_>) -> Result<Sum<HostField>> {
+/// The sum of a job's objectives; `base` is where files begin, `on_grid` whether fields of voxels fit the input's grid.
+fn objectives(
+    spec: &JobSpec,
+    input: &ObjectiveInput<'_>,
+    base: &Path,
+    on_grid: bool,
+) -> Result<Sum<HostField>> {
     let mut parts: Vec<(f64, Box<dyn Objective<HostField>>)> = Vec::new();
-    for mut section in spec.objectives()? {
-        let weight = section
-            .value
-            .as_object_mut()
-            .and_then(|map| map.remove("weight"));
-        let weight = match weight {
-            None => 1.0,
-            Some(value) => value.as_f64().ok_or_else(|| {
-                Error::config(
-                    format!("{}.weight", section.path),
-                    format!("found {value}"),
-                    "a number, 0 or more",
-                )
-            })?,
-        };
-        if !(0.0..=MOST_WEIGHT).contains(&weight) {
-            return Err(Error::config(
-                format!("{}.weight", section.path),
-                format!("found {weight}"),
-                format!("a number from 0 to {MOST_WEIGHT:e}"),
-            ));
+    for section in spec.objectives()? {
+        let path = section.path.clone();
+        let (common, section) = Common::split(section)?;
+        let mut input = input.clone();
+        if let Some(own) = &common.response {
+            let own = Section::new(format!("{path}.response"), own.clone());
+            input.response = response(own.based(base))?;
         }
         let (kind, inner) = section.kind(OBJECTIVES)?;
-        let objective = (kind.build)(&inner, input).map_err(|e| at_section(&inner.path, e))?;
-        parts.push((weight, objective));
+        let mut objective = (kind.build)(&inner, &input).map_err(|e| at_section(&inner.path, e))?;
+        if on_grid {
+            let ObjectiveInput {
+                layout,
+                labels,
+                target,
+                ..
+            } = input;
+            let ground = Ground {
+                layout,
+                labels,
+                target,
+                base,
+            };
+            let emphasis = common.emphasis(&ground).map_err(|e| e.under(&path))?;
+            objective.emphasise(&emphasis)?;
+        }
+        parts.push((common.weight, objective));
     }
     Sum::new(parts)
 }
 
+/// The sum of a job's penalties.
+fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
+    let mut parts = Vec::new();
+    for (i, value) in spec.penalties.iter().enumerate() {
+        let mut section = Section::new(format!("penalties[{i}]"), value.clone());
+        let weight = section
+            .value
+            .as_object_mut()
+            .and_then(|map| map.remove("weight"));
+        let weight = weight.as_ref().and_then(Value::as_f64).ok_or_else(|| {
+            Error::config(
+                format!("penalties[{i}].weight"),
+                weight.map_or("the key is missing".to_owned(), |w| format!("found {w}")),
+                "a number, 0 or more",
+            )
+        })?;
+        let (kind, inner) = section.kind(PENALTIES)?;
+        parts.push((weight, (kind.build)(&inner, lights)?));
+    }
+    Penalties::new(parts)
+}
+
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-fn try_kinds(spec: &JobSpec, grey: bool) -> Result<()> {
+fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let target = Target {
@@ -387,16 +437,24 @@ fn try_kinds(spec: &JobSpec, grey: bool) -> Result<()> {
         grey,
     };
     let labels = label_voxels(&target, |_| true);
-    let response = response(spec)?;
+    let response = response(Section::new("response", spec.response.clone()).based(base))?;
     objectives(
         spec,
         &ObjectiveInput {
             layout: &layout,
             labels: &labels,
             target: &target,
-            response,
+            response: response.clone(),
         },
+        base,
+        false,
     )?;
+    let (kind, _) = Section::new("start", spec.start.clone()).kind(STARTS)?;
+    if kind.name != "zero" {
+        // A start from the target asks for the dose of its response
+        dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
+    }
+    penalties(spec, &[])?;
     optimizer(spec)?;
     start(spec).map(drop)
 }

@@ -8,6 +8,7 @@
 use super::kinds::{Family, families};
 use super::spec::JobSpec;
 use crate::kind::KindPage;
+use crate::objective::emphasis::Common;
 use serde_json::{Map, Value, json};
 
 /// The schema of a job file.
@@ -32,6 +33,7 @@ pub fn schema() -> Value {
                 root["properties"]["objectives"]["items"] = options.clone();
                 root["properties"]["objective"] = options;
             }
+            "penalties" => root["properties"]["penalties"]["items"] = options,
             name => root["properties"][name] = options,
         }
     }
@@ -62,7 +64,8 @@ fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
             let mut properties = Map::new();
             match family.name {
                 "vial" => drop(properties.insert("surrounding_index".to_owned(), number(1.0))),
-                "objective" => drop(properties.insert("weight".to_owned(), number(1.0))),
+                "objective" => properties.extend(common_properties(definitions)),
+                "penalties" => drop(properties.insert("weight".to_owned(), json!({ "type": "number" }))),
                 _ => {}
             }
             properties.insert(page.name.to_owned(), schema);
@@ -80,6 +83,19 @@ fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
         .collect();
     let text = (!names.is_empty()).then(|| json!({ "type": "string", "enum": names }));
     json!({ "oneOf": tables.chain(text).collect::<Vec<_>>() })
+}
+
+/// What every objective may have besides its kind.
+fn common_properties(definitions: &mut Map<String, Value>) -> Map<String, Value> {
+    let mut schema = schemars::schema_for!(Common).to_value();
+    let prefix = "objectives_";
+    for (name, mut definition) in schema["$defs"].as_object().cloned().unwrap_or_default() {
+        rename(&mut definition, prefix);
+        definitions.insert(format!("{prefix}{name}"), definition);
+    }
+    let mut properties = schema["properties"].take();
+    rename(&mut properties, prefix);
+    properties.as_object().cloned().unwrap_or_default()
 }
 
 /// A number with a default.

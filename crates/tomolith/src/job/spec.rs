@@ -28,9 +28,15 @@ const PLANNED: [(&str, &str, &str); 4] = [
         "a clear bath's index is vial.surrounding_index",
     ),
     (
+<<<<<<< HEAD
         "penalty",
         "penalties on patterns are not in this version",
         "what is minimised is [objective] alone",
+=======
+        "printer",
+        "models of machines are not in this version",
+        "patterns are exported as they are: no canvas, no flips, no grey curve",
+>>>>>>> origin/main
     ),
     (
         "coarse",
@@ -69,6 +75,9 @@ pub struct JobSpec {
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objectives: Option<Vec<Value>>,
+    /// What patterns cost by themselves, `[[penalties]]` with one kind each and `weight`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub penalties: Vec<Value>,
     /// What the material does with the dose, `[response.KIND]`.
     #[serde(default = "identity")]
     pub response: Value,

@@ -14,7 +14,9 @@ use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
-use crate::metrics::print::Print;
+use crate::metrics::print::{PatternStats, Print};
+use crate::metrics::published::unit_systems::UnitSystem;
+use crate::metrics::published::value_of;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
 use std::path::Path;
@@ -140,7 +142,7 @@ fn report(
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
         optimisation: judged.optimisation.as_ref(),
-        published: serde_json::Map::new(),
+        published: published(scene, done),
         history,
         movies,
         job_text: &resolved.to_toml()?,
@@ -149,6 +151,33 @@ fn report(
     };
     write_json(&folder.join("report.json"), &data)?;
     write_html(&folder.join("report.html"), &data)
+}
+
+/// Numbers as they were published, those of each slice, and the units of the publications.
+fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_json::Value> {
+    let judged = &done.judged;
+    let mut map: serde_json::Map<_, _> = judged
+        .published
+        .iter()
+        .map(|p| {
+            let about = serde_json::json!({
+                "value": p.value, "unit": p.unit, "source": p.source, "note": p.note,
+            });
+            (p.name.clone(), about)
+        })
+        .collect();
+    map.insert("slices".to_owned(), serde_json::json!(judged.slices));
+    let resin = &scene.spec.resin;
+    let brightest = PatternStats::of(&done.patterns.shown).max;
+    let threshold = value_of(&judged.published, "threshold_jaccard");
+    if let Some(dose) = threshold.filter(|_| !resin.pure_radon) {
+        // The brightest pixel and the gel threshold, for an exposure of one turn
+        let turn_s = 60.0 / scene.spec.output.rpm;
+        let rows = UnitSystem::ALL
+            .map(|s| s.convert(f64::from(brightest), dose, resin.absorption_per_mm, turn_s));
+        map.insert("unit_systems".to_owned(), serde_json::json!(rows));
+    }
+    map
 }
 
 /// Short facts for the head of the page.
@@ -194,15 +223,13 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> 
 /// Thresholds of the first objective, where it has any.
 pub(crate) fn window(spec: &JobSpec) -> Option<[f64; 2]> {
     let objective = spec.objectives().ok()?.swap_remove(0).value;
-    let parameters = objective
-        .as_object()?
-        .values()
-        .find_map(|v| v.as_object())?;
-    let get = |key: &str| parameters.get(key)?.as_f64();
-    Some([
-        get("lower").or_else(|| get("d_l"))?,
-        get("upper").or_else(|| get("d_h"))?,
-    ])
+    objective.as_object()?.values().find_map(|parameters| {
+        let get = |key: &str| parameters.get(key)?.as_f64();
+        Some([
+            get("lower").or_else(|| get("d_l"))?,
+            get("upper").or_else(|| get("d_h"))?,
+        ])
+    })
 }
 
 /// Date and time, UTC.

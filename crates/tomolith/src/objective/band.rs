@@ -45,7 +45,7 @@
 //!
 //! [`DoseLayout`]: crate::models::DoseLayout
 
-use super::Objective;
+use super::{Emphasis, Objective};
 use crate::error::{Error, Result};
 use crate::field::group::Group;
 use crate::field::{BLOCK, Field, HostField, LANES, Lanes};
@@ -112,6 +112,14 @@ impl Band {
         self
     }
 
+    /// The same band, wider by `tolerance` on either side.
+    #[must_use]
+    pub fn widened(mut self, tolerance: f32) -> Self {
+        self.lower -= tolerance;
+        self.upper += tolerance;
+        self
+    }
+
     fn validate(&self) -> Result<()> {
         // Also refuses NaN
         if !(self.lower <= self.upper
@@ -153,6 +161,10 @@ pub enum Bands {
         part: Band,
         /// Weighs 1 − s.
         void: Band,
+        /// Factor of both weights per element; empty for 1.
+        scale: Vec<f32>,
+        /// What both bands are widened by on either side, per element; empty for 0.
+        widen: Vec<f32>,
     },
     /// A band per voxel; arrays may be shared, for lower = upper.
     Voxels {
@@ -209,6 +221,76 @@ impl Bands {
         }
     }
 
+    /// Whether some band that counts lies wholly outside a range of responses: found and accepted.
+    fn out_of_reach(&self, [low, high]: [f64; 2]) -> Option<Band> {
+        // A band that only touches the range is reached in the limit
+        let slack = 1e-6 * (1.0 + low.abs().min(high.abs()));
+        let missed = |band: &Band| {
+            band.weight > 0.0
+                && (f64::from(band.lower) > high + slack || f64::from(band.upper) < low - slack)
+        };
+        if low == f64::NEG_INFINITY && high == f64::INFINITY {
+            return None;
+        }
+        match self {
+            Bands::Labels { table, .. } => table.iter().copied().find(missed),
+            Bands::Shared { part, void, .. } => [*part, *void].into_iter().find(missed),
+            Bands::Voxels {
+                lower,
+                upper,
+                weight,
+            } => (0..lower.len())
+                .map(|i| Band::new(lower[i], upper[i], weight[i]))
+                .find(missed),
+        }
+    }
+
+    /// Weights times a factor and bands widened, per element; either may be empty for none.
+    fn emphasised(self, scale: &[f32], widen: &[f32]) -> Self {
+        let at = |field: &[f32], i: usize, none: f32| field.get(i).copied().unwrap_or(none);
+        let each = |band: Band, i: usize| {
+            band.widened(at(widen, i, 0.0))
+                .weighing(band.weight * at(scale, i, 1.0))
+        };
+        match self {
+            Bands::Shared {
+                inside, part, void, ..
+            } => Bands::Shared {
+                inside,
+                part,
+                void,
+                scale: scale.to_vec(),
+                widen: widen.to_vec(),
+            },
+            Bands::Labels { labels, table } => {
+                let bands: Vec<Band> = labels
+                    .iter()
+                    .enumerate()
+                    .map(|(i, &label)| each(table[usize::from(label)], i))
+                    .collect();
+                Bands::voxels(&bands)
+            }
+            Bands::Voxels {
+                lower,
+                upper,
+                weight,
+            } => {
+                let bands: Vec<Band> = (0..lower.len())
+                    .map(|i| each(Band::new(lower[i], upper[i], weight[i]), i))
+                    .collect();
+                Bands::voxels(&bands)
+            }
+        }
+    }
+
+    fn voxels(bands: &[Band]) -> Self {
+        Bands::Voxels {
+            lower: bands.iter().map(|b| b.lower).collect(),
+            upper: bands.iter().map(|b| b.upper).collect(),
+            weight: bands.iter().map(|b| b.weight).collect(),
+        }
+    }
+
     /// Fills up to whole lanes with elements that do not count.
     fn pad(&mut self) -> Result<()> {
         let len = self.len().next_multiple_of(LANES);
@@ -223,7 +305,19 @@ impl Bands {
                     labels.resize(len, free);
                 }
             }
-            Bands::Shared { inside, .. } => inside.resize(len, -1.0),
+            Bands::Shared {
+                inside,
+                scale,
+                widen,
+                ..
+            } => {
+                inside.resize(len, -1.0);
+                for field in [scale, widen] {
+                    if !field.is_empty() {
+                        field.resize(len, 0.0);
+                    }
+                }
+            }
             Bands::Voxels {
                 lower,
                 upper,
@@ -284,6 +378,20 @@ impl BandObjective {
             });
         }
         bands.validate()?;
+        let range = response.range();
+        if let Some(band) = bands.out_of_reach(range) {
+            return Err(Error::config(
+                "",
+                format!(
+                    "the band from {} to {} asks for what the response cannot reach",
+                    band.lower, band.upper
+                ),
+                format!(
+                    "bands that meet the response's range, {} to {}",
+                    range[0], range[1]
+                ),
+            ));
+        }
         bands.pad()?;
         Ok(BandObjective {
             elements,
@@ -513,15 +621,25 @@ impl Bands {
                     };
                 }
             }
-            Bands::Shared { inside, part, void } => {
-                for ((m, slope), shares) in lanes.zip(inside[range].as_chunks::<LANES>().0) {
+            Bands::Shared {
+                inside,
+                part,
+                void,
+                scale,
+                widen,
+            } => {
+                let begin = range.start;
+                let shares = inside[range].as_chunks::<LANES>().0;
+                for (k, ((m, slope), shares)) in lanes.zip(shares).enumerate() {
+                    let at = begin + k * LANES;
                     let share = |i: usize, band: &Band, s: fn(f32) -> f32| {
-                        let counts = shares[i] >= 0.0;
-                        band.weighing(if counts {
-                            band.weight * s(shares[i])
-                        } else {
-                            0.0
-                        })
+                        if shares[i] < 0.0 {
+                            return Band::FREE;
+                        }
+                        let scale = scale.get(at + i).copied().unwrap_or(1.0);
+                        let widen = widen.get(at + i).copied().unwrap_or(0.0);
+                        band.widened(widen)
+                            .weighing(scale * band.weight * s(shares[i]))
                     };
                     let parts = BandLanes::mixed(|i| share(i, part, |s| s));
                     let voids = BandLanes::mixed(|i| share(i, void, |s| 1.0 - s));
@@ -651,6 +769,30 @@ impl Objective<HostField> for BandObjective {
 
     fn is_convex(&self) -> bool {
         self.p >= 1.0 && self.q >= 1.0 && self.response.is_identity()
+    }
+
+    fn emphasise(&mut self, emphasis: &Emphasis) -> Result<()> {
+        let n = self.elements.len();
+        for (what, field) in [
+            ("weights", &emphasis.weight),
+            ("tolerance", &emphasis.tolerance),
+        ] {
+            if !field.is_empty() && field.len() != n {
+                return Err(Error::Shape {
+                    what: format!("{what} of the objective"),
+                    expected: vec![n],
+                    found: vec![field.len()],
+                });
+            }
+        }
+        if emphasis.weight.is_empty() && emphasis.tolerance.is_empty() {
+            return Ok(());
+        }
+        let free = Bands::voxels(&[]);
+        let bands = std::mem::replace(&mut self.bands, free);
+        self.bands = bands.emphasised(&emphasis.weight, &emphasis.tolerance);
+        self.bands.validate()?;
+        self.bands.pad()
     }
 }
 

@@ -7,15 +7,17 @@ pub mod band;
 pub mod bclp;
 pub mod buffer;
 pub mod dose_matching;
+pub mod emphasis;
 pub mod least;
 pub mod osmo;
+pub mod penalty;
 pub mod pm;
 pub mod preset;
 pub mod sum;
 pub mod threshold;
 pub mod window;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
 use crate::kind::{Kind, Section};
@@ -23,6 +25,7 @@ use crate::models::DoseLayout;
 use crate::response::Response;
 use crate::target::Target;
 pub use band::{Band, BandObjective, Bands};
+pub use emphasis::Emphasis;
 use std::sync::Arc;
 pub use sum::Sum;
 
@@ -46,6 +49,16 @@ pub trait Objective<F: Field>: Send + Sync {
     }
     /// Whether L is convex in the dose, so that a line search finds its minimum where the slope changes sign.
     fn is_convex(&self) -> bool;
+    /// Weighs voxels and widens their bands, once, before any work.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for an objective without bands, [`Error::Shape`].
+    fn emphasise(&mut self, _emphasis: &Emphasis) -> Result<()> {
+        Err(Error::Unsupported {
+            what: "a weight or a tolerance per voxel".to_owned(),
+            reason: "this objective has no bands".to_owned(),
+        })
+    }
 }
 
 /// A boxed result, to keep signatures short.
@@ -86,7 +99,6 @@ mod tests {
     use super::*;
     use crate::check;
     use crate::check::small::SmallModel;
-    use crate::error::Error;
     use crate::grid::VolumeGrid;
     use crate::kind::tests_of_rows::example;
     use crate::response::{Identity, Logistic};

@@ -71,6 +71,8 @@ impl PartAndVoid {
                 inside: self.shares(input, labels),
                 part: self.part,
                 void: self.void,
+                scale: Vec::new(),
+                widen: Vec::new(),
             },
         };
         finish(bands, self.p, self.q, input)

@@ -1,7 +1,7 @@
 //! The problem an optimiser solves, and the one line search.
 //!
 //! ```text
-//! min over x   L( F(x) )   subject to   min ≤ x ≤ max          (L contains the response)
+//! min over x   L( F(x) ) + Σ λᵢ·Rᵢ(x)   subject to   min ≤ x ≤ max          (L contains the response)
 //! ```
 //!
 //! A search walks the *feasible segment* x + α·(x̄ − x), α ∈ [0, 1], whose end x̄ lies within the bounds; no point of it needs
@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::field::{Bounds, Field};
 use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::Objective;
+use crate::objective::penalty::{PatternPenalty, Penalties};
 use std::time::Instant;
 
 /// Smallest and largest value of a light's pixels, mJ/mm² (energy, also for models whose unknown is the amplitude).
@@ -49,6 +50,7 @@ pub struct Counters {
 pub struct Problem<'a, F: Field> {
     model: &'a dyn DoseModel<Field = F>,
     objective: &'a dyn Objective<F>,
+    penalties: Penalties<F>,
     bounds: Bounds,
     run: &'a Run,
     /// What was done so far.
@@ -61,7 +63,7 @@ pub struct Position<F> {
     pub dose: F,
     /// ∂L/∂dose at x; a search uses it as its work space.
     pub cotangent: F,
-    /// L at x.
+    /// L at x, penalties included.
     pub loss: f64,
 }
 
@@ -89,10 +91,24 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(Problem {
             model,
             objective,
+            penalties: Penalties::default(),
             bounds,
             run,
             counters: Counters::default(),
         })
+    }
+
+    /// The same problem with penalties on the patterns.
+    #[must_use]
+    pub fn with_penalties(mut self, penalties: Penalties<F>) -> Self {
+        self.penalties = penalties;
+        self
+    }
+
+    /// The penalties on the patterns.
+    #[must_use]
+    pub fn penalties(&self) -> &Penalties<F> {
+        &self.penalties
     }
 
     /// The model.
@@ -136,7 +152,7 @@ impl<'a, F: Field> Problem<'a, F> {
         done
     }
 
-    /// ∂L/∂x at a position, counted.
+    /// ∂L/∂x at a position, penalties included; counted.
     ///
     /// # Errors
     /// [`Error::Cancelled`].
@@ -145,7 +161,9 @@ impl<'a, F: Field> Problem<'a, F> {
         let done = self.model.pullback(x, &at.cotangent, gradient, self.run);
         self.counters.model_s += begin.elapsed().as_secs_f64();
         self.counters.adjoint += 1;
-        done
+        done?;
+        self.penalties.add_gradient(x, 1.0, gradient);
+        Ok(())
     }
 
     /// Brings x into the bounds, and evaluates it.
@@ -157,16 +175,18 @@ impl<'a, F: Field> Problem<'a, F> {
         x.move_along(&zero, 0.0, &self.bounds);
         let mut dose = self.model.new_dose()?;
         self.dose(x, &mut dose)?;
-        self.place_at(dose)
+        self.place_at(x, dose)
     }
 
-    /// The position of a known dose.
+    /// The position of patterns whose dose is known.
     ///
     /// # Errors
     /// When there is not enough memory.
-    pub fn place_at(&mut self, dose: F) -> Result<Position<F>> {
+    pub fn place_at(&mut self, x: &F, dose: F) -> Result<Position<F>> {
         let mut cotangent = self.model.new_dose()?;
-        let loss = self.timed(|objective| objective.value_and_gradient(&dose, &mut cotangent));
+        let loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(&dose, &mut cotangent) + penalties.value(x)
+        });
         Ok(Position {
             dose,
             cotangent,
@@ -186,7 +206,9 @@ impl<'a, F: Field> Problem<'a, F> {
             loss,
         } = at;
         self.dose(x, dose)?;
-        *loss = self.timed(|objective| objective.value_and_gradient(dose, cotangent));
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
         Ok(())
     }
 
@@ -211,9 +233,12 @@ impl<'a, F: Field> Problem<'a, F> {
             cotangent,
             loss,
         } = at;
-        let found = self.timed(|objective| {
+        let found = self.timed(|objective, penalties| {
             let found = segment_minimum(*loss, slope, |alpha| {
-                objective.slope_along(dose, cotangent, alpha)
+                sum(
+                    objective.slope_along(dose, cotangent, alpha),
+                    penalties.slope_along(x, step, alpha),
+                )
             });
             *loss = if found.alpha == 0.0 {
                 objective.value_and_gradient(dose, cotangent)
@@ -225,6 +250,7 @@ impl<'a, F: Field> Problem<'a, F> {
         if found.alpha != 0.0 {
             x.move_along(step, found.alpha, &self.bounds);
         }
+        at.loss += self.timed(|_, penalties| penalties.value(x));
         Ok(found)
     }
 
@@ -249,7 +275,8 @@ impl<'a, F: Field> Problem<'a, F> {
             trial.move_along(step, alpha as f32, &self.bounds);
             let Position { cotangent, .. } = &mut *at;
             self.dose(&trial, cotangent)?;
-            let loss = self.timed(|objective| objective.value(cotangent));
+            let loss = self
+                .timed(|objective, penalties| objective.value(cotangent) + penalties.value(&trial));
             if loss <= before + 1e-4 * alpha * slope {
                 found = Found {
                     alpha: alpha as f32,
@@ -274,7 +301,9 @@ impl<'a, F: Field> Problem<'a, F> {
             cotangent,
             loss,
         } = at;
-        *loss = self.timed(|objective| objective.value_and_gradient(dose, cotangent));
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
         Ok(found)
     }
 
@@ -311,22 +340,30 @@ impl<'a, F: Field> Problem<'a, F> {
             cotangent,
             loss,
         } = at;
-        let length = self.timed(|objective| {
+        let length = self.timed(|objective, penalties| {
             let length = ray_minimum(*loss, sums.slope, |a| {
-                objective.slope_along(dose, cotangent, a)
+                sum(
+                    objective.slope_along(dose, cotangent, a),
+                    penalties.slope_along(x, direction, a),
+                )
             });
-            *loss = objective.value_and_gradient(dose, cotangent);
+            *loss = objective.value_and_gradient(dose, cotangent) + penalties.value(x);
             length
         });
         Ok(unit * length)
     }
 
-    fn timed<T>(&mut self, work: impl FnOnce(&dyn Objective<F>) -> T) -> T {
+    fn timed<T>(&mut self, work: impl FnOnce(&dyn Objective<F>, &Penalties<F>) -> T) -> T {
         let begin = Instant::now();
-        let result = work(self.objective);
+        let result = work(self.objective, &self.penalties);
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         result
     }
+}
+
+/// Value and slope of L and R together.
+fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0 + b.0, a.1 + b.1)
 }
 
 /// The bounds of every pixel of these lights.

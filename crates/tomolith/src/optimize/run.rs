@@ -231,7 +231,7 @@ fn begin<F: Field>(
         if checkpoint.contents() == Contents::All {
             let mut dose = problem.model().new_dose()?;
             checkpoint.read_field("dose", &mut dose)?;
-            let at = problem.place_at(dose)?;
+            let at = problem.place_at(x, dose)?;
             optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
             let mut best = None;

@@ -50,6 +50,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         history(data.history),
         patterns(data),
         table(data),
+        published(data),
         times_and_movies(data),
         job(data),
     ] {
@@ -663,6 +664,35 @@ fn table(data: &ReportData<'_>) -> String {
     format!(
         "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
          the last one is what the optimisation itself saw.{grey}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
+    )
+}
+
+/// Numbers with other authors' signs and normalisations.
+fn published(data: &ReportData<'_>) -> String {
+    let text =
+        |about: &serde_json::Value, key: &str| escape(about[key].as_str().unwrap_or_default());
+    let rows: String = data
+        .published
+        .iter()
+        .filter(|(_, about)| about["source"].is_string())
+        .map(|(name, about)| {
+            let value = about["value"]
+                .as_f64()
+                .map_or("–".to_owned(), |v| significant(v, 4));
+            format!(
+                "<tr><td>{}</td><td>{value} {}</td><td>{}</td><td>{}</td></tr>",
+                escape(name),
+                text(about, "unit"),
+                text(about, "note"),
+                text(about, "source"),
+            )
+        })
+        .collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<section><details><summary>Numbers as they were published</summary><div class=\"scroll\"><table><thead><tr><th>Name</th><th>Value</th><th>Definition</th><th>Source</th></tr></thead><tbody>{rows}</tbody></table></div></details></section>"
     )
 }
 

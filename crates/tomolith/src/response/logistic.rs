@@ -176,6 +176,10 @@ impl Response for Logistic {
         (p.midpoint - (height.powf(-p.asymmetry) - 1.0).ln() / p.steepness) as f32
     }
 
+    fn range(&self) -> [f64; 2] {
+        [self.params.lower, self.params.upper]
+    }
+
     fn lanes(&self, doses: &mut Lanes, slopes: &mut Lanes) {
         let group = Group::of(&doses.0).0.map(|dose| self.eight(dose));
         *doses = Lanes(Group(group.map(|(value, _)| value)).to_array());

@@ -3,14 +3,18 @@
 //! *What must it do, and who does it.* A [`Response`] is M of the one equation, voxel by voxel. Bands, metrics and
 //! thresholds are in units of the response.
 
+pub mod curve;
+pub mod fit;
 pub mod identity;
 pub mod logistic;
+pub mod table;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Lanes;
 use crate::kind::{Kind, Section};
 pub use identity::Identity;
 pub use logistic::Logistic;
+pub use table::Table;
 
 /// A scalar, increasing map of the dose.
 pub trait Response: std::fmt::Debug + Send + Sync {
@@ -20,6 +24,10 @@ pub trait Response: std::fmt::Debug + Send + Sync {
     fn value_and_slope(&self, dose: f32) -> (f32, f32);
     /// The dose d with M(d) = m; m outside the range of M is first brought to the nearest value inside.
     fn inverse(&self, response: f32) -> f32;
+    /// Smallest and largest response, limits included: what a band can ask for.
+    fn range(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
     /// Whether M(d) = d, so that kernels may skip it.
     fn is_identity(&self) -> bool {
         false
@@ -33,11 +41,29 @@ pub trait Response: std::fmt::Debug + Send + Sync {
     }
 }
 
+/// The dose with which a material responds as wanted.
+///
+/// # Errors
+/// [`Error::Config`] (without a key) when no dose does.
+#[expect(clippy::cast_possible_truncation, reason = "a dose is f32")]
+pub fn dose_for(response: &dyn Response, wanted: f64) -> Result<f32> {
+    let [low, high] = response.range();
+    if (low..=high).contains(&wanted) {
+        return Ok(response.inverse(wanted as f32));
+    }
+    Err(Error::config(
+        "",
+        format!("no dose has the response {wanted} that the target asks for"),
+        format!("a response that reaches it: this one goes from {low} to {high}"),
+    ))
+}
+
 /// Builds a response from its section.
 pub type BuildResponse = fn(&Section) -> Result<Box<dyn Response>>;
 
 /// Every response.
-pub static RESPONSES: &[Kind<BuildResponse>] = &[identity::KIND, logistic::KIND];
+pub static RESPONSES: &[Kind<BuildResponse>] =
+    &[identity::KIND, logistic::KIND, table::KIND, fit::KIND];
 
 #[cfg(test)]
 mod tests {

@@ -701,7 +701,6 @@ mod avx512 {
     }
 
     /// Where a chain's weights and lanes begin: what the gathering of a voxel needs of [`Taps`].
-    #[derive(Clone, Copy)]
     struct Feed {
         strip: *const u8,
         weight: *const f32,
@@ -745,13 +744,13 @@ mod avx512 {
             .iter()
             .map(|taps| (taps.lit, Feed::new(taps, source, block)))
             .collect();
-        let mut feeds = Vec::with_capacity(all.len());
+        let mut feeds: Vec<&Feed> = Vec::with_capacity(all.len());
         for (patch_y, lines) in rows.chunks_mut(PATCH).enumerate() {
             let across = lines[0].len() / stride;
             for first_x in (0..across).step_by(PATCH) {
                 let bit = 1 << (first_x / PATCH + PATCHES * patch_y);
                 feeds.clear();
-                feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| f.1));
+                feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| &f.1));
                 if feeds.is_empty() {
                     continue;
                 }
@@ -775,7 +774,7 @@ mod avx512 {
     /// The feeds' lanes are readable for every strip of every tap; `out` has N vectors; x, y < [`TILE`].
     #[target_feature(enable = "avx512f")]
     #[inline]
-    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[Feed], [x, y]: [usize; 2]) {
+    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[&Feed], [x, y]: [usize; 2]) {
         // SAFETY: the caller's promise.
         unsafe {
             let to = out.as_mut_ptr();

@@ -136,6 +136,9 @@ impl Sorter {
 
     /// Counting sort; within a voxel the order of frames and columns is kept, so sums are reproducible.
     fn sort(&mut self) {
+        if self.found.runs.is_empty() {
+            return;
+        }
         self.starts.clear();
         self.starts.resize(TILE * TILE + 2, 0);
         for &voxel in &self.found.slots {
