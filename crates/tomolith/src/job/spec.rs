@@ -21,22 +21,11 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 4] = [
+const PLANNED: [(&str, &str, &str); 3] = [
     (
         "bath",
         "absorbing baths are not in this version",
         "a clear bath's index is vial.surrounding_index",
-    ),
-    (
-<<<<<<< HEAD
-        "penalty",
-        "penalties on patterns are not in this version",
-        "what is minimised is [objective] alone",
-=======
-        "printer",
-        "models of machines are not in this version",
-        "patterns are exported as they are: no canvas, no flips, no grey curve",
->>>>>>> origin/main
     ),
     (
         "coarse",
