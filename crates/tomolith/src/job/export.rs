@@ -160,7 +160,7 @@ fn gel_dose(job: &Job, run: &Path) -> Result<Option<f64>> {
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
-    let (kind, inner) = Section::new("response", job.spec.response.clone()).kind(RESPONSES)?;
+    let (kind, inner) = Section::new("response", job.spec.response.clone()).based(&job.base()).kind(RESPONSES)?;
     let response = (kind.build)(&inner)?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
 }
