@@ -115,7 +115,7 @@ fn anybodys_arrays_are_measured() {
     fs::write(bench.path("other.npy"), npy("1, 4", &[0.0; 4])).unwrap();
     assert!(bench.expect(2, "metrics dose.npy other.npy").contains("expected shape [1, 2, 2], found [1, 1, 4]"));
     assert!(bench.expect(2, "metrics none.npy target.npy").contains("none.npy"));
-    assert!(bench.expect(2, "metrics dose.npy target.npy --pitch-mm -1").contains("pitch"));
+    assert!(bench.expect(2, "metrics dose.npy target.npy --pitch-mm 0").contains("--pitch-mm"));
     fs::write(bench.path("nan.npy"), npy("2, 2", &[0.2, f64::NAN, 0.9, 0.4])).unwrap();
     bench.expect(2, "metrics nan.npy target.npy");
 }
