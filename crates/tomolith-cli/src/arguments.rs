@@ -1,8 +1,8 @@
 //! What can be typed.
 
 use crate::compare::CompareArguments;
-use crate::export_matrix::MatrixArguments;
 use crate::export::{CalibrateArguments, ExportArguments};
+use crate::export_matrix::MatrixArguments;
 use crate::metrics::MetricsArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand};

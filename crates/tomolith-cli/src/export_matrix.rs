@@ -30,14 +30,21 @@ pub(crate) struct MatrixArguments {
 
 pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) -> Result<()> {
     if given.output.extension().is_none_or(|e| e != "npz") {
-        return Err(Error::config("--output", format!("`{}`", given.output.display()), "a file name ending in .npz"));
+        return Err(Error::config(
+            "--output",
+            format!("`{}`", given.output.display()),
+            "a file name ending in .npz",
+        ));
     }
     let [rows, columns, entries] = matrix(job, &given.output, cancel)?;
     if given.manner.json {
         let line = json!({ "event": "done", "file": given.output, "rows": rows, "columns": columns, "entries": entries });
         say(&line.to_string());
     } else if !given.manner.quiet {
-        say(&format!("{rows} voxels × {columns} pixels, {entries} entries in {}", given.output.display()));
+        say(&format!(
+            "{rows} voxels × {columns} pixels, {entries} entries in {}",
+            given.output.display()
+        ));
     }
     Ok(())
 }

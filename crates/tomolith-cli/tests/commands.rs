@@ -29,7 +29,9 @@ struct Bench {
 
 impl Bench {
     fn new() -> Self {
-        let bench = Bench { temp: tempfile::tempdir().unwrap() };
+        let bench = Bench {
+            temp: tempfile::tempdir().unwrap(),
+        };
         fs::write(bench.path("job.toml"), JOB).unwrap();
         bench
     }
@@ -45,7 +47,8 @@ impl Bench {
             .args(line.split(' '))
             .output()
             .unwrap();
-        let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        let said = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(code), "{line}: {said}");
         said
     }
@@ -61,7 +64,10 @@ impl Bench {
 
 /// A .npy file of f64 of a shape.
 fn npy(shape: &str, values: &[f64]) -> Vec<u8> {
-    let header = format!("{:<117}\n", format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}"));
+    let header = format!(
+        "{:<117}\n",
+        format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}")
+    );
     let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
     bytes.extend(header.bytes());
     bytes.extend(values.iter().flat_map(|v| v.to_le_bytes()));
@@ -71,10 +77,14 @@ fn npy(shape: &str, values: &[f64]) -> Vec<u8> {
 #[test]
 fn meshes_and_phantoms_become_voxels() {
     let bench = Bench::new();
-    let cylinder = bench.json("phantom cylinder --set size_mm=2 --set height_mm=1 --pitch-mm 0.05 --output c.npy");
+    let cylinder = bench
+        .json("phantom cylinder --set size_mm=2 --set height_mm=1 --pitch-mm 0.05 --output c.npy");
     let exact = std::f64::consts::PI;
     assert!((cylinder["exact_volume_mm3"].as_f64().unwrap() - exact).abs() < 1e-9);
-    assert!((cylinder["volume_mm3"].as_f64().unwrap() / exact - 1.0).abs() < 2e-3, "{cylinder}");
+    assert!(
+        (cylinder["volume_mm3"].as_f64().unwrap() / exact - 1.0).abs() < 2e-3,
+        "{cylinder}"
+    );
     let shape: Vec<u64> = serde_json::from_value(cylinder["shape_zyx"].clone()).unwrap();
     let bytes = fs::read(bench.path("c.npy")).unwrap();
     assert_eq!(bytes.len() as u64, 128 + 4 * shape.iter().product::<u64>());
@@ -88,11 +98,34 @@ fn meshes_and_phantoms_become_voxels() {
     bench.expect(0, "phantom gear --pitch-mm 0.2 --output gear.png --quiet");
     assert_eq!(fs::read(bench.path("gear.png")).unwrap()[..4], *b"\x89PNG");
 
-    assert!(bench.expect(2, "phantom gaer --pitch-mm 0.1 --output a.npy").contains("did you mean `gear`?"));
-    assert!(bench.expect(2, "phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy").contains("tooth"));
-    assert!(bench.expect(2, "phantom gear --pitch-mm 0 --output a.npy").contains("--pitch-mm"));
-    assert!(bench.expect(2, "phantom gear --pitch-mm 0.1 --output a.txt").contains(".npy, .vti or .png"));
-    assert!(bench.expect(2, "voxelize none.stl --pitch-mm 0.1 --output a.npy").contains("none.stl"));
+    assert!(
+        bench
+            .expect(2, "phantom gaer --pitch-mm 0.1 --output a.npy")
+            .contains("did you mean `gear`?")
+    );
+    assert!(
+        bench
+            .expect(
+                2,
+                "phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy"
+            )
+            .contains("tooth")
+    );
+    assert!(
+        bench
+            .expect(2, "phantom gear --pitch-mm 0 --output a.npy")
+            .contains("--pitch-mm")
+    );
+    assert!(
+        bench
+            .expect(2, "phantom gear --pitch-mm 0.1 --output a.txt")
+            .contains(".npy, .vti or .png")
+    );
+    assert!(
+        bench
+            .expect(2, "voxelize none.stl --pitch-mm 0.1 --output a.npy")
+            .contains("none.stl")
+    );
 }
 
 #[test]
@@ -101,7 +134,12 @@ fn anybodys_arrays_are_measured() {
     fs::write(bench.path("dose.npy"), npy("2, 2", &[0.2, 0.8, 0.9, 0.4])).unwrap();
     fs::write(bench.path("target.npy"), npy("2, 2", &[0.0, 1.0, 1.0, 0.0])).unwrap();
     let found = bench.json("metrics dose.npy target.npy");
-    let near = |value: &Value, expected: f64| assert!((value.as_f64().unwrap() - expected).abs() < 1e-6, "{value} {expected}");
+    let near = |value: &Value, expected: f64| {
+        assert!(
+            (value.as_f64().unwrap() - expected).abs() < 1e-6,
+            "{value} {expected}"
+        )
+    };
     near(&found["evaluation"]["iou"], 1.0);
     near(&found["evaluation"]["pw"], 0.4);
     let published = |name: &str| {
@@ -110,13 +148,33 @@ fn anybodys_arrays_are_measured() {
     };
     near(&published("pw_overlap"), -0.4);
     near(&published("ipdr_from_max1"), 1.0 - 0.8 / 0.9);
-    assert!(bench.expect(0, "metrics dose.npy target.npy").contains("as published:"));
+    assert!(
+        bench
+            .expect(0, "metrics dose.npy target.npy")
+            .contains("as published:")
+    );
 
     fs::write(bench.path("other.npy"), npy("1, 4", &[0.0; 4])).unwrap();
-    assert!(bench.expect(2, "metrics dose.npy other.npy").contains("expected shape [1, 2, 2], found [1, 1, 4]"));
-    assert!(bench.expect(2, "metrics none.npy target.npy").contains("none.npy"));
-    assert!(bench.expect(2, "metrics dose.npy target.npy --pitch-mm 0").contains("--pitch-mm"));
-    fs::write(bench.path("nan.npy"), npy("2, 2", &[0.2, f64::NAN, 0.9, 0.4])).unwrap();
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy other.npy")
+            .contains("expected shape [1, 2, 2], found [1, 1, 4]")
+    );
+    assert!(
+        bench
+            .expect(2, "metrics none.npy target.npy")
+            .contains("none.npy")
+    );
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy target.npy --pitch-mm 0")
+            .contains("--pitch-mm")
+    );
+    fs::write(
+        bench.path("nan.npy"),
+        npy("2, 2", &[0.2, f64::NAN, 0.9, 0.4]),
+    )
+    .unwrap();
     bench.expect(2, "metrics nan.npy target.npy");
 }
 
@@ -127,22 +185,41 @@ fn runs_are_compared_and_exported() {
     bench.expect(0, "run job.toml --quiet --output b --set stop.iterations=8");
     let found = bench.json("compare a b --output page.html");
     assert_eq!(found["differing_keys"][0]["key"], "stop.iterations");
-    assert_eq!(found["differing_keys"][0]["values"], serde_json::json!(["4", "8"]));
+    assert_eq!(
+        found["differing_keys"][0]["values"],
+        serde_json::json!(["4", "8"])
+    );
     let page = fs::read_to_string(bench.path("page.html")).unwrap();
     assert_eq!(page.matches("<svg class=\"plot\"").count(), 6);
     assert!(!page.contains("No run holds these numbers") && !page.contains("http"));
 
-    let exported = bench.json("export a --output frames --set output.rpm=20 --set printer.quarter_turns=1");
+    let exported =
+        bench.json("export a --output frames --set output.rpm=20 --set printer.quarter_turns=1");
     assert_eq!(exported["lights"][0]["canvas"], serde_json::json!([16, 32]));
     assert_eq!(exported["lights"][0]["movie"], "gear_20rpm.mp4");
     assert!((exported["lights"][0]["frame_rate"].as_f64().unwrap() - 8.0).abs() < 1e-3);
     assert!(bench.path("frames/frames/frame_0023.png").is_file());
 
-    assert!(bench.expect(2, "export a --output frames").contains("is not empty"));
-    assert!(bench.expect(2, "export job.toml --output c").contains("holds no job.toml"));
-    assert!(bench.expect(2, "export a --printer job.toml --output c").contains("holds no [printer]"));
+    assert!(
+        bench
+            .expect(2, "export a --output frames")
+            .contains("is not empty")
+    );
+    assert!(
+        bench
+            .expect(2, "export job.toml --output c")
+            .contains("holds no job.toml")
+    );
+    assert!(
+        bench
+            .expect(2, "export a --printer job.toml --output c")
+            .contains("holds no [printer]")
+    );
     let said = bench.expect(2, "export a --output c --set printer.canvas=[20,20]");
-    assert!(said.contains("printer.canvas") && said.contains("need 32 × 16"), "{said}");
+    assert!(
+        said.contains("printer.canvas") && said.contains("need 32 × 16"),
+        "{said}"
+    );
     assert!(bench.expect(2, "compare a nowhere").contains("nowhere"));
     assert!(!bench.path("c").exists());
 }
@@ -155,13 +232,36 @@ fn calibration_frames_are_drawn_for_a_canvas_and_for_a_job() {
     for file in drawn["files"].as_array().unwrap() {
         assert!(bench.path(file.as_str().unwrap()).is_file(), "{file}");
     }
-    fs::write(bench.path("machine.toml"), format!("{JOB}[printer]\ncanvas = [40, 60]\nquarter_turns = 1\n")).unwrap();
-    bench.expect(0, "calibrate --job machine.toml orientation border --output two --quiet");
+    fs::write(
+        bench.path("machine.toml"),
+        format!("{JOB}[printer]\ncanvas = [40, 60]\nquarter_turns = 1\n"),
+    )
+    .unwrap();
+    bench.expect(
+        0,
+        "calibrate --job machine.toml orientation border --output two --quiet",
+    );
     assert_eq!(fs::read_dir(bench.path("two")).unwrap().count(), 2);
-    assert!(bench.expect(2, "calibrate --canvas 64 48 boarder --output x").contains("did you mean `border`?"));
-    assert!(bench.expect(2, "calibrate --canvas 64 48 --bits 17 --output x").contains("--bits"));
-    assert!(bench.expect(2, "calibrate --canvas 64 0 --output x").contains("canvas"));
-    assert!(bench.expect(2, "calibrate --canvas 64 48 --output all").contains("is not empty"));
+    assert!(
+        bench
+            .expect(2, "calibrate --canvas 64 48 boarder --output x")
+            .contains("did you mean `border`?")
+    );
+    assert!(
+        bench
+            .expect(2, "calibrate --canvas 64 48 --bits 17 --output x")
+            .contains("--bits")
+    );
+    assert!(
+        bench
+            .expect(2, "calibrate --canvas 64 0 --output x")
+            .contains("canvas")
+    );
+    assert!(
+        bench
+            .expect(2, "calibrate --canvas 64 48 --output all")
+            .contains("is not empty")
+    );
 }
 
 #[test]
@@ -170,10 +270,21 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
     let small = "--set grid.pitch_mm=0.4 --set light.angles=5";
     let found = bench.json(&format!("export-matrix job.toml {small} --output m.npz"));
     assert_eq!(found["columns"], 5 * 32 * 16);
-    let (rows, entries) = (found["rows"].as_u64().unwrap(), found["entries"].as_u64().unwrap());
+    let (rows, entries) = (
+        found["rows"].as_u64().unwrap(),
+        found["entries"].as_u64().unwrap(),
+    );
     // Every voxel in the field is lit by a pixel or more of each of the five frames
     assert!(entries >= 5 * rows, "{found}");
     assert_eq!(fs::read(bench.path("m.npz")).unwrap()[..2], *b"PK");
-    assert!(bench.expect(2, "export-matrix job.toml --output m.txt").contains(".npz"));
-    assert!(bench.expect(2, "export-matrix none.toml --output m.npz").contains("none.toml"));
+    assert!(
+        bench
+            .expect(2, "export-matrix job.toml --output m.txt")
+            .contains(".npz")
+    );
+    assert!(
+        bench
+            .expect(2, "export-matrix none.toml --output m.npz")
+            .contains("none.toml")
+    );
 }

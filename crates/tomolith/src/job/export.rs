@@ -160,7 +160,9 @@ fn gel_dose(job: &Job, run: &Path) -> Result<Option<f64>> {
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
-    let (kind, inner) = Section::new("response", job.spec.response.clone()).based(&job.base()).kind(RESPONSES)?;
+    let (kind, inner) = Section::new("response", job.spec.response.clone())
+        .based(&job.base())
+        .kind(RESPONSES)?;
     let response = (kind.build)(&inner)?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
 }
@@ -171,7 +173,7 @@ const BYTES_PER_ENTRY: f64 = 36.0;
 /// Writes the dose model of a job on its own grid as SciPy's CSR `.npz`; returns rows, columns and entries.
 ///
 /// # Errors
-/// As a run, before any work; [`Error::Resources`] for a job that is too large; [`Error::Unsupported`] for a model that is
+/// As a run, before any work; [`Error::Config`] for a job that is too large; [`Error::Unsupported`] for a model that is
 /// not linear; [`Error::Cancelled`].
 pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
     let scene = Scene::new(job)?;
@@ -179,10 +181,11 @@ pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
     let plan = planner::plan(vial, lights, scene.grid.clone(), None, cancel)?;
     let needed_mb = (plan.model.updates() as f64 * BYTES_PER_ENTRY / 1e6) as u64;
     require(
+        "grid.pitch_mm",
         "memory for the matrix",
         needed_mb,
         available_memory_mb(),
-        "take fewer voxels, pixels or angles: `--toy` is a trial",
+        "fewer voxels, pixels or angles: `--toy` is a trial",
     )?;
     matrix::export(plan.model.as_ref(), path, cancel)
 }
