@@ -2,6 +2,7 @@
 
 use crate::compare::CompareArguments;
 use crate::export::{CalibrateArguments, ExportArguments};
+use crate::export_matrix::MatrixArguments;
 use crate::metrics::MetricsArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand};
@@ -56,6 +57,8 @@ pub(crate) enum Command {
     Metrics(MetricsArguments),
     /// Write frames and movie of a run for another machine
     Export(ExportArguments),
+    /// Write the dose model of a small job as a sparse matrix for SciPy
+    ExportMatrix(MatrixArguments),
     /// Draw calibration frames for a machine
     Calibrate(CalibrateArguments),
     /// Put several runs side by side on one page

@@ -5,6 +5,7 @@
 mod arguments;
 mod compare;
 mod export;
+mod export_matrix;
 mod help;
 mod metrics;
 mod screen;
@@ -50,6 +51,10 @@ fn main() -> ExitCode {
         Command::Phantom(given) => quick(given.sampling.manner, || voxelize::phantom(given)),
         Command::Metrics(given) => quick(given.manner, || metrics::metrics(given)),
         Command::Export(given) => quick(given.manner, || export::export(given)),
+        Command::ExportMatrix(given) => quick(given.manner, || {
+            let job = read(&given.job, None)?;
+            export_matrix::export_matrix(given, &job, &cancel_on_ctrl_c())
+        }),
         Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
         Command::Compare(given) => quick(given.manner, || compare::compare(given)),
     };

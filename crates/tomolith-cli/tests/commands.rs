@@ -167,8 +167,8 @@ fn anybodys_arrays_are_measured() {
     );
     assert!(
         bench
-            .expect(2, "metrics dose.npy target.npy --pitch-mm -1")
-            .contains("pitch")
+            .expect(2, "metrics dose.npy target.npy --pitch-mm 0")
+            .contains("--pitch-mm")
     );
     fs::write(
         bench.path("nan.npy"),
@@ -261,5 +261,30 @@ fn calibration_frames_are_drawn_for_a_canvas_and_for_a_job() {
         bench
             .expect(2, "calibrate --canvas 64 48 --output all")
             .contains("is not empty")
+    );
+}
+
+#[test]
+fn the_dose_model_of_a_small_job_is_a_matrix() {
+    let bench = Bench::new();
+    let small = "--set grid.pitch_mm=0.4 --set light.angles=5";
+    let found = bench.json(&format!("export-matrix job.toml {small} --output m.npz"));
+    assert_eq!(found["columns"], 5 * 32 * 16);
+    let (rows, entries) = (
+        found["rows"].as_u64().unwrap(),
+        found["entries"].as_u64().unwrap(),
+    );
+    // Every voxel in the field is lit by a pixel or more of each of the five frames
+    assert!(entries >= 5 * rows, "{found}");
+    assert_eq!(fs::read(bench.path("m.npz")).unwrap()[..2], *b"PK");
+    assert!(
+        bench
+            .expect(2, "export-matrix job.toml --output m.txt")
+            .contains(".npz")
+    );
+    assert!(
+        bench
+            .expect(2, "export-matrix none.toml --output m.npz")
+            .contains("none.toml")
     );
 }

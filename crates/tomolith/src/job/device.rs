@@ -2,6 +2,7 @@
 
 use super::build::Optics;
 use super::progress::{Event, Progress};
+use super::read::with_every_default;
 use super::scene::Scene;
 use super::spec::{Angles, JobSpec};
 use crate::error::{Error, Result};
@@ -57,7 +58,10 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
     let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
         return Ok(None);
     };
-    let middle = || super::write::window(spec).map(|[lower, upper]| f64::midpoint(lower, upper));
+    let middle = || {
+        super::write::window(&with_every_default(spec.clone()))
+            .map(|[lower, upper]| f64::midpoint(lower, upper))
+    };
     let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
         Error::config(
             "printer.time_s",

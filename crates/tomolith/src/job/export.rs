@@ -4,11 +4,14 @@ use super::build::Optics;
 use super::device::{self, Shown};
 use super::progress::{Event, Progress};
 use super::read::Job;
+use super::resources::{available_memory_mb, require};
+use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
+use crate::models::{Run, matrix, planner};
 use crate::response::RESPONSES;
 use serde::Serialize;
 use serde_json::Value;
@@ -157,9 +160,34 @@ fn gel_dose(job: &Job, run: &Path) -> Result<Option<f64>> {
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
-    let (kind, inner) = Section::new("response", job.spec.response.clone()).kind(RESPONSES)?;
+    let (kind, inner) = Section::new("response", job.spec.response.clone())
+        .based(&job.base())
+        .kind(RESPONSES)?;
     let response = (kind.build)(&inner)?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
+}
+
+/// Bytes that an entry of a matrix takes while it is collected and sorted.
+const BYTES_PER_ENTRY: f64 = 36.0;
+
+/// Writes the dose model of a job on its own grid as SciPy's CSR `.npz`; returns rows, columns and entries.
+///
+/// # Errors
+/// As a run, before any work; [`Error::Config`] for a job that is too large; [`Error::Unsupported`] for a model that is
+/// not linear; [`Error::Cancelled`].
+pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
+    let scene = Scene::new(job)?;
+    let (vial, lights) = (scene.optics.vial.as_ref(), scene.optics.lights.clone());
+    let plan = planner::plan(vial, lights, scene.grid.clone(), None, cancel)?;
+    let needed_mb = (plan.model.updates() as f64 * BYTES_PER_ENTRY / 1e6) as u64;
+    require(
+        "grid.pitch_mm",
+        "memory for the matrix",
+        needed_mb,
+        available_memory_mb(),
+        "fewer voxels, pixels or angles: `--toy` is a trial",
+    )?;
+    matrix::export(plan.model.as_ref(), path, cancel)
 }
 
 /// Draws calibration frames for the machine of a job (each light has its own folder, when there are several).

@@ -159,9 +159,9 @@ folder = "out/part"
             ),
             (
                 "0.95",
-                "0.95\n[penalty]\nsparsity = 3",
-                "[penalty",
-                ["penalty", "not built yet"],
+                "0.95\n[coarse]\nlevels = 3",
+                "[coarse",
+                ["coarse", "not built yet"],
             ),
             (
                 "iterations = 40",

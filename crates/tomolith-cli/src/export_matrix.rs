@@ -1,0 +1,50 @@
+//! `tomolith export-matrix`: the dose model of a small job as a sparse matrix.
+
+use crate::arguments::{JobArguments, Manner};
+use crate::screen::say;
+use clap::Args;
+use serde_json::json;
+use std::path::PathBuf;
+use tomolith::job::Job;
+use tomolith::job::export::matrix;
+use tomolith::models::Run;
+use tomolith::{Error, Result};
+
+const EXAMPLES: &str = "\
+Examples:
+  tomolith export-matrix small.toml --output matrix.npz
+  tomolith export-matrix examples/01-gear.toml --toy --output matrix.npz --json
+In Python: scipy.sparse.load_npz(\"matrix.npz\") @ patterns.ravel() is the dose [z, y, x], ravelled";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct MatrixArguments {
+    #[command(flatten)]
+    pub(crate) job: JobArguments,
+    /// SciPy CSR file to write: rows are voxels [z, y, x], columns are pixels [angle, row, column] of one light after the other
+    #[arg(long, short, value_name = "NPZ")]
+    output: PathBuf,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) -> Result<()> {
+    if given.output.extension().is_none_or(|e| e != "npz") {
+        return Err(Error::config(
+            "--output",
+            format!("`{}`", given.output.display()),
+            "a file name ending in .npz",
+        ));
+    }
+    let [rows, columns, entries] = matrix(job, &given.output, cancel)?;
+    if given.manner.json {
+        let line = json!({ "event": "done", "file": given.output, "rows": rows, "columns": columns, "entries": entries });
+        say(&line.to_string());
+    } else if !given.manner.quiet {
+        say(&format!(
+            "{rows} voxels × {columns} pixels, {entries} entries in {}",
+            given.output.display()
+        ));
+    }
+    Ok(())
+}
