@@ -24,7 +24,7 @@
 
 use super::{BuildStart, Start, StartInput};
 use crate::error::{Error, Result};
-use crate::field::{Field, HostField};
+use crate::field::HostField;
 use crate::grid::{PatternGrid, Patterns, sample};
 use crate::io::npy::read_patterns;
 use crate::kind::Kind;
