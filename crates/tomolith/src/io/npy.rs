@@ -20,7 +20,7 @@
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use ndarray::{Array3, ArrayView3};
+use ndarray::{Array2, Array3, ArrayView3};
 use ndarray_npy::{
     NpzReader, NpzWriter, ReadNpyExt, ReadableElement, WritableElement, WriteNpyExt,
 };
@@ -90,6 +90,19 @@ pub fn read_volume<T: ReadableElement>(path: &Path) -> Result<([usize; 3], Vec<T
     let array = Array3::<T>::read_npy(BufReader::new(file))
         .map_err(|e| bad(path, e, "a 3D .npy array [z, y, x] of the stated type"))?;
     Ok(c_order(array))
+}
+
+/// Reads an `.npy` plane `[y, x]` of f32 or f64: its shape and values.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
+pub fn read_plane(path: &Path) -> Result<([usize; 2], Vec<f32>)> {
+    let bytes = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    let array = Array2::<f32>::read_npy(&bytes[..])
+        .or_else(|_| Array2::<f64>::read_npy(&bytes[..]).map(|a| a.mapv(|v| v as f32)))
+        .map_err(|e| bad(path, e, "a 2D .npy array [y, x] of f32 or f64"))?;
+    let shape = [array.nrows(), array.ncols()];
+    Ok((shape, array.iter().copied().collect()))
 }
 
 /// Reads an `.npy` volume of f32 onto a grid.

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
-use crate::models::{Run, planner};
+use crate::models::{Choice, Run, planner};
 use std::time::Instant;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -163,7 +163,16 @@ pub(crate) fn speed(optics: &Optics, grid: &VolumeGrid, run: &Run) -> Result<Spe
         light.pixels.pitch_mm *= factor as f64;
     }
     let frames: usize = lights.iter().map(|l| l.pixels.frames()).sum();
-    let plan = planner::plan(optics.vial.as_ref(), lights, small.clone(), None, run)?;
+    // A matrix is known for its own pixels only: what the geometry would take stands for it
+    let choice = Choice::default();
+    let plan = planner::plan(
+        &choice,
+        optics.vial.as_ref(),
+        lights,
+        small.clone(),
+        None,
+        run,
+    )?;
     let model = plan.model;
     let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
     x.fill(1.0);

@@ -32,7 +32,7 @@ pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
 pub use read::Job;
 pub use spec::*;
-pub use stages::{check, run, simulate};
+pub use stages::{check, export_matrix, run, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {

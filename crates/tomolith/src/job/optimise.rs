@@ -67,6 +67,7 @@ pub(crate) fn optimise(
     let spec = &scene.spec;
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
+        &scene.optics.model,
         scene.optics.vial.as_ref(),
         lights,
         scene.grid.clone(),

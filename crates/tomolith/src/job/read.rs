@@ -110,6 +110,15 @@ impl Job {
         for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
             *file = absolute(&self.base().join(&*file));
         }
+        if let Some(file) = spec.model.pointer_mut("/matrix/file") {
+            let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
+            *file = path.display().to_string().into();
+        }
+        if let Some(map) = &mut spec.resin.map {
+            for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
+                *file = absolute(&self.base().join(&*file));
+            }
+        }
         spec
     }
 

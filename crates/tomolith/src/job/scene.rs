@@ -62,7 +62,8 @@ impl Scene {
     fn of_spec(job: &Job) -> Result<Self> {
         let spec = job.spec.clone();
         RunFolder::check(&job.folder())?;
-        let optics = Optics::new(&spec)?;
+        let optics = Optics::new(&spec, &job.base())?;
+        optics.must_be_judged(&spec)?;
         try_kinds(&spec)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;

@@ -14,7 +14,7 @@ use crate::exposure::quantise;
 use crate::grid::Patterns;
 use crate::io::npy::read_patterns;
 use crate::metrics::Evaluation;
-use crate::models::Run;
+use crate::models::{Run, matrix, planner};
 use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
@@ -23,6 +23,28 @@ use std::time::Instant;
 const CALLS_PER_ITERATION: f64 = 2.0;
 /// Share of the time that is not spent in the model: optimiser, metrics, files.
 const OVERHEAD: f64 = 0.25;
+
+/// Writes the matrix of a job's dose model as SciPy's CSR `.npz` (see [`models::matrix`](crate::models::matrix)); returns
+/// its number of rows, columns and entries. All pixels count, not only those that help to print the part.
+///
+/// # Errors
+/// As [`check`], and [`matrix::export`].
+pub fn export_matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
+    let scene = Scene::new(job)?;
+    let optics = &scene.optics;
+    let grid = scene.grid.clone();
+    let lights = optics.lights.clone();
+    let plan = planner::plan(
+        &optics.model,
+        optics.vial.as_ref(),
+        lights,
+        grid,
+        None,
+        cancel,
+    )
+    .map_err(|e| job.locate(e))?;
+    matrix::export(plan.model.as_ref(), path, cancel)
+}
 
 /// Runs a job from end to end; outputs appear in its run folder.
 ///

@@ -5,6 +5,7 @@
 
 pub mod fbp;
 pub mod level;
+pub mod lsqr;
 
 use super::Limits;
 use crate::error::{Error, Result};
@@ -43,7 +44,7 @@ pub trait Start: std::fmt::Debug + Send + Sync {
 pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
 
 /// Every start; the first is the default.
-pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO];
+pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO, lsqr::KIND];
 
 impl StartInput<'_> {
     /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
