@@ -1,4 +1,5 @@
-//! Throughput of the dose models: `cargo bench -p tomolith --bench models` (add `-- quick` for the 256³ rows alone).
+//! Throughput of the dose models: `cargo bench -p tomolith --bench models` (add `-- quick` for the 256³ rows alone, `-- plane`
+//! for single slices).
 //!
 //! One *update* is one voxel lit by one frame, counted after all masks. Per update the kernel reads two floats of lanes and
 //! does two fused multiply-adds; dose and lanes themselves are streamed once per call. The best of three calls counts.
@@ -18,6 +19,8 @@ struct Case {
     vial: Box<dyn Vial>,
     resin: Resin,
     n: usize,
+    /// Slices, and rows of pixels.
+    slices: usize,
     angles: usize,
     /// Edge of the grid and of the field of pixels, mm.
     grid_mm: f64,
@@ -31,6 +34,7 @@ fn straight(n: usize, resin: Resin, name: &'static str) -> Case {
         vial,
         resin,
         n,
+        slices: n,
         angles: 360,
         grid_mm: 6.4,
         field_mm: 6.4,
@@ -53,6 +57,7 @@ fn cases(quick: bool) -> Vec<Case> {
             vial: Box::new(glass),
             resin: absorbing,
             n: 256,
+            slices: 256,
             angles: 360,
             grid_mm: 6.4,
             field_mm: 10.5,
@@ -62,6 +67,16 @@ fn cases(quick: bool) -> Vec<Case> {
         cases.extend([64, 128, 512].map(|n| straight(n, absorbing, "absorbing")));
     }
     cases
+}
+
+/// The rows of one slice of 512² voxels.
+fn planes() -> Vec<Case> {
+    let plane = |case: Case| Case {
+        n: 512,
+        slices: 1,
+        ..case
+    };
+    cases(true).into_iter().map(plane).collect()
 }
 
 fn best_of_three(mut call: impl FnMut()) -> f64 {
@@ -81,18 +96,24 @@ fn peak_mb() -> Option<u64> {
 }
 
 fn main() -> Result<(), tomolith::Error> {
-    let quick = std::env::args().any(|a| a == "quick");
+    let asked = |name: &str| std::env::args().any(|a| a == name);
+    let cases = if asked("plane") {
+        planes()
+    } else {
+        cases(asked("quick"))
+    };
     println!("{} threads", rayon::current_num_threads());
-    println!("model      voxels  call      seconds  updates/s  bytes/update  peak MB  build s");
-    for case in cases(quick) {
+    println!("model      voxels     call      seconds  updates/s  bytes/update  peak MB  build s");
+    for case in cases {
         let pixels = PatternGrid::full_turn(
             case.angles,
             0.0,
-            case.n,
+            case.slices,
             case.n,
             case.field_mm / case.n as f64,
         );
-        let grid = VolumeGrid::centered([case.n; 3], case.grid_mm / case.n as f64);
+        let grid =
+            VolumeGrid::centered([case.slices, case.n, case.n], case.grid_mm / case.n as f64);
         let start = Instant::now();
         let model = Parallel::new(
             case.vial.as_ref(),
@@ -115,9 +136,10 @@ fn main() -> Result<(), tomolith::Error> {
         });
         for (call, seconds) in [("dose", forward), ("adjoint", adjoint)] {
             println!(
-                "{:10} {:>4}³   {call:8} {seconds:8.3}  {:7.1} G  {bytes:12.2}  {:7}  {built:7.3}",
+                "{:10} {:>4}²·{:<4} {call:8} {seconds:8.3}  {:7.1} G  {bytes:12.2}  {:7}  {built:7.3}",
                 case.name,
                 case.n,
+                case.slices,
                 updates / seconds / 1e9,
                 peak_mb().unwrap_or_default(),
             );

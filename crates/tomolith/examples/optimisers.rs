@@ -17,7 +17,7 @@ use tomolith::kind::Section;
 use tomolith::metrics::scan::Scan;
 use tomolith::models::parallel::Light;
 use tomolith::models::planner::{self, Plan};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{Choice, DoseModel, Run};
 use tomolith::objective::{OBJECTIVES, Objective, ObjectiveInput};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
@@ -61,7 +61,14 @@ impl Case {
         let vial = IndexMatched {
             radius_mm: 0.75 * FIELD,
         };
-        let plan = planner::plan(&vial, vec![light], grid, Some(&wanted), &Run::new())?;
+        let plan = planner::plan(
+            &Choice::default(),
+            &vial,
+            vec![light],
+            grid,
+            Some(&wanted),
+            &Run::new(),
+        )?;
         Ok(Case {
             name,
             target,

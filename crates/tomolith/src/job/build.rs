@@ -1,14 +1,18 @@
 //! Tables → objects: vial, lights, and whether the target fits them.
 
-use super::spec::{JobSpec, LightSpec, Region};
+use super::spec::{JobSpec, LightSpec, MapSpec, Region};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
+use crate::io::npy::read_matrix;
 use crate::kind::Section;
-use crate::models::parallel::{Kernel, Light};
+use crate::models::parallel::{AbsorptionMap, Kernel, Light};
 use crate::models::{Choice, MODELS};
 use crate::optics::resin::Resin;
-use crate::optics::vial::{VIALS, Vial};
+use crate::optics::trace::Bath;
+use crate::optics::vial::{Curve, VIALS, Vial};
 use crate::target::{Shape, label};
+use std::path::Path;
+use std::sync::Arc;
 
 /// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
 const STRAY: f64 = 1e-3;
@@ -19,21 +23,64 @@ pub(crate) struct Optics {
     pub(crate) vial: Box<dyn Vial>,
     /// One per light.
     pub(crate) lights: Vec<Light>,
+    /// How light becomes dose.
+    pub(crate) model: Choice,
 }
 
 impl Optics {
     /// The vial and the lights of a job, as the optimisation sees them.
-    pub(crate) fn new(spec: &JobSpec) -> Result<Self> {
+    ///
+    /// # Errors
+    /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
+    pub(crate) fn new(spec: &JobSpec, base: &Path) -> Result<Self> {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
         let vial = (kind.build)(&section)?;
         let (kind, section) = Section::new("model", spec.model.clone()).kind(MODELS)?;
-        let Choice::Parallel(parallel) = (kind.build)(&section)?;
+        let mut model = (kind.build)(&section)?;
+        let mut kernel = Kernel::default();
+        match &mut model {
+            Choice::Parallel(parallel) => kernel = parallel.kernel,
+            Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
+        }
+        let bath = bath_of(spec, vial.as_ref())?;
+        let map = spec.resin.map.as_ref().map(|map| map_of(map, base));
+        let map = map.transpose()?.map(Arc::new);
         let lights = spec
             .light
             .iter()
-            .map(|light| light_of(spec, light, parallel.kernel))
+            .map(|light| Light {
+                bath,
+                map: map.clone(),
+                kernel,
+                ..light_of(spec, light)
+            })
             .collect();
-        Ok(Optics { vial, lights })
+        Ok(Optics {
+            vial,
+            lights,
+            model,
+        })
+    }
+
+    /// Refuses an evaluation that a stored matrix cannot give.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
+        let evaluate = &spec.evaluate;
+        if matches!(self.model, Choice::Parallel(_))
+            || (evaluate.refine, evaluate.sub_angles) == (1, 1)
+        {
+            return Ok(());
+        }
+        Err(Error::config(
+            "evaluate",
+            format!(
+                "refine = {} and sub_angles = {}, but a matrix is known for its own voxels and frames only",
+                evaluate.refine, evaluate.sub_angles
+            ),
+            "refine = 1 and sub_angles = 1 with [model.matrix]",
+        ))
     }
 
     /// The same lights with frames averaged over so many angles.
@@ -176,7 +223,50 @@ impl Optics {
     }
 }
 
-fn light_of(spec: &JobSpec, light: &LightSpec, kernel: Kernel) -> Light {
+/// The absorbing bath of a job.
+fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
+    let Some(bath) = &spec.bath else {
+        return Ok(None);
+    };
+    let radius = bath.radius_mm.0;
+    let vial = vial.walls().first().map_or(0.0, |wall| match wall.curve {
+        Curve::Circle(r) => r,
+        Curve::Square(w) => w * std::f64::consts::SQRT_2,
+    });
+    if radius < vial {
+        return Err(Error::config(
+            "bath.radius_mm",
+            format!("found {radius} mm, within the vial, which reaches {vial:.3} mm"),
+            format!("a radius of at least {vial:.3} mm"),
+        ));
+    }
+    Ok(Some(Bath {
+        absorption_per_mm: bath.absorption_per_mm,
+        radius_mm: radius,
+    }))
+}
+
+/// The absorption map of a job.
+fn map_of(map: &MapSpec, base: &Path) -> Result<AbsorptionMap> {
+    let (shape, active) = read_matrix(&base.join(&map.absorption))?;
+    let total = match &map.attenuation {
+        None => active.clone(),
+        Some(file) => {
+            let (other, total) = read_matrix(&base.join(file))?;
+            if other != shape {
+                return Err(Error::Shape {
+                    what: "resin.map.attenuation".into(),
+                    expected: shape.to_vec(),
+                    found: other.to_vec(),
+                });
+            }
+            total
+        }
+    };
+    AbsorptionMap::new(shape, map.pitch_mm.0, active, total)
+}
+
+fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = &spec.resin;
@@ -204,9 +294,90 @@ fn light_of(spec: &JobSpec, light: &LightSpec, kernel: Kernel) -> Light {
             pure_radon: resin.pure_radon,
         },
         surrounding_index: spec.vial.surrounding_index,
+        map: None,
+        bath: None,
         polarisation: light.polarisation,
-        kernel,
+        kernel: Kernel::default(),
         sub_angles: light.sub_angles,
         active: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Document;
+    use crate::job::tests::FULL;
+
+    fn spec(changes: &[&str]) -> JobSpec {
+        let mut document = Document::toml("a.toml", FULL).unwrap();
+        changes
+            .iter()
+            .for_each(|change| document.set(change).unwrap());
+        JobSpec::from_document(&document).unwrap()
+    }
+
+    fn key(error: Error) -> String {
+        match error {
+            Error::Config { key, .. } => key,
+            other => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn a_bath_reaches_every_light_and_must_hold_the_vial() {
+        let bath = |radius: &str| {
+            let change = format!("bath={{ absorption_per_mm = 0.1, radius_mm = {radius} }}");
+            Optics::new(&spec(&[&change]), Path::new(""))
+        };
+        let lights = bath("20").unwrap().lights;
+        let expected = Bath {
+            absorption_per_mm: 0.1,
+            radius_mm: 20.0,
+        };
+        assert!(lights.iter().all(|light| light.bath == Some(expected)));
+        assert_eq!(key(bath("8.2").err().unwrap()), "bath.radius_mm"); // the vial reaches 8.3
+    }
+
+    #[test]
+    fn a_map_is_read_beside_the_job_and_refused_where_light_bends() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("mu.npy");
+        let map = ndarray::array![[0.1f64, 0.2, 0.3], [0.1, 0.1, 0.1]];
+        ndarray_npy::write_npy(&path, &map).unwrap();
+        let spec = spec(&["resin.map={ absorption = \"mu.npy\", pitch_mm = 1.0 }"]);
+        let optics = Optics::new(&spec, folder.path()).unwrap();
+        let values = vec![0.1, 0.2, 0.3, 0.1, 0.1, 0.1];
+        let expected = AbsorptionMap::new([2, 3], 1.0, values.clone(), values).unwrap();
+        assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
+        let grid = VolumeGrid::centered([2, 4, 4], 0.1);
+        let lights = optics.lights.clone();
+        let run = crate::models::Run::new();
+        let refused = crate::models::planner::plan(
+            &optics.model,
+            optics.vial.as_ref(),
+            lights,
+            grid,
+            None,
+            &run,
+        );
+        assert!(matches!(refused, Err(Error::Unsupported { .. })));
+    }
+
+    #[test]
+    fn a_matrix_is_judged_on_its_own_voxels_only() {
+        let matrix = "model={ matrix = { file = \"m.npz\" } }";
+        let own = ["evaluate.refine=1", "evaluate.sub_angles=1", matrix];
+        let optics = |spec: &JobSpec| Optics::new(spec, Path::new("/jobs")).unwrap();
+        let (finer, own) = (spec(&own[2..]), spec(&own));
+        assert_eq!(
+            key(optics(&finer).must_be_judged(&finer).unwrap_err()),
+            "evaluate"
+        );
+        optics(&own).must_be_judged(&own).unwrap();
+        let Choice::Matrix(matrix) = optics(&own).model else {
+            panic!("another model");
+        };
+        assert_eq!(matrix.file, Path::new("/jobs/m.npz"));
     }
 }

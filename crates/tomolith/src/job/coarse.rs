@@ -73,7 +73,14 @@ fn solve_level(
 ) -> Result<(Vec<Patterns>, Counters)> {
     let voxels = scene.voxels(grid)?;
     let vial = scene.optics.vial.as_ref();
-    let plan = planner::plan(vial, lights, grid.clone(), Some(&voxels.wanted()), run)?;
+    let plan = planner::plan(
+        &scene.optics.model,
+        vial,
+        lights,
+        grid.clone(),
+        Some(&voxels.wanted()),
+        run,
+    )?;
     let model = plan.model.as_ref();
     let objective = scene.objective(&model.outputs()[0], &voxels)?;
     let mut x = match start {

@@ -13,7 +13,7 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::row_of;
-use crate::models::{Run, planner};
+use crate::models::{Choice, Run, planner};
 use crate::objective::Objective;
 use std::time::Instant;
 
@@ -235,7 +235,9 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         *azimuths = azimuths.iter().copied().step_by(step).collect();
     }
     let frames: usize = lights.iter().map(|l| l.pixels.frames()).sum();
+    // A matrix is known for its own pixels only: what the geometry would take stands for it
     let plan = planner::plan(
+        &Choice::default(),
         scene.optics.vial.as_ref(),
         lights,
         scene.grid.clone(),

@@ -98,7 +98,7 @@ pub fn export(
 ) -> Result<Exported> {
     must_be_free(folder)?;
     let spec = &job.spec;
-    let optics = Optics::new(spec).map_err(|e| job.locate(e))?;
+    let optics = Optics::new(spec, &job.base()).map_err(|e| job.locate(e))?;
     let printers =
         device::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
     let names = device::names(spec);
@@ -178,7 +178,14 @@ const BYTES_PER_ENTRY: f64 = 36.0;
 pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
     let scene = Scene::new(job)?;
     let (vial, lights) = (scene.optics.vial.as_ref(), scene.optics.lights.clone());
-    let plan = planner::plan(vial, lights, scene.grid.clone(), None, cancel)?;
+    let plan = planner::plan(
+        &scene.optics.model,
+        vial,
+        lights,
+        scene.grid.clone(),
+        None,
+        cancel,
+    )?;
     let needed_mb = (plan.model.updates() as f64 * BYTES_PER_ENTRY / 1e6) as u64;
     require(
         "grid.pitch_mm",
@@ -195,7 +202,7 @@ pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
 /// # Errors
 /// As [`Calibration::new`] and [`Calibration::draw`]; [`Error::Config`] when the folder is not empty.
 pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
-    let optics = Optics::new(&job.spec).map_err(|e| job.locate(e))?;
+    let optics = Optics::new(&job.spec, &job.base()).map_err(|e| job.locate(e))?;
     let printer = job.spec.printer.clone().unwrap_or_default();
     let several = device::names(&job.spec);
     let mut written = Vec::new();

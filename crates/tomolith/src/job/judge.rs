@@ -208,6 +208,7 @@ fn dose(
         light.active = Some(lit_rows(patterns));
     }
     let model = planner::plan(
+        &scene.optics.model,
         scene.optics.vial.as_ref(),
         lights,
         grid.clone(),

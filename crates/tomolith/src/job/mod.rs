@@ -159,9 +159,9 @@ folder = "out/part"
             ),
             (
                 "0.95",
-                "0.95\n[coarse]\nlevels = 3",
-                "[coarse",
-                ["coarse", "not built yet"],
+                "0.95\n[coarse]\nlevles = 3",
+                "levles",
+                ["coarse.levles", "did you mean `levels`?"],
             ),
             (
                 "iterations = 40",

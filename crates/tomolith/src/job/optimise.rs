@@ -70,6 +70,7 @@ pub(crate) fn optimise(
     let spec = &scene.spec;
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
+        &scene.optics.model,
         scene.optics.vial.as_ref(),
         lights,
         scene.grid.clone(),

@@ -105,6 +105,15 @@ impl Job {
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
             *file = absolute(&self.base().join(&*file));
         }
+        if let Some(file) = spec.model.pointer_mut("/matrix/file") {
+            let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
+            *file = path.display().to_string().into();
+        }
+        if let Some(map) = &mut spec.resin.map {
+            for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
+                *file = absolute(&self.base().join(&*file));
+            }
+        }
         spec
     }
 

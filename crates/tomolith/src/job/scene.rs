@@ -76,7 +76,8 @@ impl Scene {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
         }
         RunFolder::check(&job.folder())?;
-        let optics = Optics::new(&spec)?;
+        let optics = Optics::new(&spec, &job.base())?;
+        optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;

@@ -21,18 +21,11 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 2] = [
-    (
-        "bath",
-        "absorbing baths are not in this version",
-        "a clear bath's index is vial.surrounding_index",
-    ),
-    (
-        "resin.phase",
-        "scattering is not in this version",
-        "a phase function has no meaning where nothing scatters",
-    ),
-];
+const PLANNED: [(&str, &str, &str); 1] = [(
+    "resin.phase",
+    "scattering is not in this version",
+    "a phase function has no meaning where nothing scatters",
+)];
 
 /// A whole job.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -47,6 +40,9 @@ pub struct JobSpec {
     pub resin: ResinSpec,
     /// What stands around the resin, `[vial.KIND]`.
     pub vial: VialSpec,
+    /// An absorbing bath round the vial; its index is `vial.surrounding_index`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bath: Option<BathSpec>,
     /// How light becomes dose, `[model.KIND]`.
     #[serde(default = "parallel")]
     pub model: Value,
@@ -132,6 +128,9 @@ pub struct ResinSpec {
     /// Napierian attenuation by everything, 1/mm; the active absorption when nothing else absorbs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
+    /// Absorption that changes across the plane, for straight light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<MapSpec>,
     /// Scattering, 1/mm; only 0 for now.
     pub scattering_per_mm: f64,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
@@ -139,6 +138,30 @@ pub struct ResinSpec {
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_dose_mj_per_mm3: Option<f64>,
+}
+
+/// Absorption per cell of a plane, centred on the axis and the same at all heights; beyond it the resin has its plain
+/// numbers. Files are 2D `.npy` [y, x] of f32 or f64, 1/mm, row 0 = most negative y.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MapSpec {
+    /// What makes dose.
+    pub absorption: PathBuf,
+    /// Attenuation by everything; the active absorption when nothing else absorbs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attenuation: Option<PathBuf>,
+    /// Edge of a cell.
+    pub pitch_mm: Mm,
+}
+
+/// What surrounds the vial and absorbs, up to a round wall.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BathSpec {
+    /// Napierian absorption, 1/mm.
+    pub absorption_per_mm: f64,
+    /// Where it ends, from the axis; beyond the vial.
+    pub radius_mm: Mm,
 }
 
 /// The vial: one kind, `[vial.KIND]`, and what surrounds it.
@@ -335,6 +358,7 @@ impl Default for ResinSpec {
             refractive_index: 1.5,
             absorption_per_mm: 0.0,
             attenuation_per_mm: None,
+            map: None,
             scattering_per_mm: 0.0,
             pure_radon: false,
             critical_dose_mj_per_mm3: None,

@@ -38,6 +38,16 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
         4.0,
         INDEX,
     )?;
+    if let Some(bath) = &spec.bath {
+        within(
+            "bath.absorption_per_mm",
+            bath.absorption_per_mm,
+            0.0,
+            MOST_ABSORPTION,
+            "1/mm, 0 to 100",
+        )?;
+        positive("bath.radius_mm", bath.radius_mm.0, "mm")?;
+    }
     lights(&spec.light)?;
     spec.objectives()?;
     bounds_and_stop(spec)?;
@@ -408,6 +418,14 @@ mod tests {
                 "resin.critical_dose_mj_per_mm3",
             ),
             ("vial.surrounding_index=0", "vial.surrounding_index"),
+            (
+                "bath={ absorption_per_mm = -0.1, radius_mm = 20 }",
+                "bath.absorption_per_mm",
+            ),
+            (
+                "bath={ absorption_per_mm = 0.1, radius_mm = 0 }",
+                "bath.radius_mm",
+            ),
             ("light=[]", "light"),
             ("light.name=a/b", "light[0].name"),
             ("light.wavelength_nm=0.405", "light[0].wavelength_nm"),

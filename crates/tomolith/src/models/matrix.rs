@@ -41,14 +41,37 @@
 //! assert_eq!(volume.values[..6], [1.0, 0.5, 2.0, 1.0, 0.5, 2.0]); // two slices of four
 //! ```
 
-use super::{DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
+use super::{
+    Choice, ChooseModel, DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run,
+    ZCoupling,
+};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::io::csr::Csr;
+use crate::kind::Kind;
 use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Keys of `[model.matrix]`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {
+    /// `.npz` of `scipy.sparse.save_npz`, CSR; relative to the job file.
+    pub file: PathBuf,
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "matrix",
+    summary: "A stored sparse matrix from pixels to voxels: any linear model, measured or computed.",
+    example: "[model.matrix]\nfile = \"matrix.npz\"\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Matrix(section.parse()?)),
+};
 
 /// Sums along stored rows: `out[i] += Σ value · source[offset]`, for `depth` lanes at a time.
 #[derive(Clone, Debug)]

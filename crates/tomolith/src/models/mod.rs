@@ -22,6 +22,8 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 pub enum Choice {
     /// Collimated light through a z-invariant vial.
     Parallel(parallel::Params),
+    /// A stored matrix.
+    Matrix(matrix::Params),
 }
 
 impl Default for Choice {
@@ -34,7 +36,7 @@ impl Default for Choice {
 pub type ChooseModel = fn(&Section) -> Result<Choice>;
 
 /// Every dose model; the first is the default.
-pub static MODELS: &[Kind<ChooseModel>] = &[parallel::KIND];
+pub static MODELS: &[Kind<ChooseModel>] = &[parallel::KIND, matrix::KIND];
 
 /// What long work carries along: a way to be stopped.
 ///

@@ -4,6 +4,7 @@
 //! The ray starts outside at lateral coordinate u, travels along −(cos α, sin α) in the resin frame, and is refracted at
 //! every wall (Snell), losing power there (Fresnel, each polarisation for itself). Where it runs through resin it leaves
 //! a [`Leg`]: a straight piece along which Beer–Lambert holds. Reflected light is lost; the [`Account`] says how much.
+//! A [`Bath`] weakens it on the way to the vial.
 //!
 //! # Example
 //! A ray through the middle of an index-matched cylinder of radius 6 mm runs 12 mm through resin:
@@ -36,11 +37,31 @@ pub struct Leg {
     pub power: f64,
 }
 
+/// What surrounds the vial, up to a round wall about the axis, and absorbs. Light enters it as it would enter nothing: its
+/// container is index-matched or flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bath {
+    /// Napierian absorption, 1/mm, ≥ 0.
+    pub absorption_per_mm: f64,
+    /// Where it ends, mm from the axis.
+    pub radius_mm: f64,
+}
+
+impl Bath {
+    /// Way through the bath of a ray that starts outside at `position` and meets the vial after `distance` mm.
+    fn way(self, position: [f64; 2], direction: [f64; 2], distance: f64) -> f64 {
+        let entry = enter(Curve::Circle(self.radius_mm), position, direction);
+        entry.map_or(0.0, |(entry, ..)| (distance - entry).max(0.0))
+    }
+}
+
 /// Where the power of a ray went; the five add up to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Account {
     /// Taken by the resin, active or not.
     pub absorbed: f64,
+    /// Taken by an absorbing bath before the vial.
+    pub bath: f64,
     /// Reflected at walls, total reflection included.
     pub reflected: f64,
     /// Left the vial after it had passed resin.
@@ -53,7 +74,7 @@ impl Account {
     /// Sum of all entries.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.absorbed + self.reflected + self.transmitted + self.missed
+        self.absorbed + self.bath + self.reflected + self.transmitted + self.missed
     }
 }
 
@@ -76,6 +97,7 @@ pub struct Tracer {
     indices: Vec<f64>,
     resin: Resin,
     polarisation: Polarisation,
+    bath: Option<Bath>,
 }
 
 /// A bounded number of walls can be met by a ray that is never reflected.
@@ -103,18 +125,24 @@ impl Tracer {
             indices,
             resin,
             polarisation,
+            bath: None,
         }
+    }
+
+    /// The same vial in an absorbing bath.
+    #[must_use]
+    pub fn in_bath(mut self, bath: Option<Bath>) -> Self {
+        self.bath = bath;
+        self
     }
 
     /// The ray at lateral coordinate `u` (mm) of a frame from `azimuth` (rad).
     #[must_use]
     pub fn trace(&self, u: f64, azimuth: f64) -> Path {
         let (sin, cos) = azimuth.sin_cos();
-        let far = 4.0
-            * self
-                .walls
-                .first()
-                .map_or(1.0, |w| w.curve.inscribed_radius());
+        let vial = self.walls.first();
+        let vial = vial.map_or(1.0, |wall| wall.curve.inscribed_radius());
+        let far = 4.0 * self.bath.map_or(vial, |bath| bath.radius_mm.max(vial));
         let mut position = [far * cos - u * sin, far * sin + u * cos];
         let mut direction = [-cos, -sin];
         let mut power = self.polarisation.split();
@@ -125,6 +153,13 @@ impl Tracer {
             let Some(hit) = self.next_wall(position, direction, depth) else {
                 break;
             };
+            if let (true, Some(bath)) = (path.class.is_empty(), self.bath) {
+                let way = bath.way(position, direction, hit.distance);
+                let loss = -(-bath.absorption_per_mm * way).exp_m1();
+                path.account.bath += loss * (power.s + power.p);
+                power.s *= 1.0 - loss;
+                power.p *= 1.0 - loss;
+            }
             if depth > 0 && self.walls[depth - 1].inside == Medium::Resin {
                 self.cross_resin(position, direction, hit.distance, &mut power, &mut path);
             }
@@ -339,6 +374,31 @@ mod tests {
                         "{vial:?} {account:?}"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_bath_weakens_light_up_to_the_vial() {
+        let bath = Bath {
+            absorption_per_mm: 0.15,
+            radius_mm: 12.0,
+        };
+        for vial in vials() {
+            let resin = Resin::absorbing(1.4849, 0.1);
+            let clear = Tracer::new(vial.as_ref(), resin, 1.33, Polarisation::S);
+            let absorbing = clear.clone().in_bath(Some(bath));
+            for u in [-5.0f64, 0.0, 2.5] {
+                let (a, b) = (clear.trace(u, 0.0), absorbing.trace(u, 0.0));
+                assert!((b.account.total() - 1.0).abs() < 1e-12);
+                // Light comes from +x: it enters the bath at √(R² − u²), a round vial at √(r² − u²)
+                let outer = match vial.walls()[0].curve {
+                    Curve::Circle(r) => (r * r - u * u).sqrt(),
+                    Curve::Square(w) => w,
+                };
+                let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
+                let expected = a.legs[0].power * (-0.15 * way).exp();
+                assert!((b.legs[0].power - expected).abs() < 1e-12, "{vial:?} {u}");
             }
         }
     }

@@ -8,7 +8,7 @@
 //!
 //! ```text
 //! dose      dose(i) += row · Σ_j |[τ₀ + s·i, τ₀ + s·(i + 1)) ∩ [j, j + 1)| · factor(j)·x(j)
-//! adjoint   g(j)    += row · (I(e(j + 1)) − I(e(j))),   e(j) = (j − τ₀)/s,   I(e) = ∫₀ᵉ c
+//! adjoint   g(j)    += row · s·(I(e(j + 1)) − I(e(j))),   e(j) = (j − τ₀)/s,   I(e) = ∫₀ᵉ c
 //! ```
 //! The integral of the cotangent c over a row is piecewise linear, so it is two table look-ups in registers.
 #![expect(
@@ -275,7 +275,6 @@ fn window(source_len: usize, first: i32) -> usize {
 }
 
 /// The plain twin of the dose.
-#[inline(always)]
 fn plain_dose(rows: &Rows, source: &[f32], out: &mut Square) {
     let (strips, parts) = rows.begins();
     let width = rows.per_voxel as f32;
@@ -298,7 +297,6 @@ fn plain_dose(rows: &Rows, source: &[f32], out: &mut Square) {
 }
 
 /// The plain twin of the adjoint.
-#[inline(always)]
 fn plain_adjoint(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
     let (first, places) = rows.edges();
     let at = window(source.len(), first);
@@ -307,6 +305,7 @@ fn plain_adjoint(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
     for row in 0..rows.count {
         let own = row * TILE..(row + 1) * TILE;
         let (value, constant) = (&integrals.value[own.clone()], &integrals.constant[own]);
+        let factor = rows.factor[row] * rows.per_voxel as f32;
         let mut integral = [0.0f32; 33];
         for (lane, integral) in integral.iter_mut().enumerate() {
             let edge = (places[row] + lane as f32 * width).clamp(0.0, TILE as f32);
@@ -314,7 +313,7 @@ fn plain_adjoint(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
             *integral = edge * value[voxel] + constant[voxel];
         }
         for (lane, sum) in sums.iter_mut().enumerate() {
-            *sum += rows.factor[row] * (integral[lane + 1] - integral[lane]);
+            *sum += factor * (integral[lane + 1] - integral[lane]);
         }
     }
     for (to, sum) in source[at..at + 32].iter_mut().zip(sums) {
@@ -354,19 +353,119 @@ impl Integrals {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Integrals, Rows, Square, TILE, plain_adjoint, plain_dose, window};
+    use super::{Integrals, Rows, Square, TILE, window};
+    #[cfg(doc)]
+    use super::{plain_adjoint, plain_dose};
     use std::arch::x86_64::*;
 
-    /// The plain twin, with sixteen registers of eight lanes.
     #[target_feature(enable = "avx2,fma")]
-    pub(super) fn dose_avx2(rows: &Rows, source: &[f32], out: &mut Square) {
-        plain_dose(rows, source, out);
+    fn half_ramp(first: f32) -> __m256 {
+        let ramp = _mm256_setr_ps(0., 1., 2., 3., 4., 5., 6., 7.);
+        _mm256_add_ps(ramp, _mm256_set1_ps(first))
     }
 
-    /// The plain twin, with sixteen registers of eight lanes.
+    /// See [`plain_dose`]; eight lanes at a time.
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) fn dose_avx2(rows: &Rows, source: &[f32], out: &mut Square) {
+        let (strips, parts) = rows.begins();
+        let (one, next) = (_mm256_set1_ps(1.0), _mm256_set1_epi32(1));
+        let width = _mm256_set1_ps(rows.per_voxel as f32);
+        let taps = if rows.per_voxel <= 1.0 { 2 } else { 3 };
+        for row in 0..rows.count {
+            let at = window(source.len(), strips[row]);
+            let window = &source[at..at + 32];
+            let factor = _mm256_set1_ps(rows.factor[row]);
+            let halves = out[row * TILE..(row + 1) * TILE].chunks_exact_mut(8);
+            for (half, out) in halves.enumerate() {
+                let lanes = half_ramp(8.0 * half as f32);
+                let begin = _mm256_fmadd_ps(lanes, width, _mm256_set1_ps(parts[row]));
+                let mut strip = _mm256_cvttps_epi32(begin);
+                let into = _mm256_sub_ps(begin, _mm256_cvtepi32_ps(strip));
+                let mut cover = _mm256_min_ps(_mm256_sub_ps(one, into), width);
+                let mut left = width;
+                let mut sum = _mm256_setzero_ps();
+                for _ in 0..taps {
+                    let within = _mm256_and_si256(strip, _mm256_set1_epi32(31));
+                    // SAFETY: indices are 0 to 31, and the window has 32 floats.
+                    let value = unsafe { _mm256_i32gather_ps::<4>(window.as_ptr(), within) };
+                    sum = _mm256_fmadd_ps(cover, value, sum);
+                    left = _mm256_sub_ps(left, cover);
+                    cover = _mm256_min_ps(left, one);
+                    strip = _mm256_add_epi32(strip, next);
+                }
+                // SAFETY: `out` has eight floats.
+                unsafe {
+                    let before = _mm256_loadu_ps(out.as_ptr());
+                    _mm256_storeu_ps(out.as_mut_ptr(), _mm256_fmadd_ps(factor, sum, before));
+                }
+            }
+        }
+    }
+
+    /// Entries `i` (0 to 15) of a table of two registers.
+    #[target_feature(enable = "avx2,fma")]
+    fn look_half(table: &[f32; 16], i: __m256i) -> __m256 {
+        // SAFETY: sixteen floats.
+        let [low, high] = unsafe {
+            [
+                _mm256_loadu_ps(table.as_ptr()),
+                _mm256_loadu_ps(table.as_ptr().add(8)),
+            ]
+        };
+        let upper = _mm256_castsi256_ps(_mm256_cmpgt_epi32(i, _mm256_set1_epi32(7)));
+        _mm256_blendv_ps(
+            _mm256_permutevar8x32_ps(low, i),
+            _mm256_permutevar8x32_ps(high, i),
+            upper,
+        )
+    }
+
+    /// See [`plain_adjoint`]; eight lanes at a time.
     #[target_feature(enable = "avx2,fma")]
     pub(super) fn adjoint_avx2(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
-        plain_adjoint(rows, integrals, source);
+        let (first, places) = rows.edges();
+        let at = window(source.len(), first);
+        let width = _mm256_set1_ps((1.0 / rows.per_voxel) as f32);
+        let (zero, end) = (_mm256_setzero_ps(), _mm256_set1_ps(TILE as f32));
+        let last = _mm256_set1_epi32(TILE as i32 - 1);
+        let lanes = [0.0, 8.0, 16.0, 24.0].map(|first| _mm256_mul_ps(half_ramp(first), width));
+        let mut sums = [zero; 4];
+        // One more than the strips: the upper edge of the last, which holds nothing
+        let mut integral = [0.0f32; 40];
+        for row in 0..rows.count {
+            let value = sixteen(&integrals.value, row * TILE);
+            let constant = sixteen(&integrals.constant, row * TILE);
+            let place = _mm256_set1_ps(places[row]);
+            for (lanes, out) in lanes.iter().zip(integral.chunks_exact_mut(8)) {
+                let edge = _mm256_add_ps(*lanes, place);
+                let edge = _mm256_min_ps(_mm256_max_ps(edge, zero), end);
+                let voxel = _mm256_min_epi32(_mm256_cvttps_epi32(edge), last);
+                let found =
+                    _mm256_fmadd_ps(edge, look_half(value, voxel), look_half(constant, voxel));
+                // SAFETY: `out` has eight floats.
+                unsafe { _mm256_storeu_ps(out.as_mut_ptr(), found) };
+            }
+            integral[32] = integral[31];
+            let factor = _mm256_set1_ps(rows.factor[row] * rows.per_voxel as f32);
+            for (i, sum) in sums.iter_mut().enumerate() {
+                let own = &integral[8 * i..8 * i + 9];
+                // SAFETY: nine floats.
+                let between = unsafe {
+                    _mm256_sub_ps(
+                        _mm256_loadu_ps(own.as_ptr().add(1)),
+                        _mm256_loadu_ps(own.as_ptr()),
+                    )
+                };
+                *sum = _mm256_fmadd_ps(factor, between, *sum);
+            }
+        }
+        for (to, sum) in source[at..at + 32].chunks_exact_mut(8).zip(sums) {
+            // SAFETY: `to` has eight floats.
+            unsafe {
+                let before = _mm256_loadu_ps(to.as_ptr());
+                _mm256_storeu_ps(to.as_mut_ptr(), _mm256_add_ps(before, sum));
+            }
+        }
     }
 
     #[target_feature(enable = "avx512f")]
@@ -464,7 +563,7 @@ mod x86 {
                 )
             };
             let (low, high) = (integral(low_lanes), integral(high_lanes));
-            let factor = _mm512_set1_ps(rows.factor[row]);
+            let factor = _mm512_set1_ps(rows.factor[row] * rows.per_voxel as f32);
             let shifted = |a: __m512, b: __m512| {
                 _mm512_castsi512_ps(_mm512_alignr_epi32::<1>(
                     _mm512_castps_si512(b),

@@ -28,7 +28,9 @@
 //! Patterns and dose as in [`layout`](crate::models::layout).
 //!
 //! # Limits
-//! Collimated light, walls and absorption that do not change along z, light reflected at a wall is lost.
+//! Collimated light, walls and absorption that do not change along z, light reflected at a wall is lost. Absorption may
+//! change across the plane ([`AbsorptionMap`]) where light is straight; a bath may absorb before the vial
+//! ([`Bath`]).
 //!
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
@@ -60,6 +62,7 @@ mod comb;
 mod gather;
 mod heights;
 pub mod kernel;
+mod mapped;
 mod plan;
 mod plane;
 pub mod radon;
@@ -76,17 +79,19 @@ use crate::models::{
 };
 use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
+use crate::optics::trace::Bath;
 use crate::optics::vial::Vial;
 use chains::GUARD;
 use gather::Gatherer;
 use kernel::{Block, Isa, MAX_BLOCK};
+pub use mapped::AbsorptionMap;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{TILE, Tile, TileEntries};
 
 /// Keys of `[model.parallel]`.
@@ -116,6 +121,10 @@ pub struct Light {
     pub resin: Resin,
     /// Index of what surrounds the vial.
     pub surrounding_index: f64,
+    /// Absorption that changes across the plane; None: the resin's plain numbers everywhere.
+    pub map: Option<Arc<AbsorptionMap>>,
+    /// What weakens light before the vial.
+    pub bath: Option<Bath>,
     /// Polarisation at the projector.
     pub polarisation: Polarisation,
     /// How a column's light is shared among voxels.
@@ -134,6 +143,8 @@ impl Light {
             pixels,
             resin,
             surrounding_index: 1.0,
+            map: None,
+            bath: None,
             polarisation: Polarisation::Unpolarised,
             kernel: Kernel::DistanceDriven,
             sub_angles: 1,
@@ -177,6 +188,7 @@ impl Parallel {
         for light in lights {
             check(&light)?;
             check_kernel(&light, vial)?;
+            check_map(&light, vial)?;
             let all =
                 vec![(0, light.pixels.rows as u32); light.pixels.frames() * light.pixels.columns];
             let active = light.active.as_deref().unwrap_or(&all);
@@ -426,12 +438,34 @@ fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
             "{name:?} is defined for straight light, and this vial refracts"
         ));
     }
+    if light.bath.is_some() {
+        return refused(format!(
+            "{name:?} is a kernel of pure Radon, and this bath absorbs"
+        ));
+    }
     if !light.resin.pure_radon {
         return refused(format!(
             "{name:?} is a kernel of pure Radon, and this resin absorbs"
         ));
     }
     Ok(())
+}
+
+/// Refuses a map where light bends, or where nothing absorbs.
+fn check_map(light: &Light, vial: &dyn Vial) -> Result<()> {
+    let reason = match &light.map {
+        None => return Ok(()),
+        Some(_) if !is_straight(vial, light) => "light must run straight, and this vial refracts",
+        Some(_) if light.resin.pure_radon => "with resin.pure_radon nothing absorbs",
+        Some(_) if light.kernel != Kernel::DistanceDriven => {
+            "the kernels of pure Radon know no absorption"
+        }
+        Some(_) => return Ok(()),
+    };
+    Err(Error::Unsupported {
+        what: "resin.map".to_owned(),
+        reason: reason.to_owned(),
+    })
 }
 
 /// Whether light passes the vial as if it were not there: one round wall between equal indices.

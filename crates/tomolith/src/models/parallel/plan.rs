@@ -4,6 +4,7 @@ use super::chains::{Avx512, Chain};
 use super::comb::Comb;
 use super::heights::Heights;
 use super::kernel::{Block, Isa, accumulate};
+use super::mapped::Mapped;
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
@@ -45,6 +46,7 @@ pub(super) struct LightPlan {
     heights: Heights,
     deposit: Deposit,
     pub(super) kernel: Kernel,
+    mapped: Option<Mapped>,
     /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
     pub(super) lit: Vec<(u16, u16)>,
     pub(super) columns: usize,
@@ -65,7 +67,8 @@ impl LightPlan {
             light.resin,
             light.surrounding_index,
             light.polarisation,
-        );
+        )
+        .in_bath(light.bath);
         let resin = light.resin;
         let deposit = Deposit {
             attenuation: resin.attenuation_per_mm,
@@ -96,15 +99,29 @@ impl LightPlan {
                 range.start..i + 1
             };
         }
+        let mapped = light
+            .map
+            .as_ref()
+            .map(|map| Mapped::new(map, resin, grid, &beams));
+        let is_even = mapped.is_none();
         let is_comb = grid.shape[0] == 1
+            && is_even
             && light.kernel == Kernel::DistanceDriven
             && is_straight(vial, light);
         let combs: Vec<Option<Comb>> = beams
             .par_iter()
-            .map(|beam| Comb::new(beam, &light.pixels, grid, &deposit).filter(|_| is_comb))
+            .map(|beam| {
+                let comb = || Comb::new(beam, &light.pixels, grid, &deposit);
+                is_comb.then(comb).flatten()
+            })
             .collect();
-        let meeting =
-            |tile, (beam, comb): (&Beam, &Option<Comb>)| tiles::meeting(beam, comb.as_ref(), tile);
+        let meeting = |tile, (beam, comb): (&Beam, &Option<Comb>)| {
+            let meeting = tiles::meeting(beam, comb.as_ref(), tile);
+            Meeting {
+                chain: meeting.chain && is_even,
+                ..meeting
+            }
+        };
         let meetings = tiles
             .par_iter()
             .flat_map_iter(|tile| {
@@ -131,6 +148,7 @@ impl LightPlan {
             heights,
             deposit,
             kernel: light.kernel,
+            mapped,
             lit,
             columns: light.pixels.columns,
             first_frame,
@@ -273,12 +291,16 @@ impl LightPlan {
         (tile, slots): (&Tile, Slots),
         found: &mut TileEntries,
     ) {
-        let beam = &self.beams[beam];
+        let index = beam;
+        let beam = &self.beams[index];
         let (first, end) = (meeting.first as usize, meeting.end as usize);
         let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
         let local = Local::new(tile, beam.major, slots);
         if let Some(wide) = path.wide.filter(|_| meeting.chain) {
             return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
+        }
+        if let Some(mapped) = &self.mapped {
+            return mapped.enumerate((index, beam), first..end, &local, keep, found);
         }
         let strips = &beam.strips[first..end];
         match self.kernel {

@@ -6,6 +6,7 @@
 pub mod fbp;
 pub mod given;
 pub mod level;
+pub mod lsqr;
 
 use super::Limits;
 use crate::error::{Error, Result};
@@ -44,7 +45,13 @@ pub trait Start: std::fmt::Debug + Send + Sync {
 pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
 
 /// Every start; the first is the default.
-pub static STARTS: &[Kind<BuildStart>] = &[fbp::KIND, level::UNIFORM, level::ZERO, given::KIND];
+pub static STARTS: &[Kind<BuildStart>] = &[
+    fbp::KIND,
+    level::UNIFORM,
+    level::ZERO,
+    given::KIND,
+    lsqr::KIND,
+];
 
 impl StartInput<'_> {
     /// The layout of the model's first output, whose grid target and labels must share.
