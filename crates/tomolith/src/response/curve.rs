@@ -5,10 +5,10 @@
 //!
 //! ```
 //! use tomolith::response::curve::Curve;
-//! let curve = Curve::parse("dose;conversion\n0.2; 0.1\n0; 0 # dark\n0.4; 0.05").unwrap();
+//! let curve = Curve::parse("dose;conversion\n0.2; 0.25\n0; 0 # dark\n0.4; 0.125").unwrap();
 //! assert_eq!(curve.doses, [0.0, 0.2, 0.4]);
-//! // 0.1 and 0.05 fall with dose: the nearest curve that does not has their mean
-//! assert_eq!(curve.monotone().responses, [0.0, 0.075, 0.075]);
+//! // 0.25 and 0.125 fall with dose: the nearest curve that does not has their mean
+//! assert_eq!(curve.monotone().responses, [0.0, 0.1875, 0.1875]);
 //! ```
 
 use crate::error::{Error, Result};

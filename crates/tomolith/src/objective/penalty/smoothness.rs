@@ -261,7 +261,7 @@ impl PatternPenalty<HostField> for Smoothness {
 pub const KIND: Kind<BuildPenalty> = Kind {
     name: "smoothness",
     summary: "neighbouring pixels and frames that differ cost: squares, or rounded total variation",
-    example: "[penalties.smoothness]\nrows = 1.0\ncolumns = 1.0\nangles = 0.5",
+    example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
     schema: || schemars::schema_for!(Params),
     build: |section, lights| {
         let params: Params = section.parse()?;

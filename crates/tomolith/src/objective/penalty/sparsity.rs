@@ -133,7 +133,7 @@ impl PatternPenalty<HostField> for Sparsity {
 pub const KIND: Kind<BuildPenalty> = Kind {
     name: "sparsity",
     summary: "bright pixels cost: the sum of |x| to a power",
-    example: "[penalties.sparsity]\nexponent = 4.0",
+    example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
     schema: || schemars::schema_for!(Params),
     build: |section, _| {
         let params: Params = section.parse()?;
