@@ -52,7 +52,8 @@ pub const FASTEST: f64 = 240.0;
 ///
 /// ```
 /// use tomolith::exposure::shown_rate;
-/// assert_eq!(shown_rate(10.0, 360, std::f64::consts::TAU, 60.0).unwrap(), 60.0);
+/// let rate = shown_rate(10.0, 360, std::f64::consts::TAU, 60.0).unwrap();
+/// assert!((rate - 60.0).abs() < 1e-9); // ten turns of 360 frames a minute
 /// let message = shown_rate(12.0, 360, std::f64::consts::TAU, 60.0).unwrap_err().to_string();
 /// assert!(message.contains("72 frames a second") && message.contains("at most 10 turns"), "{message}");
 /// ```
