@@ -28,7 +28,7 @@ Frames: border, checkerboard, crosshair, grey_steps, siemens_star, axis_lines, o
 pub(crate) struct ExportArguments {
     /// Folder of a run
     run: PathBuf,
-    /// TOML file with the table [printer] of the machine; that of the run when left out
+    /// TOML file with the table `printer` of the machine; that of the run when left out
     #[arg(long, value_name = "FILE")]
     printer: Option<PathBuf>,
     /// Change a key of the run's job: `--set output.rpm=12` (repeatable)
@@ -46,7 +46,7 @@ pub(crate) struct ExportArguments {
 pub(crate) struct CalibrateArguments {
     /// Frames to draw; all of them when left out
     frames: Vec<String>,
-    /// Job whose [printer] and light the frames are drawn for
+    /// Job whose `printer` table and light the frames are drawn for
     #[arg(long, value_name = "JOB", conflicts_with = "canvas")]
     job: Option<PathBuf>,
     /// Pixels of the device, without a job

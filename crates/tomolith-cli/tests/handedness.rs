@@ -168,8 +168,6 @@ fn frames_on_disk_make_a_right_handed_part_in_both_senses() {
         let right = dose(&frames, sense);
         let upright = fit(&right, [1.0; 3]);
         let others = WRONG.map(|signs| fit(&right, signs));
-        let mirrored = others[0];
-        println!("{rotation}: IoU with the part {upright:.4}, with its mirror image {mirrored:.4}");
         assert!(upright > 0.9, "{rotation}: {upright}");
         for (signs, other) in WRONG.iter().zip(others) {
             assert!(other < upright - 0.3, "{rotation}, {signs:?}: {other}");
@@ -178,7 +176,6 @@ fn frames_on_disk_make_a_right_handed_part_in_both_senses() {
         // Turned the other way round the same frames make the mirror image: the test sees what it is for
         let wrong = dose(&frames, -sense);
         let best = fit(&wrong, [1.0; 3]);
-        println!("{rotation}, turned the wrong way: {best:.4}");
         assert!(best < upright - 0.3, "{rotation}, wrong sense: {best}");
     }
 }

@@ -319,7 +319,6 @@ fn the_movie_alone_makes_the_right_part_on_machines_of_all_flips_and_turns() {
             frames(&folder)
         };
         let fits = machine.prints(&shown);
-        println!("{number}: {:.4}, mirrored {:.4}", fits[0], fits[1]);
         assert!(fits[0] > 0.9, "{number}: {fits:?}");
         for wrong in &fits[1..] {
             assert!(*wrong < fits[0] - 0.3, "{number}: {fits:?}");
@@ -379,7 +378,6 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
     let report = json(&bench.path("everything/report.json"));
     let plain = json(&bench.path("run/report.json"));
     let iou = |report: &Value| report["evaluation"]["iou"].as_f64().unwrap();
-    println!("IoU: plain {:.4}, machine {:.4}", iou(&plain), iou(&report));
     assert!(
         iou(&report) > iou(&plain) - 0.03,
         "{} {}",
@@ -405,7 +403,6 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
             ],
         );
         let again = json(&bench.path("again/report.json"));
-        println!("{file}: {:.4}", iou(&again));
         assert!(
             (iou(&again) - iou(&report)).abs() <= tolerance,
             "{file}: {} {}",

@@ -58,7 +58,7 @@ pub(super) fn turn(quarters: u32, degrees: f64) -> [f64; 2] {
 
 impl Placing {
     /// The place on the device of a point of the pattern, pixels right and up of the middle.
-    pub(super) fn from_middle(&self, u: f64, z: f64) -> [f64; 2] {
+    pub(super) fn place_of(&self, u: f64, z: f64) -> [f64; 2] {
         let [x, y] = [
             self.flips[0] * u / self.pitch,
             self.flips[1] * z / self.pitch,
@@ -103,7 +103,7 @@ impl Placing {
         let mut reach = [0.0f64; 2];
         for shift in shifts {
             for (u, z) in [(u, z), (-u, z), (u, -z), (-u, -z)] {
-                let place = self.from_middle(u + shift, z);
+                let place = self.place_of(u + shift, z);
                 reach = [reach[0].max(place[0].abs()), reach[1].max(place[1].abs())];
             }
         }
@@ -124,7 +124,7 @@ impl Placing {
     /// By which part of a pixel (right, down) patterns miss the device's pixels; None when the grids differ in pitch or
     /// are turned, so that no shift would bring them onto each other.
     pub(super) fn miss(&self, shift: f64) -> Option<[f64; 2]> {
-        let square = self.turn.iter().any(|t| *t == 0.0);
+        let square = self.turn.contains(&0.0);
         if !square || (self.pitch / self.pattern_pitch - 1.0).abs() > 1e-9 {
             return None;
         }
@@ -167,7 +167,7 @@ impl Placing {
         let [u, z] = self.half();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for (u, z) in [(u, z), (-u, z), (u, -z), (-u, -z)] {
-            let [x, y] = self.from_middle(u + shift, z);
+            let [x, y] = self.place_of(u + shift, z);
             let place = [
                 x + self.canvas[0] as f64 / 2.0,
                 self.canvas[1] as f64 / 2.0 - y,
@@ -197,7 +197,7 @@ impl Placing {
                 .fold(f64::NEG_INFINITY, f64::max)
         };
         let (low, high) = ([low(0), low(1)], [high(0), high(1)]);
-        let aligned = self.turn.iter().any(|t| *t == 0.0);
+        let aligned = self.turn.contains(&0.0);
         let cells = |axis: usize| {
             let most = self.pattern[axis] as f64;
             low[axis].floor().clamp(0.0, most) as usize..high[axis].ceil().clamp(0.0, most) as usize

@@ -2,10 +2,10 @@
 //!
 //! *What must it do, and who does it.* Patterns are light at the vial. A [`Printer`] says which level every pixel of the
 //! device must show for it ([`Printer::expose`]: frames, movies, stacks) and which light levels put into the vial
-//! ([`Printer::light_of`]: what is simulated). Geometry is in [`super::placing`], levels in [`super::tone`].
+//! ([`Printer::light_of`]: what is simulated). Geometry is in `placing.rs`, levels in `tone.rs`.
 //!
 //! # Equation
-//! With the even light y_j that device pixel j must show (see [`super::placing`]), its brightness F_j ≤ 1 (flat field; 0
+//! With the even light y_j that device pixel j must show (see `placing.rs`), its brightness F_j ≤ 1 (flat field; 0
 //! where it is dead) and the grey curve g (level → intensity, g(top) = 1),
 //!
 //! ```text

@@ -352,9 +352,10 @@ mod tests {
         };
         let found = case.run(&*objective, &mut osmo(params), 4, Some(6));
         let expected = article(&case, true, 0.07, Some(64.0));
-        for step in 1..=4 {
-            assert_near(&found.patterns[step], &expected[step], 2e-5, "patterns");
+        for (found, expected) in found.patterns.iter().zip(&expected).skip(1) {
+            assert_near(found, expected, 2e-5, "patterns");
         }
+        assert!(found.patterns.len() > 4 && expected.len() > 4);
     }
 
     #[test]

@@ -8,7 +8,7 @@
 //! feasible segment (one forward call) where theirs spends up to thirty model calls; the raw descent that Li et al. (2024),
 //! section 3.2, read into the scheme is [`bclp`](super::bclp) on the objective `pm`.
 //!
-//! **Parameters** see [`Params`]. **Limits** as [`lbfgs`](super::lbfgs): with p = 1 the loss never rises but the method may stop
+//! **Parameters** see [`Params`]. **Limits** as [`lbfgs`]: with p = 1 the loss never rises but the method may stop
 //! early, at a kink. **Cost** as there, at most 128 bytes per pixel a step.
 //!
 //! ```

@@ -331,12 +331,15 @@ fn objective(run: &ComparedRun) -> String {
     keys.map(|(key, value)| format!("{key}={value};")).collect()
 }
 
+/// Reads a number of a run, where it has one.
+type ValueOf = Box<dyn Fn(&ComparedRun) -> Option<f64>>;
+
 /// A row of numbers.
 struct Row {
     name: String,
     unit: &'static str,
     better: Better,
-    value: Box<dyn Fn(&ComparedRun) -> Option<f64>>,
+    value: ValueOf,
 }
 
 /// Every number that the page lists.

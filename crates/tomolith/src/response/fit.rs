@@ -1,8 +1,8 @@
 //! Fitted response: a curve through measured points that need not rise, for example a sheet of conversion against dose.
 //!
-//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`](super::logistic)) with the least sum of
+//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`]) with the least sum of
 //! squared distances, found by Levenberg's and Marquardt's method from the curve's own quarter points. `form = "table"`: the
-//! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`](super::table).
+//! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`].
 //!
 //! **Source** Marquardt, SIAM J. Appl. Math. 11 (1963) 431; for the forms see the pages of both kinds.
 //!

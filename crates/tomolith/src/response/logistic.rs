@@ -70,8 +70,7 @@ impl Params {
             ("midpoint", self.midpoint, 1e9, false),
             ("asymmetry", self.asymmetry, 100.0, true),
         ] {
-            // Also refuses NaN
-            if !(value.abs() <= most) || (positive && value <= 0.0) {
+            if value.is_nan() || value.abs() > most || (positive && value <= 0.0) {
                 let accepted = if positive {
                     format!("a number above 0 and at most {most:e}")
                 } else {

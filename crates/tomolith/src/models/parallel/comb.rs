@@ -302,13 +302,13 @@ fn plain_adjoint(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
     let at = window(source.len(), first);
     let width = (1.0 / rows.per_voxel) as f32;
     let mut sums = [0.0f32; 32];
-    for row in 0..rows.count {
+    for (row, place) in places.iter().enumerate().take(rows.count) {
         let own = row * TILE..(row + 1) * TILE;
         let (value, constant) = (&integrals.value[own.clone()], &integrals.constant[own]);
         let factor = rows.factor[row] * rows.per_voxel as f32;
         let mut integral = [0.0f32; 33];
         for (lane, integral) in integral.iter_mut().enumerate() {
-            let edge = (places[row] + lane as f32 * width).clamp(0.0, TILE as f32);
+            let edge = (place + lane as f32 * width).clamp(0.0, TILE as f32);
             let voxel = (edge as usize).min(TILE - 1);
             *integral = edge * value[voxel] + constant[voxel];
         }
@@ -432,10 +432,10 @@ mod x86 {
         let mut sums = [zero; 4];
         // One more than the strips: the upper edge of the last, which holds nothing
         let mut integral = [0.0f32; 40];
-        for row in 0..rows.count {
+        for (row, place) in places.iter().enumerate().take(rows.count) {
             let value = sixteen(&integrals.value, row * TILE);
             let constant = sixteen(&integrals.constant, row * TILE);
-            let place = _mm256_set1_ps(places[row]);
+            let place = _mm256_set1_ps(*place);
             for (lanes, out) in lanes.iter().zip(integral.chunks_exact_mut(8)) {
                 let edge = _mm256_add_ps(*lanes, place);
                 let edge = _mm256_min_ps(_mm256_max_ps(edge, zero), end);
@@ -548,10 +548,10 @@ mod x86 {
         let (zero, end) = (_mm512_setzero_ps(), _mm512_set1_ps(TILE as f32));
         let last = _mm512_set1_epi32(TILE as i32 - 1);
         let mut sums = [zero; 2];
-        for row in 0..rows.count {
+        for (row, place) in places.iter().enumerate().take(rows.count) {
             let value = load(sixteen(&integrals.value, row * TILE));
             let constant = load(sixteen(&integrals.constant, row * TILE));
-            let place = _mm512_set1_ps(places[row]);
+            let place = _mm512_set1_ps(*place);
             let integral = |lanes: __m512| {
                 let edge = _mm512_add_ps(lanes, place);
                 let edge = _mm512_min_ps(_mm512_max_ps(edge, zero), end);
