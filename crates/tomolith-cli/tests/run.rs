@@ -304,7 +304,6 @@ fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
             assert!(content == whole[&name], "kill {kill} ({phase:?}): {name}");
         }
     }
-    println!("{runs} starts; {unpublished} kills while the folder was written");
     assert!(
         unpublished >= 3,
         "only {unpublished} kills while the folder was written"

@@ -1,6 +1,6 @@
 //! Fitted response: a curve through measured points that need not rise, for example a sheet of conversion against dose.
 //!
-//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`]) with the least sum of
+//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`](mod@super::logistic)) with the least sum of
 //! squared distances, found by Levenberg's and Marquardt's method from the curve's own quarter points. `form = "table"`: the
 //! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`].
 //!
