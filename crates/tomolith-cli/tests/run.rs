@@ -136,7 +136,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     }
     let written = bits(&run);
     assert!(
-        written.contains_key("gear_10rpm.mp4") && written.len() == 30 + 5,
+        written.contains_key("gear_10rpm.mp4") && written.len() == 30 + 6,
         "{written:?}"
     );
     assert_same_bits(&bench.path("again"), &written, "simulated");
