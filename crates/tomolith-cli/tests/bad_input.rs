@@ -337,7 +337,7 @@ const WRONG: &[Wrong] = &[
     ),
     (
         "pixels = [48, 24]\nangles = 30",
-        "pixels = [16000, 16000]\nangles = 1000",
+        "pixels = [16000, 16000]\nangles = 1400",
         "pixels",
         &[
             "light[0].pixels",
