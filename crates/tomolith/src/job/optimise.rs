@@ -9,6 +9,7 @@ use crate::field::{BLOCK, Field, HostField};
 use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::scan::Scan;
+use crate::models::darkened::{Darkened, darken, pixels_through};
 use crate::models::{DoseModel, Run, planner};
 use crate::optimize::start::StartInput;
 use crate::optimize::{
@@ -76,9 +77,15 @@ pub(crate) fn optimise(
     progress.event(&Event::Note {
         text: plan.reason.clone(),
     });
-    let model = plan.model.as_ref();
+    let dark = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
+    let model: Box<dyn DoseModel<Field = HostField>> = match &dark {
+        Some(dark) => Box::new(Darkened::new(plan.model, dark)),
+        None => plan.model,
+    };
+    let model = model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
-    let start = starting_patterns(scene, voxels, model, cancel)?;
+    let mut start = starting_patterns(scene, voxels, model, cancel)?;
+    darken(&mut start, dark.as_deref().unwrap_or_default());
     let limits = limits(spec, &start);
     let mut problem = Problem::new(model, &objective, &limits, cancel)?;
     let mut optimizer = scene.optimizer()?;
@@ -117,6 +124,7 @@ pub(crate) fn optimise(
         &mut [&mut watch],
     );
     let qualities = watch.qualities;
+    darken(&mut x, dark.as_deref().unwrap_or_default());
     let raw: Vec<Patterns> = model
         .patterns()
         .iter()
@@ -135,6 +143,37 @@ pub(crate) fn optimise(
             Err(stopped.err().unwrap_or(Error::Cancelled))
         }
     }
+}
+
+/// The pixels whose light would pass a body that is to stay dark, when there is one.
+///
+/// # Errors
+/// [`Error::Config`] when that leaves no pixel.
+fn dark_pixels(
+    scene: &Scene,
+    model: &dyn DoseModel<Field = HostField>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<Vec<bool>>> {
+    let Some(places) = scene.keep_dark(&scene.grid)? else {
+        return Ok(None);
+    };
+    let dark = pixels_through(model, &places, cancel)?;
+    let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
+    if count == all {
+        return Err(Error::config(
+            "target.body",
+            "every pixel that lights the part lights a keep-dark body too",
+            "a keep-dark body that leaves ways for light to the part",
+        ));
+    }
+    let share = 100.0 * count as f64 / all as f64;
+    progress.event(&Event::Note {
+        text: format!(
+            "{share:.1} % of the pixels stay dark: their light would pass a keep-dark body"
+        ),
+    });
+    Ok(Some(dark))
 }
 
 /// Where the optimisation begins: within the bounds that the job gives.

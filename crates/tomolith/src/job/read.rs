@@ -106,8 +106,9 @@ impl Job {
         }
         let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         spec.output.folder = Some(absolute(&self.folder()));
-        for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
-            *file = absolute(&self.base().join(&*file));
+        let base = self.base();
+        for file in spec.target.files_mut() {
+            *file = absolute(&base.join(&*file));
         }
         spec
     }
