@@ -395,6 +395,52 @@ fn several_lights_and_objectives_go_from_end_to_end() {
 }
 
 #[test]
+fn no_light_reaches_a_body_that_is_to_stay_dark() {
+    let bench = Bench::new();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/09-bodies.toml");
+    let job = fs::read_to_string(&example).unwrap();
+    let meshes = example.parent().unwrap().join("meshes");
+    let job = job.replace("\"meshes", &format!("\"{}", meshes.display()));
+    fs::write(bench.path("bodies.toml"), job).unwrap();
+    let settings = "--quiet --set grid.pitch_mm=0.1 --set stop.iterations=8 --set light[0].angles=60 \
+                    --set evaluate.sub_angles=1 --set evaluate.refine=2";
+    bench.expect(
+        0,
+        &format!("run bodies.toml {settings} --set output.folder=dark"),
+    );
+    let text = fs::read_to_string(bench.path("bodies.toml")).unwrap();
+    fs::write(
+        bench.path("plain.toml"),
+        text.replace("keep-dark", "ignore"),
+    )
+    .unwrap();
+    bench.expect(
+        0,
+        &format!("run plain.toml {settings} --set output.folder=plain"),
+    );
+    // The largest dose in the pocket, x from −0.5 to 0.5 and y from 0.2 to 1.2 mm, a voxel from its faces, and
+    // anywhere; the voxels of the evaluation have 0.05 mm
+    let doses = |folder: &str| {
+        let file = bench.path(folder).join("dose.npy");
+        let ([_, ny, nx], dose) = tomolith::io::npy::read_volume::<f32>(&file).unwrap();
+        let at = |i: usize, n: usize| (i as f64 - (n - 1) as f64 / 2.0) * 0.05;
+        let (mut pocket, mut all) = (0.0f32, 0.0f32);
+        for (i, &dose) in dose.iter().enumerate() {
+            let (x, y) = (at(i % nx, nx), at(i / nx % ny, ny));
+            all = all.max(dose);
+            if x.abs() < 0.45 && (0.25..1.15).contains(&y) {
+                pocket = pocket.max(dose);
+            }
+        }
+        (pocket, all)
+    };
+    let (pocket, all) = doses("dark");
+    assert!(all > 0.5 && pocket <= 1e-6 * all, "{pocket} of {all}");
+    let (pocket, all) = doses("plain");
+    assert!(pocket > 0.05 * all, "{pocket} of {all}");
+}
+
+#[test]
 fn check_tells_the_plan_and_changes_nothing() {
     let bench = Bench::new();
     let said = bench.expect(0, "check job.toml");

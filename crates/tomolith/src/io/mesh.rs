@@ -103,14 +103,17 @@ impl Mesh {
             .sum()
     }
 
+    /// A mesh of triangles given by their corners; equal corners share a vertex.
+    pub(crate) fn of_corners(triangles: impl Iterator<Item = [[f64; 3]; 3]>) -> Mesh {
+        let mut welder = Welder::default();
+        triangles.for_each(|corners| welder.push(corners));
+        welder.mesh
+    }
+
     /// One vertex per place: equal vertices become one, triangles with two equal corners and unused vertices go.
     #[must_use]
     pub fn welded(&self) -> Mesh {
-        let mut welder = Welder::default();
-        for t in 0..self.triangles.len() {
-            welder.push(self.corners(t));
-        }
-        welder.mesh
+        Mesh::of_corners((0..self.triangles.len()).map(|t| self.corners(t)))
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Document {
 }
 
 /// What a target can be; a job names one of them.
-const TARGETS: [&str; 3] = ["mesh", "phantom", "image"];
+const TARGETS: [&str; 5] = ["mesh", "phantom", "image", "stack", "body"];
 
 impl Document {
     /// Reads a file: JSON when its name ends in `.json`, TOML otherwise.

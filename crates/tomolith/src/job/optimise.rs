@@ -12,6 +12,7 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
+use crate::models::darkened::{Darkened, darken, pixels_through};
 use crate::models::{DoseModel, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -80,15 +81,21 @@ pub(crate) fn optimise(
     progress.event(&Event::Note {
         text: plan.reason.clone(),
     });
-    let model = plan.model.as_ref();
+    let dark = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
+    let model: Box<dyn DoseModel<Field = HostField>> = match &dark {
+        Some(dark) => Box::new(Darkened::new(plan.model, dark)),
+        None => plan.model,
+    };
+    let model = model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
-    let start = match coarse::solve(scene, cancel)? {
+    let mut start = match coarse::solve(scene, cancel)? {
         Some(levels) => {
             progress.event(&Event::Note { text: levels.note });
             starting_patterns(scene, voxels, model, &levels.start, cancel)?
         }
         None => starting_patterns(scene, voxels, model, scene.start()?.as_ref(), cancel)?,
     };
+    darken(&mut start, dark.as_deref().unwrap_or_default());
     let mut optimizer = scene.optimizer()?;
     let limits = limits(spec, &start, optimizer.normalises());
     let penalties = scene.penalties(model.patterns())?;
@@ -136,6 +143,7 @@ pub(crate) fn optimise(
         &mut [&mut watch],
     );
     let qualities = watch.qualities;
+    darken(&mut x, dark.as_deref().unwrap_or_default());
     let raw: Vec<Patterns> = model
         .patterns()
         .iter()
@@ -156,6 +164,37 @@ pub(crate) fn optimise(
             Err(stopped.err().unwrap_or(Error::Cancelled))
         }
     }
+}
+
+/// The pixels whose light would pass a body that is to stay dark, when there is one.
+///
+/// # Errors
+/// [`Error::Config`] when that leaves no pixel.
+fn dark_pixels(
+    scene: &Scene,
+    model: &dyn DoseModel<Field = HostField>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<Vec<bool>>> {
+    let Some(places) = scene.keep_dark(&scene.grid)? else {
+        return Ok(None);
+    };
+    let dark = pixels_through(model, &places, cancel)?;
+    let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
+    if count == all {
+        return Err(Error::config(
+            "target.body",
+            "every pixel that lights the part lights a keep-dark body too",
+            "a keep-dark body that leaves ways for light to the part",
+        ));
+    }
+    let share = 100.0 * count as f64 / all as f64;
+    progress.event(&Event::Note {
+        text: format!(
+            "{share:.1} % of the pixels stay dark: their light would pass a keep-dark body"
+        ),
+    });
+    Ok(Some(dark))
 }
 
 /// The target as methods see it that compare doses with it themselves.

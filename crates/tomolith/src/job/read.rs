@@ -99,8 +99,9 @@ impl Job {
             each_file(table, &|file| absolute(&self.base().join(file)));
         }
         spec.output.folder = Some(absolute(&self.folder()));
-        for file in spec.target.mesh.iter_mut().chain(&mut spec.target.image) {
-            *file = absolute(&self.base().join(&*file));
+        let base = self.base();
+        for file in spec.target.files_mut() {
+            *file = absolute(&base.join(&*file));
         }
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
             *file = absolute(&self.base().join(&*file));

@@ -19,7 +19,7 @@ use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response, dose_for};
-use crate::target::{self, Resolution, Shape, Target, default_grid, label, label_voxels};
+use crate::target::{self, Resolution, Role, Shape, Target, default_grid, label, label_voxels};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -209,11 +209,37 @@ impl Scene {
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
         let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
             .map_err(|e| at_grid(&self.spec, e))?;
-        let labels = label_voxels(
+        let mut labels = label_voxels(
             &target,
             self.optics.counts(self.spec.grid.region, &self.grid),
         );
+        // There is no resin in an insert
+        if let Some(insert) = self.shape.body(Role::Insert) {
+            let inside = insert.sample(grid)?.values;
+            for (label, inside) in labels.values.iter_mut().zip(inside) {
+                *label = if inside >= 0.5 {
+                    label::OUTSIDE
+                } else {
+                    *label
+                };
+            }
+        }
         Ok(Voxels { target, labels })
+    }
+
+    /// Voxels that no light may pass, when the target has any.
+    ///
+    /// # Errors
+    /// As [`target::voxelise`].
+    pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<bool>>> {
+        let sampled = self
+            .shape
+            .body(Role::KeepDark)
+            .map(|dark| dark.sample(grid));
+        Ok(sampled.transpose()?.map(|inside| Volume {
+            grid: inside.grid,
+            values: inside.values.iter().map(|&s| s >= 0.5).collect(),
+        }))
     }
 
     /// The response of the material.
@@ -349,10 +375,10 @@ fn start(spec: &JobSpec) -> Result<Box<dyn Start>> {
 
 /// Says which key named the file that could not be read.
 fn at_target(spec: &JobSpec, error: Error) -> Error {
-    let key = if spec.target.mesh.is_some() {
-        "target.mesh"
-    } else {
-        "target.image"
+    let key = match (&spec.target.mesh, &spec.target.stack) {
+        (Some(_), _) => "target.mesh",
+        (None, Some(_)) => "target.stack",
+        (None, None) => "target.image",
     };
     match error {
         Error::Io { .. } => Error::config(key, error.to_string(), "a file that can be read"),

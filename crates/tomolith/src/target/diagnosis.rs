@@ -1,26 +1,32 @@
 //! What is wrong with a mesh, in words, and the mesh made closed and outward.
 //!
 //! A solid is what lies where the winding number is positive. That needs a closed surface that looks outward, so a mesh
-//! goes through six steps, and every change is said in [`Diagnosis::sentences`]:
+//! goes through these steps, and every change is said in [`Diagnosis::sentences`]:
 //!
-//! 1. **Orientation**: neighbours that disagree (an edge used twice in the same direction) are turned, the minority of a
+//! 1. **Doubles**: vertices on the two sides of a crack (1e-5 of the diagonal) are welded when that closes edges; copies of
+//!    triangles, and walls without thickness, are dropped.
+//! 2. **Orientation**: neighbours that disagree (an edge used twice in the same direction) are turned, the minority of a
 //!    patch to the majority.
-//! 2. **Holes**: edges without a partner are closed by a fan to the middle of their loop. That closes flat holes exactly
-//!    and others plausibly.
-//! 3. **Inside out**: with negative volume as a whole, all triangles are turned.
-//! 4. **Shells**: a shell of negative volume inside another shell is a cavity and stays; one that lies in no shell is
+//! 3. **Holes**: edges without a partner are closed by a fan to the middle of their loop. That closes flat holes exactly,
+//!    and small ones (1 % of the surface) plausibly.
+//! 4. **Inside out**: with negative volume as a whole, all triangles are turned.
+//! 5. **Shells**: a shell of negative volume inside another shell is a cavity and stays; one that lies in no shell is
 //!    turned.
-//! 5. **Crossings**: [edges that run through triangles](Crossings), of their own shell or of another, are counted and the
+//! 6. **Crossings**: [edges that run through triangles](Crossings), of their own shell or of another, are counted and the
 //!    deepest is located; surfaces that touch, or lie in each other, do not cross.
-//! 6. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
+//! 7. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
 //!    intersect or lie in each other: their union counts) or below 0 (surfaces that pass through themselves; such
 //!    places count as outside). It measures overlaps that are thicker than 1/256 of the part.
+//!
+//! A large hole that is not flat, or a surface with one side only (a Möbius strip), cannot be repaired but by a guess:
+//! such a mesh is refused unless [`Repair::Force`] asks for it. A mesh without volume is always refused.
 
 mod crossings;
 mod edges;
 mod holes;
 mod overlaps;
 mod shells;
+mod tidy;
 
 use crate::error::{Error, Result};
 use crate::io::mesh::{Mesh, dot, minus};
@@ -29,23 +35,48 @@ use crossings::find_crossings;
 use edges::{Edges, agree, turn};
 use holes::close;
 use overlaps::find_overlaps;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+pub(super) use shells::components;
 use shells::turn_lone_shells;
 use std::path::Path;
+use tidy::{drop_doubles, weld_cracks};
 
 /// A mesh counts as flat when its volume is below this share of area × diagonal: 10⁴ times the rounding of the sum.
 const FLAT: f64 = 1e-12;
 
+/// How far repairs of a mesh may go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Repair {
+    /// Repair what can be repaired safely, refuse the rest.
+    #[default]
+    Safe,
+    /// Close any hole and go on, whatever comes out.
+    Force,
+}
+
 /// What was found in a mesh; lengths in mm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
-    /// Triangles, without those that close holes.
+    /// Triangles of the file.
     pub triangles: usize,
+    /// Vertices that were welded to others across a crack.
+    pub welded_vertices: usize,
+    /// Triangles that were dropped as copies of others.
+    pub copied_triangles: usize,
+    /// Triangles that were dropped because they stood back to back.
+    pub back_to_back_triangles: usize,
     /// Edges of one triangle only.
     pub open_edges: usize,
     /// A point on an open edge.
     pub open_at: Option<[f64; 3]>,
     /// Holes that were closed by a fan.
     pub holes: usize,
+    /// Those of them that are neither flat nor small.
+    pub guessed_holes: usize,
+    /// The middle of one.
+    pub guessed_hole_at: Option<[f64; 3]>,
     /// Edges of three or more triangles.
     pub non_manifold_edges: usize,
     /// A point on such an edge.
@@ -54,6 +85,8 @@ pub struct Diagnosis {
     pub inconsistent_edges: usize,
     /// Triangles that were turned to agree with their neighbours.
     pub turned_triangles: usize,
+    /// Edges that still disagree then: the surface has one side only.
+    pub one_sided_edges: usize,
     /// Whether the whole mesh was inside out.
     pub inside_out: bool,
     /// Volume of every shell after all repairs, cavities negative, mm³.
@@ -92,6 +125,24 @@ impl Diagnosis {
     #[must_use]
     pub fn sentences(&self) -> Vec<String> {
         let mut said = Vec::new();
+        if self.welded_vertices > 0 {
+            said.push(format!(
+                "The surface had cracks: {} vertices were welded to others next to them.",
+                self.welded_vertices
+            ));
+        }
+        if self.copied_triangles > 0 {
+            said.push(format!(
+                "{} triangles were there more than once; the copies were dropped.",
+                self.copied_triangles
+            ));
+        }
+        if self.back_to_back_triangles > 0 {
+            said.push(format!(
+                "{} triangles stood back to back, walls without thickness; they were dropped.",
+                self.back_to_back_triangles
+            ));
+        }
         if let Some(at) = self.open_at {
             said.push(format!(
                 "The mesh is open: {} edges have one triangle only, the first near {}; {} {} closed by flat fans.",
@@ -99,6 +150,12 @@ impl Diagnosis {
                 place(at),
                 self.holes,
                 if self.holes == 1 { "hole was" } else { "holes were" },
+            ));
+        }
+        if self.one_sided_edges > 0 || self.guessed_holes > 0 {
+            said.push(format!(
+                "Repaired by a guess, as asked: {}.",
+                self.guesses().join("; ")
             ));
         }
         if let Some(at) = self.non_manifold_at {
@@ -131,6 +188,27 @@ impl Diagnosis {
         said.extend(self.about_shells());
         said.extend(self.about_itself());
         said
+    }
+
+    /// What no repair can set right but by a guess.
+    fn guesses(&self) -> Vec<String> {
+        let mut what = Vec::new();
+        if let Some(at) = self.guessed_hole_at {
+            what.push(format!(
+                "{} of its {} holes are neither flat nor small, the first near {}",
+                self.guessed_holes,
+                self.holes,
+                place(at)
+            ));
+        }
+        if self.one_sided_edges > 0 {
+            what.push(format!(
+                "its surface has one side only (neighbours disagree about the outside at {} edges, whichever way they \
+                 are turned)",
+                self.one_sided_edges
+            ));
+        }
+        what
     }
 
     /// Shells that intersect or lie in each other.
@@ -183,18 +261,34 @@ fn place([x, y, z]: [f64; 3]) -> String {
 /// Examines a mesh and makes it closed and outward.
 ///
 /// # Errors
-/// [`Error::Mesh`] when it encloses no volume.
-pub(super) fn examine(mut mesh: Mesh, path: &Path) -> Result<(Mesh, Diagnosis)> {
+/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for.
+pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Mesh, Diagnosis)> {
     let mut found = Diagnosis {
         triangles: mesh.triangles.len(),
         ..Diagnosis::default()
     };
+    found.welded_vertices = weld_cracks(&mut mesh);
+    let doubles = drop_doubles(&mut mesh);
+    (found.copied_triangles, found.back_to_back_triangles) = (doubles.copies, doubles.back_to_back);
     let edges = Edges::new(&mesh);
     edges.count(&mesh, &mut found);
     if found.inconsistent_edges > 0 {
         found.turned_triangles = agree(&mut mesh, &edges);
+        found.one_sided_edges = Edges::new(&mesh).inconsistent();
     }
-    found.holes = close(&mut mesh);
+    let holes = close(&mut mesh);
+    found.holes = holes.count;
+    (found.guessed_holes, found.guessed_hole_at) = (holes.guessed, holes.guessed_at);
+    let guesses = found.guesses();
+    if repair == Repair::Safe && !guesses.is_empty() {
+        return Err(Error::Mesh {
+            path: path.to_owned(),
+            found: guesses.join("; "),
+            accepted: "a closed mesh, or holes that are flat or at most 1 % of its surface; target.repair = \"force\" \
+                       closes them by flat fans all the same"
+                .to_owned(),
+        });
+    }
     if mesh.signed_volume() < 0.0 {
         found.inside_out = true;
         mesh.triangles.iter_mut().for_each(turn);
@@ -224,7 +318,7 @@ mod tests {
     use crate::io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn found(mesh: Mesh) -> (Mesh, Diagnosis) {
-        examine(mesh, Path::new("test")).unwrap()
+        examine(mesh, Path::new("test"), Repair::Safe).unwrap()
     }
 
     #[test]
@@ -381,9 +475,76 @@ mod tests {
     }
 
     #[test]
+    fn repairs_are_said() {
+        let cube = cuboid([0.0; 3], [1.0; 3]);
+        let (after, diagnosis) = found(together(&[cube.clone(), cube.clone()]).welded());
+        assert_eq!((after, diagnosis.copied_triangles), (cube.welded(), 12));
+        assert!(diagnosis.sentences()[0].contains("12 triangles were there more than once"));
+    }
+
+    #[test]
+    fn what_only_a_guess_repairs_is_refused_unless_forced() {
+        // A third of a ball is missing: its rim is not flat
+        let mut half = ball([0.0; 3], 1.0, 3);
+        let corners: Vec<[[f64; 3]; 3]> =
+            (0..half.triangles.len()).map(|t| half.corners(t)).collect();
+        let mut kept = corners
+            .iter()
+            .map(|c| c.iter().all(|[x, y, _]| *x < 0.5 || *y < 0.1));
+        half.triangles.retain(|_| kept.next().unwrap());
+        let path = Path::new("a.stl");
+        let text = examine(half.clone(), path, Repair::Safe)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            text.contains("neither flat nor small") && text.contains("target.repair"),
+            "{text}"
+        );
+        let (_, diagnosis) = examine(half, path, Repair::Force).unwrap();
+        assert_eq!(diagnosis.guessed_holes, 1);
+        assert!(
+            diagnosis
+                .sentences()
+                .iter()
+                .any(|s| s.starts_with("Repaired by a guess"))
+        );
+        // A Möbius strip of seven quads, glued to a ball elsewhere so that there is a volume
+        let n = 7;
+        let mut strip = Mesh::default();
+        for i in 0..n {
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+            for side in [-0.3, 0.3] {
+                let (s, c) = (angle / 2.0).sin_cos();
+                let r = 2.0 + side * c;
+                strip
+                    .vertices
+                    .push([r * angle.cos(), r * angle.sin(), side * s]);
+            }
+        }
+        for i in 0..n as u32 {
+            let [a, b] = [2 * i, 2 * i + 1];
+            let [c, d] = if i + 1 < n as u32 {
+                [a + 2, b + 2]
+            } else {
+                [1, 0]
+            };
+            strip.triangles.extend([[a, c, b], [b, c, d]]);
+        }
+        let with_ball = together(&[strip, ball([9.0, 0.0, 0.0], 1.0, 2)]);
+        let text = examine(with_ball, path, Repair::Safe)
+            .unwrap_err()
+            .to_string();
+        assert!(text.contains("one side only"), "{text}");
+    }
+
+    #[test]
     fn flat_meshes_are_refused() {
         let mut sheet = cuboid([0.0; 3], [1.0, 2.0, 0.0]);
-        let refused = |mesh: Mesh| examine(mesh, Path::new("a.stl")).unwrap_err().to_string();
+        let refused = |mesh: Mesh| {
+            examine(mesh, Path::new("a.stl"), Repair::Safe)
+                .unwrap_err()
+                .to_string()
+        };
         assert!(refused(sheet.clone()).contains("enclose no volume"));
         sheet.triangles.truncate(2);
         assert!(refused(sheet.welded()).starts_with("mesh a.stl: its "));

@@ -1,9 +1,9 @@
-//! A grey image as a target: values to be reproduced, drawn along z.
+//! A grey image as a target: values to be reproduced, drawn along z; or a stack of slices, the first one at the bottom.
 //!
 //! Row 0 is at +y, columns grow with +x, so the image appears upright seen from above. Pixels are square,
 //! `size_mm`/columns wide. A voxel's value is the mean over its area of the image: where voxels are larger than pixels,
 //! pixels count with the area they share (exact); where they are smaller, values are interpolated between the middles of
-//! the pixels. Beyond the image everything is 0, along z a voxel counts with the height it shares.
+//! the pixels; along z slices are treated in the same way. Beyond the image everything is 0.
 
 use super::Shape;
 use super::placing::Placement;
@@ -13,10 +13,12 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::GreyPixels;
 use rayon::prelude::*;
 
-/// A placed grey image.
+/// A placed grey image, or a stack of them.
 #[derive(Clone, Debug)]
 pub struct GreyImage {
-    pixels: GreyPixels,
+    /// From the bottom up, all of one size.
+    slices: Vec<GreyPixels>,
+    is_grey: bool,
     /// Low corner of the image, mm.
     low: [f64; 3],
     /// Edge of a pixel, mm.
@@ -25,13 +27,14 @@ pub struct GreyImage {
 }
 
 impl GreyImage {
-    /// An image `size_mm` wide, drawn over `height_mm` along z. Images are not turned: of the placement only offset and
+    /// Slices `size_mm` wide that fill `height_mm` along z, from the bottom up; one slice is an image drawn along z. Images are not turned: of the placement only offset and
     /// `center` count (not centred, the lower left corner of the image is the origin).
     ///
     /// # Errors
-    /// [`Error::Config`] when width or height are missing or not positive, or a rotation or scale is given.
+    /// [`Error::Config`] when width or height are missing or not positive, a rotation or scale is given, or there is no
+    /// slice; [`Error::Shape`] for slices of different sizes.
     pub fn new(
-        pixels: GreyPixels,
+        slices: Vec<GreyPixels>,
         size_mm: Option<f64>,
         height_mm: Option<f64>,
         placement: &Placement,
@@ -59,8 +62,22 @@ impl GreyImage {
                 "three finite numbers [x, y, z]",
             ));
         }
-        let pixel = width / pixels.columns as f64;
-        let extent = [width, pixel * pixels.rows as f64, height];
+        let Some(first) = slices.first() else {
+            return Err(Error::config("stack", "no slice", "at least one image"));
+        };
+        let (rows, columns) = (first.rows, first.columns);
+        if let Some(other) = slices
+            .iter()
+            .find(|s| (s.rows, s.columns) != (rows, columns))
+        {
+            return Err(Error::Shape {
+                what: "a slice".to_owned(),
+                expected: vec![rows, columns],
+                found: vec![other.rows, other.columns],
+            });
+        }
+        let pixel = width / columns as f64;
+        let extent = [width, pixel * rows as f64, height];
         let low = std::array::from_fn(|i| {
             placement.offset_mm[i]
                 - if placement.center {
@@ -70,11 +87,24 @@ impl GreyImage {
                 }
         });
         Ok(GreyImage {
-            pixels,
+            slices,
+            is_grey: true,
             low,
             pixel,
             height,
         })
+    }
+
+    /// Whether its values are to be reproduced (as by default), or are shares of a part.
+    #[must_use]
+    pub fn as_grey(mut self, is_grey: bool) -> Self {
+        self.is_grey = is_grey;
+        self
+    }
+
+    /// Rows and columns.
+    fn size(&self) -> [usize; 2] {
+        [self.slices[0].rows, self.slices[0].columns]
     }
 }
 
@@ -116,67 +146,76 @@ fn weights(low: f64, high: f64, count: usize) -> Weights {
     vec![(i, share * (1.0 - part)), (next, share * part)]
 }
 
+/// Adds a slice, seen by voxels with these weights, times `share` to a layer `[y, x]`.
+fn add_layer(
+    slice: &GreyPixels,
+    in_x: &[Weights],
+    in_y: &[Weights],
+    share: f64,
+    layer: &mut [f32],
+) {
+    for (line, in_y) in layer.chunks_mut(in_x.len()).zip(in_y) {
+        for (value, in_x) in line.iter_mut().zip(in_x) {
+            let sum: f64 = in_y
+                .iter()
+                .flat_map(|&(y, wy)| {
+                    // Rows count from the top
+                    let row =
+                        &slice.values[(slice.rows - 1 - y) * slice.columns..][..slice.columns];
+                    in_x.iter().map(move |&(x, wx)| wy * wx * f64::from(row[x]))
+                })
+                .sum();
+            *value += (share * sum) as f32;
+        }
+    }
+}
+
 impl Shape for GreyImage {
     fn bounds_mm(&self) -> [[f64; 3]; 2] {
-        let extent = [
-            self.pixel * self.pixels.columns as f64,
-            self.pixel * self.pixels.rows as f64,
-            self.height,
-        ];
+        let [rows, columns] = self.size().map(|n| self.pixel * n as f64);
+        let extent = [columns, rows, self.height];
         [self.low, std::array::from_fn(|i| self.low[i] + extent[i])]
     }
 
     fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
         let mut values = zeros(grid)?;
         let [_, ny, nx] = grid.shape;
-        let (rows, columns) = (self.pixels.rows, self.pixels.columns);
+        let [rows, columns] = self.size();
         let half = grid.pitch_mm / 2.0;
-        let along = |middle: f64, axis: usize, count: usize| {
+        let along = |middle: f64, axis: usize, edge: f64, count: usize| {
             let middle = middle - self.low[axis];
-            weights(
-                (middle - half) / self.pixel,
-                (middle + half) / self.pixel,
-                count,
-            )
+            weights((middle - half) / edge, (middle + half) / edge, count)
         };
-        let in_x: Vec<Weights> = (0..nx).map(|ix| along(grid.x(ix), 0, columns)).collect();
-        let in_y: Vec<Weights> = (0..ny).map(|iy| along(grid.y(iy), 1, rows)).collect();
-        let mut layer = vec![0.0f32; nx * ny];
-        if values.is_empty() {
-            return Ok(Volume {
-                grid: grid.clone(),
-                values,
-            });
-        }
-        layer
-            .par_chunks_mut(nx)
-            .zip(&in_y)
-            .for_each(|(line, in_y)| {
-                for (value, in_x) in line.iter_mut().zip(&in_x) {
-                    let sum: f64 = in_y
-                        .iter()
-                        .flat_map(|&(y, wy)| {
-                            // Rows count from the top
-                            let row = &self.pixels.values[(rows - 1 - y) * columns..][..columns];
-                            in_x.iter().map(move |&(x, wx)| wy * wx * f64::from(row[x]))
-                        })
-                        .sum();
-                    *value = sum as f32;
-                }
-            });
-        values
-            .par_chunks_mut(nx * ny)
-            .enumerate()
-            .for_each(|(iz, slice)| {
-                let z = grid.z(iz) - self.low[2];
-                let share = ((z + half).min(self.height) - (z - half).max(0.0)) / grid.pitch_mm;
-                let share = share.clamp(0.0, 1.0) as f32;
-                if share > 0.0 {
-                    for (value, grey) in slice.iter_mut().zip(&layer) {
-                        *value = grey * share;
+        let in_x: Vec<Weights> = (0..nx)
+            .map(|ix| along(grid.x(ix), 0, self.pixel, columns))
+            .collect();
+        let in_y: Vec<Weights> = (0..ny)
+            .map(|iy| along(grid.y(iy), 1, self.pixel, rows))
+            .collect();
+        let count = self.slices.len();
+        let thick = self.height / count as f64;
+        // One image is resampled once, a stack at every height
+        let single = (count == 1).then(|| {
+            let mut layer = vec![0.0; nx * ny];
+            add_layer(&self.slices[0], &in_x, &in_y, 1.0, &mut layer);
+            layer
+        });
+        if !values.is_empty() {
+            values
+                .par_chunks_mut(nx * ny)
+                .enumerate()
+                .for_each(|(iz, layer)| {
+                    for (slice, share) in along(grid.z(iz), 2, thick, count) {
+                        match &single {
+                            Some(single) => layer
+                                .iter_mut()
+                                .zip(single)
+                                .for_each(|(value, grey)| *value += grey * share as f32),
+                            None => add_layer(&self.slices[slice], &in_x, &in_y, share, layer),
+                        }
                     }
-                }
-            });
+                });
+        }
         Ok(Volume {
             grid: grid.clone(),
             values,
@@ -184,7 +223,7 @@ impl Shape for GreyImage {
     }
 
     fn is_grey(&self) -> bool {
-        true
+        self.is_grey
     }
 }
 
@@ -199,7 +238,7 @@ mod tests {
             columns: 3,
             values: vec![0.1, 0.2, 0.3, 0.4, 0.5, 0.6],
         };
-        GreyImage::new(pixels, Some(3.0), Some(2.0), placement).unwrap()
+        GreyImage::new(vec![pixels], Some(3.0), Some(2.0), placement).unwrap()
     }
 
     #[test]
@@ -254,11 +293,53 @@ mod tests {
         };
         let placement = Placement::default();
         let refused = |size, height| {
-            GreyImage::new(pixels.clone(), size, height, &placement)
+            GreyImage::new(vec![pixels.clone()], size, height, &placement)
                 .unwrap_err()
                 .to_string()
         };
         assert!(refused(None, Some(1.0)).starts_with("size_mm: the key is missing"));
         assert!(refused(Some(1.0), Some(-1.0)).starts_with("height_mm: -1 mm"));
+    }
+
+    #[test]
+    fn a_stack_is_filled_from_the_bottom_up() {
+        let flat = |value: f32| GreyPixels {
+            rows: 2,
+            columns: 2,
+            values: vec![value; 4],
+        };
+        let slices = vec![flat(0.2), flat(0.6), flat(1.0)];
+        let stack = GreyImage::new(slices, Some(2.0), Some(3.0), &Placement::default()).unwrap();
+        assert_eq!(stack.bounds_mm(), [[-1.0, -1.0, -1.5], [1.0, 1.0, 1.5]]);
+        let column = |shape: [usize; 3], pitch: f64| {
+            stack
+                .sample(&VolumeGrid::centered(shape, pitch))
+                .unwrap()
+                .values
+        };
+        assert_eq!(column([3, 1, 1], 1.0), [0.2, 0.6, 1.0]);
+        // Larger voxels hold the mean of what they share, smaller ones are interpolated between the middles of slices
+        let [low, high] = column([2, 1, 1], 1.5)[..] else {
+            panic!("two voxels")
+        };
+        assert!((low - (0.2 + 0.3) / 1.5).abs() < 1e-6 && (high - (0.3 + 1.0) / 1.5).abs() < 1e-6);
+        let fine = column([6, 1, 1], 0.5);
+        for (value, expected) in fine.iter().zip([0.2, 0.3, 0.5, 0.7, 0.9, 1.0]) {
+            assert!((value - expected).abs() < 1e-6, "{fine:?}");
+        }
+        let wrong = GreyPixels {
+            rows: 1,
+            columns: 4,
+            values: vec![0.0; 4],
+        };
+        let text = GreyImage::new(
+            vec![flat(0.0), wrong],
+            Some(1.0),
+            Some(1.0),
+            &Placement::default(),
+        )
+        .unwrap_err()
+        .to_string();
+        assert!(text.contains("[2, 2]") && text.contains("[1, 4]"), "{text}");
     }
 }

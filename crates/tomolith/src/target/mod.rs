@@ -6,8 +6,9 @@
 //! | kind of shape | file |
 //! |---|---|
 //! | mesh: STL, OBJ, PLY, 3MF | [`MeshShape`], examined by [`diagnosis`], voxelised exactly |
+//! | several meshes with roles | [`bodies`] |
 //! | part by formula | [`phantom`] with its table [`PHANTOMS`] |
-//! | grey image, drawn along z | [`GreyImage`] |
+//! | grey image, drawn along z, or a stack of them | [`GreyImage`] |
 //!
 //! [`TargetSpec`] is the job's table `[target]`, [`build`] makes a shape of it, [`default_grid`] puts a grid round the
 //! shape and [`voxelise`] fills it:
@@ -22,6 +23,7 @@
 //! assert!((volume / 4.18879 - 1.0).abs() < 1e-3); // 4/3·π, radius 1
 //! ```
 
+pub mod bodies;
 mod boxes;
 pub mod diagnosis;
 mod image;
@@ -33,7 +35,8 @@ mod solid;
 mod spec;
 mod voxels;
 
-pub use diagnosis::Diagnosis;
+pub use bodies::{Assembly, BodySpec, Role};
+pub use diagnosis::{Diagnosis, Repair};
 pub use image::GreyImage;
 pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
@@ -60,6 +63,11 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     }
     /// Exact volume where known, mm³.
     fn volume_mm3(&self) -> Option<f64> {
+        None
+    }
+    /// The bodies of a role, as a shape of their own; what is printed is the shape itself.
+    fn body(&self, role: Role) -> Option<&dyn Shape> {
+        let _ = role;
         None
     }
     /// Things people should know (open edges, inverted shells, …), one sentence each.

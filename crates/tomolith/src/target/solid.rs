@@ -1,8 +1,8 @@
 //! A mesh as a shape.
 
 use super::Shape;
-use super::diagnosis::{Diagnosis, examine};
-use super::placing::Placement;
+use super::diagnosis::{Diagnosis, Repair, examine};
+use super::placing::{Map, Placement};
 use super::voxels::inside_fractions;
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
@@ -19,16 +19,27 @@ pub struct MeshShape {
 
 impl MeshShape {
     /// Places and examines a mesh; `path` names it in errors, `section` the job's table. Its triangles must share vertices
-    /// where they meet, as those of files do ([`Mesh::welded`]).
+    /// where they meet, as those of files do ([`Mesh::welded`]). Flaws are repaired as far as [`Repair`] goes.
     ///
     /// # Errors
     /// [`Error::Config`](crate::Error::Config) for a bad placement, [`Error::Mesh`](crate::Error::Mesh) when the mesh
-    /// encloses no volume.
-    pub fn new(mut mesh: Mesh, placement: &Placement, path: &Path, section: &str) -> Result<Self> {
+    /// encloses no volume or cannot be repaired.
+    pub fn new(
+        mesh: Mesh,
+        placement: &Placement,
+        path: &Path,
+        section: &str,
+        repair: Repair,
+    ) -> Result<Self> {
         let map = placement.map(&mesh.vertices, 0.0, section)?;
+        Self::placed(mesh, &map, path, repair)
+    }
+
+    /// The same, with a map that is known.
+    pub(super) fn placed(mut mesh: Mesh, map: &Map, path: &Path, repair: Repair) -> Result<Self> {
         map.apply_to(&mut mesh);
         let bounds_mm = mesh.bounds();
-        let (mesh, diagnosis) = examine(mesh, path)?;
+        let (mesh, diagnosis) = examine(mesh, path, repair)?;
         Ok(MeshShape {
             mesh,
             bounds_mm,
@@ -79,7 +90,8 @@ mod tests {
     fn voxels(bytes: &[u8], extension: &str) -> Volume<f32> {
         let path = Path::new("part");
         let mesh = parse_mesh(bytes, extension, path).unwrap();
-        let shape = MeshShape::new(mesh, &Placement::default(), path, "target").unwrap();
+        let shape =
+            MeshShape::new(mesh, &Placement::default(), path, "target", Repair::Safe).unwrap();
         shape
             .sample(&VolumeGrid::centered([24, 26, 28], 0.11))
             .unwrap()

@@ -1,22 +1,23 @@
 //! The table `[target]` of a job → a shape → voxels.
 //!
-//! [`build`] is the only place where the table becomes a shape. Several bodies with roles, `[[target.body]]`, will be a
-//! further field here, each body with the keys of today's table.
+//! [`build`] is the only place where the table becomes a shape.
 
+use super::diagnosis::Repair;
 use super::phantom::Phantom;
 use super::placing::Placement;
-use super::{GreyImage, MeshShape, PHANTOMS, Shape, Target};
+use super::{Assembly, BodySpec, GreyImage, MeshShape, PHANTOMS, Shape, Target};
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
-use crate::io::image::read_grey;
+use crate::io::image::{GreyPixels, read_grey, read_stack};
 use crate::io::mesh::read_mesh;
 use crate::kind::Section;
 use crate::units::Mm;
+use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// What should be printed: exactly one of `mesh`, `phantom` and `image`, and how it is placed.
+/// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TargetSpec {
@@ -30,10 +31,24 @@ pub struct TargetSpec {
     /// Grey image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub image: Option<PathBuf>,
+    /// Grey slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
+    /// "slices/*.png", or a .tif of several pages
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stack: Option<PathBuf>,
+    /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Vec<BodySpec>>,
+    /// Whether inserts cast shadows (default true, which no model of today can do); false lets light pass them
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub insert_shadow: Option<bool>,
+    /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is
+    /// neither black nor white)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grey: Option<bool>,
     /// Name of the part, for files and titles (default: the file's name, or the phantom's)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Longest edge of the box after the rotation, mm (> 0; default: true size); for an image its width, which it needs
+    /// Longest edge of the box after the rotation, mm (> 0; default: true size); for an image or a stack its width, which it needs
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size_mm: Option<Mm>,
     /// Factor on all lengths (> 0; default 1), instead of `size_mm`
@@ -48,7 +63,10 @@ pub struct TargetSpec {
     /// Whether the middle of the box is brought to the origin first (default true)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center: Option<bool>,
-    /// Height along z of what an image is drawn to, mm (> 0; images only)
+    /// How far repairs of a mesh may go: "safe" (default: flaws whose repair is a guess are refused) or "force"
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repair: Option<Repair>,
+    /// Height along z of what an image is drawn to, or of a whole stack, mm (> 0; images and stacks only)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub height_mm: Option<Mm>,
 }
@@ -83,6 +101,7 @@ impl TargetSpec {
             path.file_stem()
                 .map(|stem| stem.to_string_lossy().into_owned())
         };
+        let first_body = self.body.iter().flatten().find_map(|b| b.mesh.as_ref());
         let phantom = || match &self.phantom {
             Some(serde_json::Value::String(name)) => Some(name.clone()),
             Some(serde_json::Value::Object(table)) => table.keys().next().cloned(),
@@ -92,8 +111,21 @@ impl TargetSpec {
             .clone()
             .or_else(|| self.mesh.as_ref().and_then(stem))
             .or_else(|| self.image.as_ref().and_then(stem))
+            .or_else(|| self.stack.as_ref().and_then(stem))
+            .or_else(|| first_body.and_then(stem))
             .or_else(phantom)
             .unwrap_or_else(|| "part".to_owned())
+    }
+
+    /// Every file that the target names.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let bodies = self
+            .body
+            .iter_mut()
+            .flatten()
+            .filter_map(|b| b.mesh.as_mut());
+        let own = [&mut self.mesh, &mut self.image, &mut self.stack];
+        own.into_iter().flatten().chain(bodies)
     }
 
     fn placement(&self) -> Placement {
@@ -110,57 +142,104 @@ impl TargetSpec {
 /// Reads and places the target of a job; files are relative to `base_folder`, errors name keys under `section_path`.
 ///
 /// # Errors
-/// [`Error::Config`] when not exactly one of `mesh`, `phantom` and `image` is given or a key cannot be used;
+/// [`Error::Config`] when not exactly one source is given or a key cannot be used;
 /// [`Error::Io`], [`Error::Mesh`] and [`Error::Format`] for files that cannot be read.
 pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Result<Box<dyn Shape>> {
     let placement = spec.placement();
-    if spec.height_mm.is_some() && spec.image.is_none() {
-        return Err(Error::config(
-            "height_mm",
-            "a height without an image",
-            "a height for images only; phantoms take it in their own table, `phantom.gear = { height_mm = 3.0 }`",
-        )
-        .under(section_path));
+    let pixels = spec.image.is_some() || spec.stack.is_some();
+    for (key, given) in [
+        ("height_mm", spec.height_mm.is_some()),
+        ("grey", spec.grey.is_some()),
+    ] {
+        if given && !pixels {
+            return Err(Error::config(
+                key,
+                "the key is given without an image or a stack",
+                "this key for images and stacks only; phantoms have their own, `phantom.gear = { height_mm = 3.0 }`",
+            )
+            .under(section_path));
+        }
     }
-    match (&spec.mesh, &spec.phantom, &spec.image) {
-        (Some(file), None, None) => {
-            let path = base_folder.join(file);
-            let mesh = read_mesh(&path)?;
-            let shape = MeshShape::new(mesh, &placement, &path, section_path)?;
+    match source(spec, section_path)? {
+        Source::Bodies(bodies) => {
+            let shape = Assembly::build(spec, bodies, &placement, base_folder, section_path)?;
             Ok(Box::new(shape))
         }
-        (None, Some(table), None) => {
+        Source::Mesh(file) => {
+            let path = base_folder.join(file);
+            let mesh = read_mesh(&path)?;
+            let repair = spec.repair.unwrap_or_default();
+            let shape = MeshShape::new(mesh, &placement, &path, section_path, repair)?;
+            Ok(Box::new(shape))
+        }
+        Source::Phantom(table) => {
             let section = Section::new(format!("{section_path}.phantom"), table.clone());
             let shape = Phantom::build(&section, &placement, section_path)?;
             Ok(Box::new(shape))
         }
-        (None, None, Some(file)) => {
-            let image = read_grey(base_folder.join(file))?;
-            let size = spec.size_mm.map(|mm| mm.0);
-            let height = spec.height_mm.map(|mm| mm.0);
-            let shape = GreyImage::new(image, size, height, &placement)
-                .map_err(|e| e.under(section_path))?;
-            Ok(Box::new(shape))
+        Source::Image(file) => {
+            let slices = vec![read_grey(base_folder.join(file))?];
+            grey(spec, slices, true, &placement, section_path)
         }
-        (mesh, phantom, image) => {
-            let given = [
-                ("mesh", mesh.is_some()),
-                ("phantom", phantom.is_some()),
-                ("image", image.is_some()),
-            ];
-            let given: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
-            let found = if given.is_empty() {
-                "no target is named".to_owned()
-            } else {
-                format!("more than one target ({})", given.join(", "))
-            };
-            Err(Error::config(
-                section_path,
-                found,
-                "exactly one of `mesh`, `phantom` and `image`",
-            ))
+        Source::Stack(file) => {
+            let slices = read_stack(base_folder.join(file))?;
+            let shades = |slice: &GreyPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
+            let shaded = slices.par_iter().any(shades);
+            grey(spec, slices, shaded, &placement, section_path)
         }
     }
+}
+
+fn grey(
+    spec: &TargetSpec,
+    slices: Vec<GreyPixels>,
+    is_grey: bool,
+    placement: &Placement,
+    section_path: &str,
+) -> Result<Box<dyn Shape>> {
+    let [size, height] = [spec.size_mm, spec.height_mm].map(|mm| mm.map(|mm| mm.0));
+    let shape =
+        GreyImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
+    Ok(Box::new(shape.as_grey(spec.grey.unwrap_or(is_grey))))
+}
+
+/// Where a target comes from.
+enum Source<'a> {
+    Bodies(&'a [BodySpec]),
+    Mesh(&'a Path),
+    Phantom(&'a serde_json::Value),
+    Image(&'a Path),
+    Stack(&'a Path),
+}
+
+fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
+    // The bodies' own files, and the one that they may share
+    let bodies = spec.body.as_deref().map(Source::Bodies);
+    let mesh = spec.mesh.as_deref().map(Source::Mesh);
+    let mut given = vec![
+        ("mesh", if bodies.is_some() { None } else { mesh }),
+        ("body", bodies),
+        ("phantom", spec.phantom.as_ref().map(Source::Phantom)),
+        ("image", spec.image.as_deref().map(Source::Image)),
+        ("stack", spec.stack.as_deref().map(Source::Stack)),
+    ];
+    given.retain(|(_, source)| source.is_some());
+    if let [(_, only)] = &mut given[..]
+        && let Some(only) = only.take()
+    {
+        return Ok(only);
+    }
+    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+    let found = if names.is_empty() {
+        "no target is named".to_owned()
+    } else {
+        format!("more than one target ({})", names.join(", "))
+    };
+    Err(Error::config(
+        section_path,
+        found,
+        "exactly one of `mesh`, `phantom`, `image`, `stack` and `[[target.body]]`",
+    ))
 }
 
 /// Samples a shape on a grid; the volume is in array order `[z, y, x]`.

@@ -358,11 +358,11 @@ mod tests {
     use super::*;
     use crate::io::mesh::samples::{ball, cuboid, inverted, together};
     use crate::target::Placement;
-    use crate::target::diagnosis::examine;
+    use crate::target::diagnosis::{Repair, examine};
     use std::path::Path;
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
-        let (mesh, _) = examine(mesh, Path::new("test")).unwrap();
+        let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe).unwrap();
         inside_fractions(&mesh, grid).unwrap()
     }
 
@@ -586,7 +586,8 @@ mod tests {
     #[test]
     fn too_large_a_grid_is_refused() {
         let grid = VolumeGrid::centered([1 << 20; 3], 1e-3);
-        let (mesh, _) = examine(cuboid([0.0; 3], [1.0; 3]), Path::new("test")).unwrap();
+        let (mesh, _) =
+            examine(cuboid([0.0; 3], [1.0; 3]), Path::new("test"), Repair::Safe).unwrap();
         assert!(matches!(
             inside_fractions(&mesh, &grid),
             Err(Error::Resources { .. })

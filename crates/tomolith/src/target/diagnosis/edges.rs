@@ -47,6 +47,12 @@ impl Edges {
             .chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
     }
 
+    /// Edges whose two triangles disagree about the outside.
+    pub(super) fn inconsistent(&self) -> usize {
+        let disagree = |edge: &&[Side]| matches!(edge, [a, b] if a.forward == b.forward);
+        self.iter().filter(disagree).count()
+    }
+
     /// The sides of the edge between two vertices.
     pub(super) fn of(&self, a: u32, b: u32) -> &[Side] {
         let edge = (a.min(b), a.max(b));

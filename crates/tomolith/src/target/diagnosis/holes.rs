@@ -2,12 +2,27 @@
 
 use super::edges::Edges;
 use super::shells::Groups;
-use crate::io::mesh::Mesh;
+use crate::io::mesh::{Mesh, cross, dot, minus};
 use std::collections::HashMap;
 
+/// A fan of at most this share of the surface cannot be wrong by much, whatever it closes.
+const SMALL: f64 = 0.01;
+
+/// A rim counts as flat up to this share of the fan's extent.
+const FLAT: f64 = 1e-3;
+
+/// Holes that were closed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Holes {
+    pub(super) count: usize,
+    /// Neither flat nor small: what was there is anybody's guess.
+    pub(super) guessed: usize,
+    /// The middle of such a hole.
+    pub(super) guessed_at: Option<[f64; 3]>,
+}
+
 /// Closes the boundary: every directed side without an opposite one gets a triangle to the middle of its loop.
-/// Returns the number of loops.
-pub(super) fn close(mesh: &mut Mesh) -> usize {
+pub(super) fn close(mesh: &mut Mesh) -> Holes {
     let mut missing = Vec::new();
     for edge in Edges::new(mesh).iter() {
         let surplus: i64 = edge.iter().map(|s| if s.forward { 1 } else { -1 }).sum();
@@ -21,7 +36,7 @@ pub(super) fn close(mesh: &mut Mesh) -> usize {
         }
     }
     if missing.is_empty() {
-        return 0;
+        return Holes::default();
     }
     let mut loops = Groups::new(mesh.vertices.len());
     for &[from, to] in &missing {
@@ -36,6 +51,11 @@ pub(super) fn close(mesh: &mut Mesh) -> usize {
         }
         members[slot].push(side);
     }
+    let small = SMALL * mesh.area();
+    let mut holes = Holes {
+        count: members.len(),
+        ..Holes::default()
+    };
     for sides in &members {
         let mut middle = [0.0; 3];
         for &[from, _] in sides {
@@ -43,10 +63,33 @@ pub(super) fn close(mesh: &mut Mesh) -> usize {
                 *m += v / sides.len() as f64;
             }
         }
+        if !is_plain(mesh, sides, middle, small) {
+            holes.guessed += 1;
+            holes.guessed_at.get_or_insert(middle);
+        }
         let tip = mesh.vertices.len() as u32;
         mesh.vertices.push(middle);
         mesh.triangles
             .extend(sides.iter().map(|&[from, to]| [from, to, tip]));
     }
-    members.len()
+    holes
+}
+
+/// Whether a fan round `middle` is flat, or no larger than `small`.
+fn is_plain(mesh: &Mesh, sides: &[[u32; 2]], middle: [f64; 3], small: f64) -> bool {
+    let spokes = |side: &[u32; 2]| side.map(|v| minus(mesh.vertices[v as usize], middle));
+    let mut normal = [0.0; 3];
+    let (mut area, mut longest) = (0.0, 0.0f64);
+    for side in sides {
+        let [from, to] = spokes(side);
+        let double = cross(from, to);
+        for (sum, v) in normal.iter_mut().zip(double) {
+            *sum += v;
+        }
+        area += dot(double, double).sqrt() / 2.0;
+        longest = longest.max(dot(from, from).sqrt());
+    }
+    let length = dot(normal, normal).sqrt();
+    let off = |side: &[u32; 2]| dot(spokes(side)[0], normal).abs() <= FLAT * longest * length;
+    area <= small || (length > 0.0 && sides.iter().all(off))
 }

@@ -104,6 +104,57 @@ impl Shell {
     }
 }
 
+/// The separate bodies of a mesh, the largest first: shells with the cavities in them.
+///
+/// A shell that looks the other way than the outermost shell around it is a cavity of the smallest shell that holds it;
+/// any other one, also when it lies in a cavity, is a body. Shells that share a vertex are one.
+pub(in crate::target) fn components(mesh: &Mesh) -> Vec<Mesh> {
+    let shells = shells(mesh);
+    let owners: Vec<usize> = (0..shells.len())
+        .into_par_iter()
+        .map(|i| owner(mesh, &shells, i))
+        .collect();
+    let mut bodies: Vec<usize> = (0..shells.len()).filter(|&i| owners[i] == i).collect();
+    let size = |i: usize| shells[i].volume.abs();
+    bodies.sort_by(|&a, &b| size(b).total_cmp(&size(a)).then(a.cmp(&b)));
+    let corners = |i: usize| {
+        shells[i]
+            .triangles
+            .iter()
+            .map(|&t| mesh.corners(t as usize))
+    };
+    bodies
+        .iter()
+        .map(|&body| {
+            let parts = (0..shells.len()).filter(|&i| owners[i] == body);
+            Mesh::of_corners(parts.flat_map(corners))
+        })
+        .collect()
+}
+
+/// The shell whose cavity shell `i` is, or itself.
+fn owner(mesh: &Mesh, shells: &[Shell], i: usize) -> usize {
+    let shell = &shells[i];
+    let point = mesh.corners(shell.triangles[0] as usize)[0];
+    let size = |j: &usize| shells[*j].volume.abs();
+    let around: Vec<usize> = (0..shells.len())
+        .filter(|&j| j != i && shells[j].volume.abs() > shell.volume.abs())
+        .filter(|&j| shells[j].box_holds(point) && shells[j].winding(mesh, point).abs() > 0.5)
+        .collect();
+    let by_size = |a: &usize, b: &usize| size(a).total_cmp(&size(b));
+    let Some(outermost) = around.iter().copied().max_by(by_size) else {
+        return i;
+    };
+    let outward = shells[outermost].volume.signum();
+    if shell.volume.signum() == outward {
+        return i;
+    }
+    let holders = around
+        .into_iter()
+        .filter(|&j| shells[j].volume.signum() == outward);
+    holders.min_by(by_size).unwrap_or(i)
+}
+
 /// Turns shells of negative volume that lie in no other shell; notes all volumes.
 pub(super) fn turn_lone_shells(mesh: &mut Mesh, found: &mut Diagnosis) {
     let mut shells = shells(mesh);
@@ -134,4 +185,32 @@ pub(super) fn turn_lone_shells(mesh: &mut Mesh, found: &mut Diagnosis) {
         }
     }
     found.shell_volumes_mm3 = shells.iter().map(|s| s.volume).collect();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::mesh::samples::{cuboid, inverted, together};
+
+    #[test]
+    fn bodies_keep_their_cavities_and_what_lies_in_a_cavity_is_a_body_of_its_own() {
+        let cube = |half: f64, x: f64| cuboid([x - half, -half, -half], [x + half, half, half]);
+        // A box with a cavity, in it a ball of wood with a hole; beside it a small box, inside out
+        let all = [
+            cube(1.0, 0.0),
+            cube(4.0, 0.0),
+            inverted(cube(2.0, 0.0)),
+            inverted(cube(0.5, 0.0)),
+            inverted(cube(0.7, 6.0)),
+        ];
+        for mesh in [together(&all), inverted(together(&all))] {
+            let bodies = components(&mesh);
+            let volumes: Vec<f64> = bodies.iter().map(|b| b.signed_volume().abs()).collect();
+            let expected = [512.0 - 64.0, 8.0 - 1.0, 1.4f64.powi(3)];
+            assert_eq!(volumes.len(), 3);
+            for (volume, expected) in volumes.iter().zip(expected) {
+                assert!((volume - expected).abs() < 1e-9, "{volumes:?}");
+            }
+        }
+    }
 }

@@ -61,37 +61,17 @@ fn build(section: &Section) -> Result<Form> {
         section,
         &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
     )?;
-    let refused = |key: &str, found: String, accepted: &str| {
-        Err(Error::config(key, found, accepted).under(&section.path))
-    };
-    if !(4..=500).contains(&p.teeth) {
-        return refused(
-            "teeth",
-            p.teeth.to_string(),
-            "a number of teeth from 4 to 500",
-        );
-    }
-    let tip = p.size_mm.0 / 2.0;
-    let module = p.size_mm.0 / f64::from(p.teeth + 2);
-    let half_pitch = PI / f64::from(p.teeth);
-    let wheel = Wheel {
-        count: p.teeth,
-        root: tip - 2.25 * module,
-        tip,
-        root_angle: 0.72 * half_pitch,
-        tip_angle: 0.28 * half_pitch,
-    };
+    let wheel = spur_gear(section, p.size_mm, p.teeth)?;
+    let tip = wheel.tip;
     let bore = p.bore_mm.0 / 2.0;
     if !(bore >= 0.0 && bore < wheel.root) {
-        return refused(
-            "bore_mm",
-            format!(
-                "{} mm in a root circle of {:.3} mm",
-                p.bore_mm.0,
-                2.0 * wheel.root
-            ),
-            "a diameter ≥ 0 below the root circle",
+        let found = format!(
+            "{} mm in a root circle of {:.3} mm",
+            p.bore_mm.0,
+            2.0 * wheel.root
         );
+        let accepted = "a diameter ≥ 0 below the root circle";
+        return Err(Error::config("bore_mm", found, accepted).under(&section.path));
     }
     let half = p.height_mm.0 / 2.0;
     Ok(Form {
@@ -110,5 +90,23 @@ fn build(section: &Section) -> Result<Form> {
         hull: rims(tip, [-half, half]),
         round: 0.0,
         volume_mm3: Some((wheel.area() - PI * bore * bore) * 2.0 * half),
+    })
+}
+
+/// The outline of a gear `size_mm` wide over the tips.
+pub(super) fn spur_gear(section: &Section, size: Mm, teeth: u32) -> Result<Wheel> {
+    if !(4..=500).contains(&teeth) {
+        let accepted = "a number of teeth from 4 to 500";
+        return Err(Error::config("teeth", teeth.to_string(), accepted).under(&section.path));
+    }
+    let tip = size.0 / 2.0;
+    let module = size.0 / f64::from(teeth + 2);
+    let half_pitch = PI / f64::from(teeth);
+    Ok(Wheel {
+        count: teeth,
+        root: tip - 2.25 * module,
+        tip,
+        root_angle: 0.72 * half_pitch,
+        tip_angle: 0.28 * half_pitch,
     })
 }

@@ -4,13 +4,25 @@
 //! its volume where a closed form is known. [`PHANTOMS`] is the table; [`sampling`] turns a form into inside fractions.
 
 mod box_with_hole;
+mod checkerboard;
 mod chiral;
 mod cylinder;
+mod diamond;
+mod dog_bones;
+mod flower;
 mod gear;
+mod gratings;
 mod gyroid;
+mod hollow_gear;
+mod line_ladder;
+mod resolution_chart;
+mod ring;
 pub mod sampling;
+mod schwarz_p;
 mod siemens_star;
 mod sphere;
+mod square_posts;
+mod wall;
 mod waves;
 mod wheel;
 
@@ -35,12 +47,25 @@ pub struct Prism {
     pub z: [f64; 2],
 }
 
+/// Grey value at a point of the plane, 0…1.
+pub type Grey = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
+
+/// Grey values drawn from the height `z[0]` to `z[1]`.
+pub struct GreyForm {
+    /// The values, 0 beyond the form.
+    pub value: Grey,
+    /// Lower and upper end, mm.
+    pub z: [f64; 2],
+}
+
 /// What fills the form.
 pub enum Body {
     /// The union of prisms; where two share heights, one outline lies in the other.
     Prisms(Vec<Prism>),
     /// The inside of a surface.
     Solid(Surface),
+    /// Values to be reproduced.
+    Grey(GreyForm),
 }
 
 /// A part by formula, in a frame of its own.
@@ -62,11 +87,22 @@ pub type BuildForm = fn(&Section) -> Result<Form>;
 pub static PHANTOMS: &[Kind<BuildForm>] = &[
     cylinder::KIND,
     sphere::KIND,
+    ring::KIND,
     box_with_hole::KIND,
     gear::KIND,
+    hollow_gear::KIND,
     siemens_star::KIND,
+    resolution_chart::KIND,
+    line_ladder::KIND,
+    checkerboard::KIND,
+    square_posts::KIND,
+    dog_bones::KIND,
     gyroid::KIND,
+    schwarz_p::KIND,
+    diamond::KIND,
     chiral::KIND,
+    gratings::KIND,
+    flower::KIND,
 ];
 
 /// A placed form.
@@ -97,6 +133,13 @@ impl Phantom {
         let (kind, parameters) = section.kind(PHANTOMS)?;
         let form = (kind.build)(&parameters)?;
         let map = placement.map(&form.hull, form.round, target)?;
+        if matches!(form.body, Body::Grey(_)) && map.rotation[2] != [0.0, 0.0, 1.0] {
+            return Err(Error::config(
+                format!("{target}.rotate_deg"),
+                format!("{:?} for grey values drawn along z", placement.rotate_deg),
+                "[0, 0, angle]: a turn about z only",
+            ));
+        }
         let bounds_mm = bounds(
             form.hull.iter().map(|&p| map.apply(p)),
             form.round * map.scale,
@@ -123,6 +166,10 @@ impl Shape for Phantom {
 
     fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
         sampling::inside_fractions(&self.form.body, &self.map, grid)
+    }
+
+    fn is_grey(&self) -> bool {
+        matches!(self.form.body, Body::Grey(_))
     }
 
     fn volume_mm3(&self) -> Option<f64> {
@@ -187,6 +234,10 @@ mod tests {
         Phantom::build(&Section::new("target.phantom", value), placement, "target").unwrap()
     }
 
+    fn is_grey(name: &str) -> bool {
+        phantom(json!(name), &Placement::default()).is_grey()
+    }
+
     fn sampled_volume(shape: &dyn Shape, longest: usize) -> f64 {
         let grid = default_grid(shape.bounds_mm(), Resolution::Shape([longest; 3])).unwrap();
         let volume = shape.sample(&grid).unwrap();
@@ -201,21 +252,31 @@ mod tests {
             scale: Some(1.3),
             ..Placement::default()
         };
+        let mut wrong = Vec::new();
         for kind in PHANTOMS {
+            // Detail that the coarse grid can hold, where it is not so by default
+            let (parameters, most) = match kind.name {
+                "resolution_chart" => (json!({}), [2e-2, 5e-3]),
+                "line_ladder" => (json!({ "narrowest_mm": 0.3 }), [5e-3, 1e-3]),
+                "square_posts" => (json!({ "post_mm": 2.0 }), [5e-3, 1e-3]),
+                "diamond" => (json!({ "cells": 1 }), [5e-3, 1e-3]),
+                _ => (json!({}), [5e-3, 1e-3]),
+            };
             for placement in [Placement::default(), tilted] {
-                let shape = phantom(json!(kind.name), &placement);
+                if placement == tilted && is_grey(kind.name) {
+                    continue;
+                }
+                let shape = phantom(json!({ kind.name: parameters }), &placement);
                 let coarse = sampled_volume(&shape, 40);
                 let fine = sampled_volume(&shape, 80);
                 let exact = shape.volume_mm3().unwrap_or(fine);
-                let (e1, e2) = (coarse / exact - 1.0, fine / exact - 1.0);
-                assert!(
-                    // The coarse grid leaves the wall of a tilted gyroid two voxels and a half
-                    e1.abs() < 5e-3 && e2.abs() < 1e-3,
-                    "{}: {e1:e}, {e2:e}",
-                    kind.name
-                );
+                let errors = [coarse, fine].map(|volume| (volume / exact - 1.0).abs());
+                if !(errors[0] < most[0] && errors[1] < most[1]) {
+                    wrong.push(format!("{}: {errors:?}", kind.name));
+                }
             }
         }
+        assert!(wrong.is_empty(), "{wrong:?}");
     }
 
     #[test]
@@ -224,7 +285,7 @@ mod tests {
             rotate_deg: [25.0, 40.0, -15.0],
             ..Placement::default()
         };
-        for kind in PHANTOMS {
+        for kind in PHANTOMS.iter().filter(|kind| !is_grey(kind.name)) {
             let shape = phantom(json!(kind.name), &placement);
             let [low, high] = shape.bounds_mm();
             let grid = default_grid([low, high], Resolution::Shape([36; 3])).unwrap();
@@ -277,12 +338,143 @@ mod tests {
                 json!({"siemens_star": {"hub_mm": 7}}),
                 "target.phantom.siemens_star.hub_mm",
             ),
+            (
+                json!({"ring": {"hole_mm": 7}}),
+                "target.phantom.ring.hole_mm",
+            ),
+            (
+                json!({"hollow_gear": {"floor_mm": 3}}),
+                "target.phantom.hollow_gear.floor_mm",
+            ),
+            (
+                json!({"diamond": {"wall_mm": 0.5}}),
+                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.312 mm",
+            ),
+            (
+                json!({"dog_bones": {"count": 0}}),
+                "target.phantom.dog_bones.count",
+            ),
+            (
+                json!({"checkerboard": {"cells": 0}}),
+                "target.phantom.checkerboard.cells",
+            ),
+            (
+                json!({"square_posts": {"post_mm": 3}}),
+                "target.phantom.square_posts.post_mm",
+            ),
+            (
+                json!({"line_ladder": {"lines": 1}}),
+                "target.phantom.line_ladder.lines",
+            ),
+            (
+                json!({"gratings": {"bits": [1, 2, 4, 17]}}),
+                "target.phantom.gratings.bits",
+            ),
         ] {
             let section = Section::new("target.phantom", value);
             let text = Phantom::build(&section, &Placement::default(), "target")
                 .unwrap_err()
                 .to_string();
             assert!(text.starts_with(start), "{text}");
+        }
+    }
+
+    #[test]
+    fn walls_of_lattices_have_the_thickness_they_are_asked_for() {
+        // Volume over area; of the area, periods² per cell, these are counts of random points near the surfaces
+        for (name, area) in [
+            ("schwarz_p", 2.3533),
+            ("gyroid", 3.0967),
+            ("diamond", 3.8378),
+        ] {
+            let wall = json!({ name: { "size_mm": 2.0, "cells": 2, "wall_mm": 0.04 } });
+            let shape = phantom(wall, &Placement::default());
+            let grid = VolumeGrid::centered([100; 3], 0.02);
+            let volume = shape.sample(&grid).unwrap();
+            let volume: f64 = volume.values.iter().map(|&v| f64::from(v)).sum();
+            let thickness = volume * grid.voxel_mm3() / (8.0 * area);
+            assert!((thickness / 0.04 - 1.0).abs() < 0.02, "{name}: {thickness}");
+        }
+    }
+
+    #[test]
+    fn gratings_have_the_levels_of_their_bits() {
+        let shape = phantom(json!("gratings"), &Placement::default());
+        let grid = VolumeGrid {
+            shape: [1, 2000, 2000],
+            pitch_mm: 0.0025,
+            center_mm: [0.0; 3],
+        };
+        let volume = shape.sample(&grid).unwrap();
+        let levels = |ix: std::ops::Range<usize>, iy: usize| {
+            let mut found: Vec<u32> = ix.map(|ix| volume.at(0, iy, ix).to_bits()).collect();
+            found.sort_unstable();
+            found.dedup();
+            found.len()
+        };
+        // Voxels at steps hold means of two levels: at most one more level between every two
+        let right = 1100..1990;
+        assert!((2..=3).contains(&levels(right.clone(), 500)));
+        assert!((4..=7).contains(&levels(right, 1500)));
+        let left = 10..900;
+        assert!((16..=31).contains(&levels(left.clone(), 1500)));
+        assert!(levels(left, 500) > 60);
+        // No light in the gap, and the full range in every grating
+        assert_eq!(*volume.at(0, 1000, 1500), 0.0);
+        for (ix, iy) in [
+            (1100..1990, 500),
+            (1100..1990, 1500),
+            (10..900, 1500),
+            (10..900, 500),
+        ] {
+            let row: Vec<f32> = ix.map(|ix| *volume.at(0, iy, ix)).collect();
+            assert!(row.iter().any(|v| *v < 0.001) && row.iter().any(|v| *v > 0.999));
+        }
+    }
+
+    #[test]
+    fn the_flower_has_the_statistics_of_a_photograph() {
+        let shape = phantom(json!("flower"), &Placement::default());
+        let grid = VolumeGrid::centered([1, 256, 256], 5.0 / 256.0);
+        let values = shape.sample(&grid).unwrap().values;
+        let inside: Vec<f64> = values
+            .iter()
+            .filter(|v| **v > 0.0)
+            .map(|&v| f64::from(v))
+            .collect();
+        let mean = inside.iter().sum::<f64>() / inside.len() as f64;
+        let variance = inside.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / inside.len() as f64;
+        let disc = inside.len() as f64 / (256.0 * 256.0);
+        assert!((disc - std::f64::consts::FRAC_PI_4).abs() < 0.02, "{disc}");
+        assert!((0.40..0.50).contains(&mean), "{mean}");
+        assert!(
+            (0.17..0.23).contains(&variance.sqrt()),
+            "{}",
+            variance.sqrt()
+        );
+    }
+
+    #[test]
+    fn grey_forms_turn_about_z_only() {
+        let section = Section::new("target.phantom", json!("flower"));
+        let placement = |rotate_deg| Placement {
+            rotate_deg,
+            ..Placement::default()
+        };
+        let refused = Phantom::build(&section, &placement([10.0, 0.0, 0.0]), "target");
+        let text = refused.unwrap_err().to_string();
+        assert!(text.starts_with("target.rotate_deg"), "{text}");
+        // A quarter turn: what lay along x lies along y
+        let [plain, turned] = [[0.0; 3], [0.0, 0.0, 90.0]].map(|angles| {
+            let shape = phantom(json!("flower"), &placement(angles));
+            shape
+                .sample(&VolumeGrid::centered([1, 40, 40], 0.125))
+                .unwrap()
+        });
+        for i in 0..40 {
+            for j in 0..40 {
+                assert!((plain.at(0, j, i) - turned.at(0, i, 39 - j)).abs() < 1e-5);
+            }
         }
     }
 
