@@ -258,7 +258,9 @@ mod tests {
             let (parameters, most) = match kind.name {
                 "resolution_chart" => (json!({}), [2e-2, 5e-3]),
                 "line_ladder" => (json!({ "narrowest_mm": 0.3 }), [5e-3, 1e-3]),
-                "square_posts" => (json!({ "post_mm": 2.0 }), [5e-3, 1e-3]),
+                "square_posts" => (json!({ "post_mm": 1.25 }), [2e-2, 5e-3]),
+                // Bars of grey values begin between voxels of the coarse grid
+                "gratings" => (json!({}), [2e-2, 1e-3]),
                 "diamond" => (json!({ "cells": 1 }), [5e-3, 1e-3]),
                 _ => (json!({}), [5e-3, 1e-3]),
             };

@@ -36,7 +36,7 @@ struct Params {
     size_mm: Mm,
     /// Height along z, mm (> 0)
     height_mm: Mm,
-    /// Edge of a post, mm (> 0, at most a quarter of `size_mm`)
+    /// Edge of a post, mm (> 0, at most an eighth of `size_mm`)
     post_mm: Mm,
 }
 
@@ -68,10 +68,11 @@ fn build(section: &Section) -> Result<Form> {
             ("post_mm", p.post_mm),
         ],
     )?;
-    if p.post_mm.0 > 0.25 * p.size_mm.0 {
+    // Then the two outer posts on one diagonal do not touch
+    if p.post_mm.0 > 0.125 * p.size_mm.0 {
         let found = format!("{} mm in a circle of {} mm", p.post_mm.0, p.size_mm.0);
         return Err(
-            Error::config("post_mm", found, "at most a quarter of `size_mm`").under(&section.path),
+            Error::config("post_mm", found, "at most an eighth of `size_mm`").under(&section.path),
         );
     }
     let [radius, half, post] = [p.size_mm, p.height_mm, p.post_mm].map(|mm| mm.0 / 2.0);
