@@ -102,17 +102,19 @@ impl Case {
         }
     }
 
+    fn start(&self, name: &str, limits: &[Limits]) -> Result<HostField, Error> {
+        let (row, section) = Section::new("start", json!(name)).kind(STARTS)?;
+        (row.build)(&section)?.patterns(&self.input(limits), &Run::new())
+    }
+
     /// Solves, and measures at the common scale.
-    fn solve(&self, method: &Method, start: Start0) -> Result<Solved, Error> {
+    fn solve(&self, method: &Method, start: Origin) -> Result<Solved, Error> {
         let limits = [Limits::default()];
         let input = self.input(&limits);
         let run_flag = Run::new();
         let mut x = match start {
-            Start0::Row(name) => {
-                let (row, section) = Section::new("start", json!(name)).kind(STARTS)?;
-                (row.build)(&section)?.patterns(&input, &run_flag)?
-            }
-            Start0::Given(given) => given.patterns(&input, &run_flag)?,
+            Origin::Row(name) => self.start(name, &limits)?,
+            Origin::Given(given) => given.patterns(&input, &run_flag)?,
         };
         let objective = self.objective(method.objective.0, method.objective.1.clone())?;
         let (row, section) = Section::new("optimizer", json!({ method.optimizer: method.params }))
@@ -176,7 +178,7 @@ impl Case {
 
 /// Where a run begins.
 #[derive(Clone, Copy)]
-enum Start0<'a> {
+enum Origin<'a> {
     Row(&'static str),
     Given(&'a Given),
 }
@@ -232,7 +234,7 @@ fn gyroid(n: usize) -> Result<Case, Error> {
     Case::new("gyroid", phantom, [n, n, n])
 }
 
-fn methods(iterations: usize, step: f64) -> Vec<Method> {
+fn methods(iterations: usize, step: f64, largest: f64) -> Vec<Method> {
     let ospw = || ("ospw", json!({}));
     let method = |name: &str, optimizer, params, objective| Method {
         name: name.to_owned(),
@@ -259,7 +261,7 @@ fn methods(iterations: usize, step: f64) -> Vec<Method> {
             json!({"restart": "none"}),
             ospw(),
         ),
-        method("adam", "adam", json!({"step": ADAM * step}), ospw()),
+        method("adam", "adam", json!({"step": ADAM * largest}), ospw()),
         method("osmo", "osmo", json!({}), ("osmo", json!({}))),
         method(
             "cal",
@@ -288,8 +290,8 @@ fn methods(iterations: usize, step: f64) -> Vec<Method> {
     ]
 }
 
-/// Adam's step as a multiple of 1/L: a few parts in a hundred of a bright pixel.
-const ADAM: f64 = 0.01;
+/// Adam's step as a share of the start's largest pixel.
+const ADAM: f64 = 0.03;
 
 /// 1/L for squared bands: 2·‖F‖² by power iteration.
 fn longest_step(case: &Case) -> Result<f64, Error> {
@@ -323,8 +325,9 @@ fn all(n: usize, iterations: usize) -> Result<(), Error> {
         println!("| method | loss | PW | IPDR | IoU | largest | calls | seconds |");
         println!("|---|---|---|---|---|---|---|---|");
         let step = longest_step(case)?;
-        for method in methods(iterations, step) {
-            row(&method.name, case.solve(&method, Start0::Row("fbp")))?;
+        let largest = f64::from(case.start("fbp", &[Limits::default()])?.max_abs());
+        for method in methods(iterations, step, largest) {
+            row(&method.name, case.solve(&method, Origin::Row("fbp")))?;
         }
     }
     Ok(())
@@ -380,24 +383,24 @@ fn claim(n: usize, iterations: usize) -> Result<(), Error> {
         // As published, at equal model calls (a step of OSMO has two each way), and at convergence
         row(
             &format!("OSPW(0) (0.70, 0.90), {iterations} steps"),
-            case.solve(&fista(iterations, 0.0), Start0::Row("zero")),
+            case.solve(&fista(iterations, 0.0), Origin::Row("zero")),
         )?;
         row(
             &format!("OSPW(0) (0.70, 0.90), {} steps", 2 * iterations),
-            case.solve(&fista(2 * iterations, 0.0), Start0::Row("zero")),
+            case.solve(&fista(2 * iterations, 0.0), Origin::Row("zero")),
         )?;
         row(
             "OSPW(0) (0.70, 0.90), to Eq. 28 with 1e-4",
-            case.solve(&fista(20 * iterations, 1e-4), Start0::Row("zero")),
+            case.solve(&fista(20 * iterations, 1e-4), Origin::Row("zero")),
         )?;
         for pair in pairs {
             row(
                 &format!("OSMO {pair:?}, {iterations} steps"),
-                case.solve(&osmo(pair, iterations, 0.0), Start0::Row("fbp")),
+                case.solve(&osmo(pair, iterations, 0.0), Origin::Row("fbp")),
             )?;
             row(
                 &format!("OSMO {pair:?}, to Eq. 28 with 1e-4"),
-                case.solve(&osmo(pair, 3 * iterations, 1e-4), Start0::Row("fbp")),
+                case.solve(&osmo(pair, 3 * iterations, 1e-4), Origin::Row("fbp")),
             )?;
         }
     }
@@ -415,14 +418,14 @@ fn coarse(n: usize, iterations: usize) -> Result<(), Error> {
         iterations,
         change: 0.0,
     };
-    let plain = levels[2].solve(&method(iterations), Start0::Row("fbp"))?;
+    let plain = levels[2].solve(&method(iterations), Origin::Row("fbp"))?;
     let begin = Instant::now();
-    let first = levels[0].solve(&method(20), Start0::Row("fbp"))?;
+    let first = levels[0].solve(&method(20), Origin::Row("fbp"))?;
     let first = Given(first.patterns);
-    let second = levels[1].solve(&method(20), Start0::Given(&first))?;
+    let second = levels[1].solve(&method(20), Origin::Given(&first))?;
     let second = Given(second.patterns);
     let before = begin.elapsed().as_secs_f64();
-    let fine = levels[2].solve(&method(iterations), Start0::Given(&second))?;
+    let fine = levels[2].solve(&method(iterations), Origin::Given(&second))?;
     println!("\ngyroid {n}³; {before:.1} s on the coarser levels, 20 steps each\n");
     println!(
         "| loss of plain step | s | coarse-to-fine step at that loss | s, coarser levels included |"
