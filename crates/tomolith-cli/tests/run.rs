@@ -399,7 +399,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
 #[test]
 fn no_light_reaches_a_body_that_is_to_stay_dark() {
     let bench = Bench::new();
-    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/09-bodies.toml");
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/11-bodies.toml");
     let job = fs::read_to_string(&example).unwrap();
     let meshes = example.parent().unwrap().join("meshes");
     let job = job.replace("\"meshes", &format!("\"{}", meshes.display()));
