@@ -8,6 +8,7 @@ use tomolith::grid::{Volume, VolumeGrid};
 use tomolith::io::array::read_any;
 use tomolith::metrics::print::Print;
 use tomolith::metrics::published::Options;
+use tomolith::metrics::published::slices::slices;
 use tomolith::metrics::{Evaluation, METRICS, Published, evaluate, published};
 use tomolith::report::json::evaluation_json;
 use tomolith::target::label::{OUTSIDE, PART, VOID};
@@ -33,19 +34,19 @@ pub(crate) struct MetricsArguments {
     #[arg(long, default_value = "box", value_parser = ["box", "cylinder"])]
     region: String,
     /// Edge of a voxel, mm; distances are in voxels when left out
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pitch_mm: Option<f64>,
     /// Dose at which the resin is solid; the one of the best IoU when left out
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     threshold: Option<f64>,
     /// The target's values are grey and to be reproduced
     #[arg(long)]
     grey: bool,
     /// Half width of the band of BCLP's norms
-    #[arg(long, default_value_t = 0.05)]
+    #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
     epsilon: f64,
     /// Per cent left out at each end of each region by the trimmed numbers
-    #[arg(long, default_value_t = 0.025)]
+    #[arg(long, default_value_t = 0.025, allow_negative_numbers = true)]
     trim_percent: f64,
     #[command(flatten)]
     pub(crate) manner: Manner,
@@ -60,7 +61,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
             "a number > 0, mm",
         ));
     }
-    let (shape, values) = read_any(&given.dose)?;
+    let (shape, values) = read_finite(&given.dose)?;
     let grid = VolumeGrid::centered(shape, pitch_mm);
     let dose = Volume {
         grid: grid.clone(),
@@ -70,6 +71,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let labels = labels(given, &target)?;
     let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
     if given.grey {
+        must_be_grey(&given.target, &target)?;
         print = print.with_grey(&target, given.epsilon)?;
     }
     if let Some(threshold) = given.threshold {
@@ -84,7 +86,10 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     };
     let numbers = published(&dose, &target, &labels, &options)?;
     if given.manner.json {
-        let line = json!({ "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers });
+        let line = json!({
+            "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers,
+            "slices": slices(&dose, &labels, given.trim_percent),
+        });
         say(&line.to_string());
     } else if !given.manner.quiet {
         show(&evaluation, &numbers, given.pitch_mm.is_some());
@@ -92,9 +97,41 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     Ok(())
 }
 
+/// An array without NaN and infinity, which no metric could make sense of.
+fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
+    let (shape, values) = read_any(source)?;
+    let [_, ny, nx] = shape;
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(i) => Err(Error::Format {
+            path: source.into(),
+            found: format!(
+                "{} at [{}, {}, {}], as [z, y, x]",
+                values[i],
+                i / (ny * nx),
+                i / nx % ny,
+                i % nx
+            ),
+            accepted: "finite numbers".to_owned(),
+        }),
+        None => Ok((shape, values)),
+    }
+}
+
+/// Grey values as the dose should have them: 0 to 1.
+fn must_be_grey(source: &str, target: &Volume<f32>) -> Result<()> {
+    match target.values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
+        Some(value) => Err(Error::Format {
+            path: source.into(),
+            found: format!("a grey value of {value}"),
+            accepted: "values from 0 to 1 with --grey: divide those of 8 bits by 255".to_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
 /// An array of the dose's shape.
 fn like(grid: &VolumeGrid, source: &str) -> Result<Volume<f32>> {
-    let (shape, values) = read_any(source)?;
+    let (shape, values) = read_finite(source)?;
     if shape != grid.shape {
         return Err(Error::Shape {
             what: source.to_owned(),

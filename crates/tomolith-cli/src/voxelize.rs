@@ -5,13 +5,15 @@ use crate::screen::say;
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use tomolith::grid::{PatternGrid, Volume};
+use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::frames::{FrameSet, write_frames};
 use tomolith::io::npy::write_volume;
 use tomolith::io::vti::{VtiValues, write_vti};
 use tomolith::job::Document;
 use tomolith::kind::Section;
-use tomolith::target::{PHANTOMS, Resolution, Target, TargetSpec, build, default_grid, voxelise};
+use tomolith::target::{
+    PHANTOMS, Repair, Resolution, Target, TargetSpec, build, default_grid, voxelise,
+};
 use tomolith::{Error, Result};
 
 const VOXELIZE: &str = "\
@@ -22,20 +24,26 @@ Examples:
 const PHANTOM: &str = "\
 Examples:
   tomolith phantom gear --pitch-mm 0.05 --output gear.npy
+  tomolith phantom gear --pitch-mm 0.05 --shape 128 128 1 --output one-slice.npy
   tomolith phantom gyroid --set size_mm=4 --set cells=2 --pitch-mm 0.02 --output slices.png
 `tomolith kinds target.phantom` lists the phantoms and their parameters";
 
 /// What both commands ask for.
 #[derive(Debug, Args)]
 pub(crate) struct Sampling {
-    /// Edge of a voxel, mm
-    #[arg(long, value_name = "MM", required_unless_present = "shape")]
+    /// Edge of a voxel, mm; without a shape there is a margin of a tenth of the part, at least 4 voxels, on each side
+    #[arg(
+        long,
+        value_name = "MM",
+        required_unless_present = "shape",
+        allow_negative_numbers = true
+    )]
     pitch_mm: Option<f64>,
-    /// Voxels along x, y and z; the pitch follows from the part
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], conflicts_with = "pitch_mm")]
+    /// Voxels along x, y and z; the pitch follows from the part, unless it is given too
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"])]
     shape: Option<Vec<usize>>,
     /// Longest edge of the part, mm; true size when left out
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     size_mm: Option<f64>,
     /// Angles about x, y and z, degrees
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_hyphen_values = true)]
@@ -55,6 +63,9 @@ pub(crate) struct Sampling {
 pub(crate) struct VoxelizeArguments {
     /// Mesh: .stl, .obj, .ply or .3mf
     mesh: PathBuf,
+    /// How far repairs may go: `safe`, or `force` for flaws whose repair is a guess
+    #[arg(long, value_name = "HOW", value_parser = ["safe", "force"], default_value = "safe")]
+    repair: String,
     #[command(flatten)]
     pub(crate) sampling: Sampling,
 }
@@ -75,6 +86,7 @@ pub(crate) struct PhantomArguments {
 pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
     let spec = TargetSpec {
         mesh: Some(given.mesh.clone()),
+        repair: (given.repair == "force").then_some(Repair::Force),
         ..TargetSpec::default()
     };
     sample(spec, &given.sampling)
@@ -101,11 +113,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
     let shape = build(&spec, Path::new(""), "target")?;
-    let resolution = match (&given.shape, given.pitch_mm) {
-        (Some(n), _) => Resolution::Shape([n[0], n[1], n[2]]),
-        (None, pitch) => Resolution::Pitch(pitch.unwrap_or_default()),
-    };
-    let grid = default_grid(shape.bounds_mm(), resolution).map_err(as_option)?;
+    let grid = grid_of(given, shape.bounds_mm())?;
     let mut target = voxelise(shape.as_ref(), &spec.name(), &grid)?;
     let volume_mm3 = target
         .inside
@@ -140,6 +148,12 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
             "{:>10} {part} voxels, {volume_mm3:.6} mm³{exact}",
             "part"
         ));
+        if part == 0 {
+            say(&format!(
+                "{:>10} no voxel is at least half inside: the voxels are too large for this part",
+                "warning"
+            ));
+        }
         shape
             .warnings()
             .iter()
@@ -147,6 +161,32 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
         say(&format!("{:>10} {}", "written", given.output.display()));
     }
     Ok(())
+}
+
+/// The voxels that are asked for: round the part, or exactly so many of this edge about its middle.
+fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
+    // The pitch alone says whether it can be used
+    let from_pitch = |pitch| default_grid(bounds, Resolution::Pitch(pitch)).map_err(as_option);
+    match (&given.shape, given.pitch_mm) {
+        (Some(n), Some(pitch_mm)) => {
+            if n.iter().any(|n| !(1..=65536).contains(n)) {
+                return Err(Error::config(
+                    "--shape",
+                    format!("{n:?}"),
+                    "three whole numbers from 1 to 65536",
+                ));
+            }
+            Ok(VolumeGrid {
+                shape: [n[2], n[1], n[0]],
+                ..from_pitch(pitch_mm)?
+            })
+        }
+        (Some(n), None) => {
+            let shape = Resolution::Shape([n[0], n[1], n[2]]);
+            default_grid(bounds, shape).map_err(as_option)
+        }
+        (None, pitch) => from_pitch(pitch.unwrap_or_default()),
+    }
 }
 
 /// An error about a key of a grid, as one about the option of that name.

@@ -96,7 +96,35 @@ fn meshes_and_phantoms_become_voxels() {
     let cube = bench.json("voxelize cube.obj --pitch-mm 0.1 --binary --output cube.vti");
     assert_eq!(cube["part_voxels"], 1000);
     bench.expect(0, "phantom gear --pitch-mm 0.2 --output gear.png --quiet");
+    let slice = bench.json("phantom cylinder --pitch-mm 0.1 --shape 60 56 1 --output slice.npy");
+    assert_eq!(slice["shape_zyx"], serde_json::json!([1, 56, 60]));
+    let disc = std::f64::consts::PI * 2.5 * 2.5 * 0.1;
+    assert!((slice["volume_mm3"].as_f64().unwrap() / disc - 1.0).abs() < 2e-3);
+    let none = "phantom cylinder --pitch-mm 0.1 --shape 60 56 0 --output slice.npy";
+    assert!(bench.expect(2, none).contains("--shape"));
     assert_eq!(fs::read(bench.path("gear.png")).unwrap()[..4], *b"\x89PNG");
+
+    // Two faces that share an edge are missing: a hole that is neither flat nor small
+    let open = fs::read_to_string(bench.path("cube.obj")).unwrap();
+    let open = open.replace("f 3 7 8 4\n", "").replace("f 2 4 8 6\n", "");
+    fs::write(bench.path("open.obj"), open).unwrap();
+    let voxels = "voxelize open.obj --pitch-mm 0.1 --output o.npy";
+    assert!(bench.expect(2, voxels).contains("--repair force"));
+    assert!(
+        bench
+            .expect(0, &format!("{voxels} --repair force"))
+            .contains("warning")
+    );
+    assert!(
+        bench
+            .expect(0, "voxelize cube.obj --pitch-mm 50 --output o.npy")
+            .contains("no voxel is at least half inside")
+    );
+    assert!(
+        bench
+            .expect(2, "phantom gear --pitch-mm -1 --output a.npy")
+            .contains("--pitch-mm: -1")
+    );
 
     assert!(
         bench
@@ -147,6 +175,8 @@ fn anybodys_arrays_are_measured() {
         list.iter().find(|one| one["name"] == name).unwrap()["value"].clone()
     };
     near(&published("pw_overlap"), -0.4);
+    assert_eq!(found["slices"].as_array().unwrap().len(), 1);
+    near(&found["slices"][0]["pw"], 0.4);
     near(&published("ipdr_from_max1"), 1.0 - 0.8 / 0.9);
     assert!(
         bench
@@ -175,7 +205,27 @@ fn anybodys_arrays_are_measured() {
         npy("2, 2", &[0.2, f64::NAN, 0.9, 0.4]),
     )
     .unwrap();
-    bench.expect(2, "metrics nan.npy target.npy");
+    assert!(
+        bench
+            .expect(2, "metrics nan.npy target.npy")
+            .contains("NaN at [0, 0, 1], as [z, y, x]")
+    );
+    fs::write(
+        bench.path("bytes.npy"),
+        npy("2, 2", &[0.0, 255.0, 128.0, 0.0]),
+    )
+    .unwrap();
+    bench.expect(0, "metrics dose.npy bytes.npy");
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy bytes.npy --grey")
+            .contains("a grey value of 255")
+    );
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy target.npy --trim-percent -1")
+            .contains("trim_percent: found -1")
+    );
 }
 
 #[test]

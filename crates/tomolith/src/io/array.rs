@@ -19,7 +19,8 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-const ACCEPTED: &str = ".npy or .npz of numbers in two dimensions [y, x] or three [z, y, x]";
+const ACCEPTED: &str =
+    ".npy or .npz of f32, f64, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
 
 fn bad(path: &Path, found: impl Into<String>) -> Error {
     Error::Format {

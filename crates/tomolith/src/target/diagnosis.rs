@@ -284,7 +284,7 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Me
         return Err(Error::Mesh {
             path: path.to_owned(),
             found: guesses.join("; "),
-            accepted: "a closed mesh, or holes that are flat or at most 1 % of its surface; target.repair = \"force\" \
+            accepted: "a closed mesh, or holes that are flat or at most 1 % of its surface; target.repair = \"force\" (`voxelize --repair force`) \
                        closes them by flat fans all the same"
                 .to_owned(),
         });
