@@ -731,6 +731,20 @@ fn a_full_disk_ends_with_one_message() {
         "{message}"
     );
     assert!(!message.contains("ZipWriter"), "{message}");
+    // A matrix of some megabytes stops in the same place
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 260; exec {} export-matrix {} --output {}",
+        env!("CARGO_BIN_EXE_tomolith"),
+        bench.path("job.toml").display(),
+        bench.path("matrix.npz").display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("matrix.npz: File too large") && !message.contains("ZipWriter"),
+        "{message}"
+    );
     let unchanged = |files: Vec<(PathBuf, Vec<u8>)>| -> Vec<_> {
         let of_run = |path: &PathBuf| path.ends_with("job.toml") || path.ends_with("report.json");
         files.into_iter().filter(|(path, _)| of_run(path)).collect()

@@ -182,6 +182,7 @@ fn in_words(expected: &str) -> String {
         "a sequence" => "a list",
         "a map" => "a table",
         other if other.starts_with("struct ") => "a table",
+        "fewer elements in array" => "a list with fewer entries",
         other if other.starts_with("an array of length ") => {
             return other.replace("an array of length ", "a list of ");
         }

@@ -15,6 +15,7 @@
 //! assert_eq!(matrix.transposed().row(1).collect::<Vec<_>>(), [(0, 2.0), (2, 3.0)]);
 //! ```
 
+use super::npy::Sink;
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use ndarray::{Array1, ArrayView1, Ix1, OwnedRepr};
@@ -158,7 +159,8 @@ impl Csr {
     pub fn write(&self, path: &Path) -> Result<()> {
         let io = |e: zip::result::ZipError| Refused::Io(std::io::Error::other(e));
         write_whole(path, |file| {
-            let mut zip = ZipWriter::new(file);
+            let mut sink = Sink::new(file);
+            let mut zip = ZipWriter::new(&mut sink);
             let shape = [self.rows() as i64, self.columns as i64];
             start(&mut zip, "format").map_err(io)?;
             zip.write_all(&npy_of_text("csr"))?;
@@ -177,7 +179,7 @@ impl Csr {
             }
             add(&mut zip, "data", &self.values)?;
             zip.finish().map_err(io)?;
-            Ok(())
+            Ok(sink.done()?)
         })
     }
 

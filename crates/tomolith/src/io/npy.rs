@@ -173,10 +173,7 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
         }
         npz.finish()
             .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
-        match sink.failed {
-            Some(error) => Err(Refused::Io(error)),
-            None => Ok(()),
-        }
+        Ok(sink.done()?)
     })
 }
 
@@ -184,7 +181,7 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
 ///
 /// A zip writer that is dropped after an error tries once more and complains on standard error, where a library has
 /// nothing to say.
-struct Sink<W> {
+pub(super) struct Sink<W> {
     inner: W,
     failed: Option<std::io::Error>,
     position: u64,
@@ -192,13 +189,18 @@ struct Sink<W> {
 }
 
 impl<W: Write + Seek> Sink<W> {
-    fn new(inner: W) -> Self {
+    pub(super) fn new(inner: W) -> Self {
         Sink {
             inner,
             failed: None,
             position: 0,
             length: 0,
         }
+    }
+
+    /// The first error, when there was one.
+    pub(super) fn done(self) -> std::io::Result<()> {
+        self.failed.map_or(Ok(()), Err)
     }
 
     /// Does something with the file, unless it has failed before.
@@ -245,7 +247,8 @@ impl<W: Write + Seek> Seek for Sink<W> {
 pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     const ACCEPTED: &str = "an .npz with a 3D array `patterns` [angle, row, column] of f32 or f64, or one `patterns_<light>` per light";
     let file = File::open(path).map_err(|e| Error::io(path, e))?;
-    let mut npz = NpzReader::new(BufReader::new(file)).map_err(|e| bad(path, e, ACCEPTED))?;
+    let mut npz = NpzReader::new(BufReader::new(file))
+        .map_err(|e| bad(path, format!("no .npz archive ({e})"), ACCEPTED))?;
     let mut names: Vec<String> = npz
         .names()
         .map_err(|e| bad(path, e, ACCEPTED))?
