@@ -209,10 +209,25 @@ impl Checkpoints {
         Ok(())
     }
 
+    /// Removes what a killed run left half written: safetensors writes to `.tmp…` in this folder, which is ours alone.
+    fn clear_leftovers(&self) {
+        let Ok(entries) = std::fs::read_dir(&self.folder) else {
+            return;
+        };
+        let is_leftover = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with(".tmp");
+        for entry in entries
+            .flatten()
+            .filter(|entry| is_leftover(&entry.file_name()))
+        {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+
     /// Writes aside, then renames.
     fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
         let file = self.file();
         let aside = self.folder.join("state.safetensors.part");
+        self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
         let arrays = arrays.into_iter().map(|(name, array)| {
             (
