@@ -85,6 +85,7 @@ pub const KIND: Kind<BuildOptimizer> = Kind {
 
 /// L-BFGS with bounds; see the [module](self).
 pub struct Lbfgs<F: Field> {
+    name: &'static str,
     params: Params,
     curvature: Curvature,
     fields: Option<Fields<F>>,
@@ -216,10 +217,18 @@ impl<F: Field> Lbfgs<F> {
             ));
         }
         Ok(Lbfgs {
+            name: KIND.name,
             curvature: Curvature::new(params.memory),
             params,
             fields: None,
         })
+    }
+
+    /// The same solver as the row of another method, whose name messages then give.
+    #[must_use]
+    pub fn named(mut self, name: &'static str) -> Self {
+        self.name = name;
+        self
     }
 
     /// The direction of the next step, its slope, and the norm of the projected gradient.
@@ -322,7 +331,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
             continuous: Some(
                 "its pairs measure curvature along steps, which rounding changes, and its search walks a line",
             ),
-            ..Needs::of("lbfgs")
+            ..Needs::of(self.name)
         }
     }
 

@@ -51,8 +51,7 @@ pub const KIND: Kind<BuildOptimizer> = Kind {
             memory,
             ..lbfgs::Params::default()
         };
-        Ok(Box::new(
-            Lbfgs::new(params).map_err(|e| e.under(&section.path))?,
-        ))
+        let solver = Lbfgs::new(params).map_err(|e| e.under(&section.path))?;
+        Ok(Box::new(solver.named(KIND.name)))
     },
 };

@@ -826,8 +826,7 @@ mod tests {
             let curved = refusal(row, &twisted, None);
             let expect = |found: &Option<String>, names: &[&str], word: &str| {
                 let found = found.as_deref().unwrap_or_default();
-                let told =
-                    found.starts_with(&format!("optimizer.{}", row.name)) || row.name == "pm";
+                let told = found.starts_with(&format!("optimizer.{} ", row.name));
                 assert_eq!(
                     names.contains(&row.name),
                     found.contains(word) && told,
