@@ -8,7 +8,7 @@
 //! | name | what it shows |
 //! |---|---|
 //! | `border` | the outermost pixels: is the whole canvas in view? |
-//! | `checkerboard` | 8 × 8 fields of black and white: straightness, evenness |
+//! | `checkerboard` | black and white squares, eight along the shorter edge: pixel pitch, straightness, evenness |
 //! | `crosshair` | lines through the middle of the patterns: where the middle is |
 //! | `grey_steps` | 16 equal steps of the level from black to white: the grey curve |
 //! | `siemens_star` | 36 spokes: focus, the same in all directions |
@@ -43,7 +43,7 @@ pub const CALIBRATIONS: &[(&str, &str)] = &[
     ),
     (
         "checkerboard",
-        "8 × 8 fields of black and white: straightness, evenness",
+        "Black and white squares: pixel pitch, straightness, evenness",
     ),
     (
         "crosshair",
@@ -61,7 +61,7 @@ pub const CALIBRATIONS: &[(&str, &str)] = &[
     ("orientation", "A letter F: is it upright and not mirrored?"),
 ];
 
-/// Fields of the checkerboard along an edge, grey steps, spokes.
+/// Squares of the checkerboard along the shorter edge, grey steps, spokes.
 const FIELDS: usize = 8;
 const STEPS: usize = 16;
 const SPOKES: f64 = 36.0;
@@ -135,9 +135,10 @@ impl Calibration {
                 f64::from(u8::from(edge < 1.0))
             }),
             "checkerboard" => on_device(&|x, y| {
-                let field =
-                    |v: f64, n: usize| ((v / n as f64 + 0.5) * FIELDS as f64).floor() as i64;
-                f64::from(u8::from((field(x, columns) + field(y, rows)) % 2 == 0))
+                // Whole pixels, so that a ruler on one square gives the pitch
+                let edge = (columns.min(rows) / FIELDS).max(1) as f64;
+                let field = |v: f64| (v / edge).floor() as i64;
+                f64::from(u8::from((field(x) + field(y)) % 2 == 0))
             }),
             "grey_steps" => on_device(&|x, _| {
                 let step = ((x / columns as f64 + 0.5) * STEPS as f64).floor();
@@ -245,6 +246,20 @@ mod tests {
             .values;
         let row: Vec<u16> = (0..16).map(|i| steps[i * 8 + 4]).collect();
         assert_eq!(row, (0..16).map(|i| i * 17).collect::<Vec<u16>>());
+    }
+
+    #[test]
+    fn the_squares_of_the_checkerboard_are_square() {
+        let frame = calibration("canvas = [128, 96]", 8)
+            .draw("checkerboard")
+            .unwrap();
+        let at = |row: usize, column: usize| frame.values[row * 128 + column];
+        // Twelve pixels along both edges, from the middle of the canvas
+        for i in 0..12 {
+            assert_eq!(at(48, 64), at(48 + i, 64 + i));
+        }
+        assert_ne!(at(48, 64), at(60, 64));
+        assert_ne!(at(48, 64), at(48, 76));
     }
 
     #[test]
