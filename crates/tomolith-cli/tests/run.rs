@@ -126,9 +126,19 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     assert_eq!(report["evaluation"]["sub_angles"], 4);
     assert_eq!(report["evaluation"]["standing_still"]["sub_angles"], 1);
 
-    bench.expect(
+    let said = bench.expect(
         0,
         "simulate job.toml --patterns out/job/patterns.npz --output again",
+    );
+    assert!(
+        said.contains("unwritten, on the job's grid") && !said.contains("optimis"),
+        "{said}"
+    );
+    // A run folder stands for its patterns.npz
+    bench.expect(0, "simulate job.toml --patterns out/job --output folder");
+    assert_eq!(
+        json(&bench.path("folder/report.json"))["evaluation"],
+        report["evaluation"]
     );
     let again = json(&bench.path("again/report.json"));
     for section in ["evaluation", "optimisation", "lights", "movies"] {

@@ -168,12 +168,14 @@ pub(crate) fn exposed(
         .collect()
 }
 
-/// Patterns of a file, one set per light of the job: `patterns.npz`, or what a machine shows: a folder of frames, a
-/// `frames.npz`, a movie.
+/// Patterns of a file, one set per light of the job: `patterns.npz` or the run folder that holds it; or what a machine
+/// shows: a folder of frames, a `frames.npz`, a movie.
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine.
 pub(crate) fn read(scene: &Scene, path: &Path, progress: &mut dyn Progress) -> Result<Written> {
+    let of_run = path.join("patterns.npz");
+    let path = if of_run.is_file() { &of_run } else { path };
     let mut frames = Vec::new();
     for i in 0..scene.spec.light.len() {
         let Some(found) = frames_of(scene, i, path, progress)? else {

@@ -183,7 +183,7 @@ impl Steps<'_> {
         }
         let by = |from: f64, to: f64| format!("{:+.4}", to - from).replace('-', "−");
         Some(format!(
-            "{}: {own:.4} is what the optimisation reached on its own grid, {turning:.4} is what the written patterns print. \
+            "{}: {own:.4} is what the patterns reach before they are written, on the job's own grid, {turning:.4} is what the written patterns print. \
              {} comes from writing them with {bits} bits ({written:.4} on the same voxels), \
              {} from looking at voxels of {:.4} mm instead of {:.4} mm ({standing:.4}), {} from the vial turning during each frame.",
             self.kind.title,

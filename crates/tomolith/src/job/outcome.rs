@@ -71,7 +71,7 @@ pub struct Summary {
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
     pub standing: Quality,
-    /// The unquantised patterns on the optimisation grid; None for a simulation.
+    /// The unquantised patterns on the optimisation grid; None for a simulation of patterns that are quantised only.
     pub optimisation: Option<Quality>,
     /// The IoU that was asked for.
     pub required_iou: Option<f64>,
@@ -101,7 +101,11 @@ impl fmt::Display for Summary {
             writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
         if let Some(optimisation) = &self.optimisation {
-            row("optimised, on its own grid", optimisation)?;
+            let name = match self.iterations {
+                Some(_) => "optimised, on its own grid",
+                None => "unwritten, on the job's grid",
+            };
+            row(name, optimisation)?;
         }
         row("written, standing still", &self.standing)?;
         row("written, turning", &self.evaluation)?;
