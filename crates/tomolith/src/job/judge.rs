@@ -16,7 +16,9 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
 use crate::models::{Run, planner};
+use crate::target::label;
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// What patterns are worth.
 pub(crate) struct Judged {
@@ -36,8 +38,57 @@ pub(crate) struct Judged {
     pub(crate) fine: Voxels,
     /// Response of the headline on the finer grid.
     pub(crate) response: Volume<f32>,
+    /// What the bodies that are to stay dark get; None without any.
+    pub(crate) keep_dark: Option<KeepDark>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
+}
+
+/// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct KeepDark {
+    /// Their volume, mm³.
+    pub(crate) volume_mm3: f64,
+    /// Mean in them.
+    pub(crate) mean: f64,
+    /// The largest.
+    pub(crate) largest: f64,
+    /// Mean in the part.
+    pub(crate) part_mean: f64,
+}
+
+impl KeepDark {
+    fn of(shares: &Volume<f32>, labels: &Volume<u8>, response: &Volume<f32>) -> Self {
+        let of = |marked: &dyn Fn(usize) -> bool| {
+            let values = response.values.iter().enumerate();
+            values
+                .filter(|(i, _)| marked(*i))
+                .fold((0usize, 0.0f64, 0.0f64), |(n, sum, most), (_, &v)| {
+                    (n + 1, sum + f64::from(v), most.max(f64::from(v)))
+                })
+        };
+        let mean = |n: usize, sum: f64| sum / n.max(1) as f64;
+        let (voxels, sum, largest) = of(&|i| shares.values[i] >= 0.5);
+        let (part, part_sum, _) = of(&|i| labels.values[i] == label::PART);
+        KeepDark {
+            volume_mm3: voxels as f64 * shares.grid.voxel_mm3(),
+            mean: mean(voxels, sum),
+            largest,
+            part_mean: mean(part, part_sum),
+        }
+    }
+}
+
+impl std::fmt::Display for KeepDark {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let share = |value: f64| 100.0 * value / self.part_mean;
+        write!(
+            f,
+            "{:.3} % of the part's mean response on average, {:.2} % at most",
+            share(self.mean),
+            share(self.largest)
+        )
+    }
 }
 
 impl Judged {
@@ -119,6 +170,13 @@ pub(crate) fn judge(
     let slices = slices(&turning, &fine.labels, options.trim_percent);
     let response = scene.responses(turning)?;
     let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
+    let keep_dark = scene
+        .keep_dark(&grid)?
+        .map(|shares| KeepDark::of(&shares, &fine.labels, &response));
+    if let Some(dark) = &keep_dark {
+        let text = format!("what is to stay dark gets {dark}");
+        progress.event(&Event::Note { text });
+    }
     let steps = Steps {
         kind: headline(voxels),
         optimised: optimisation.as_ref(),
@@ -142,6 +200,7 @@ pub(crate) fn judge(
         dose: mean,
         fine,
         response,
+        keep_dark,
         warnings,
     })
 }

@@ -8,7 +8,7 @@ use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::field::{BLOCK, Field, HostField};
-use crate::grid::Patterns;
+use crate::grid::{Patterns, Volume};
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
@@ -16,7 +16,7 @@ use crate::models::darkened::{Darkened, darken, pixels_through};
 use crate::models::{DoseModel, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
-    self, Checkpoints, Limits, Observer, Outcome, Problem, StepReport, Stop, StopReason,
+    self, Checkpoints, Limits, Observer, Outcome, Problem, Row, StepReport, Stop, StopReason,
 };
 use rayon::prelude::*;
 use serde_json::Value;
@@ -36,6 +36,8 @@ pub(crate) struct Optimised {
     pub(crate) updates: u64,
     /// Metrics on the own grid, where they were measured.
     qualities: Vec<Quality>,
+    /// That it did nothing, when it did nothing.
+    pub(crate) warning: Option<String>,
 }
 
 impl Optimised {
@@ -150,13 +152,20 @@ pub(crate) fn optimise(
         .map(|layout| layout.patterns_of(x.as_slice()))
         .collect();
     match ran {
-        Ok(outcome) if outcome.reason != StopReason::Cancelled => Ok(Optimised {
-            raw,
-            outcome,
-            model: plan.reason,
-            updates,
-            qualities,
-        }),
+        Ok(outcome) if outcome.reason != StopReason::Cancelled => {
+            let warning = idle(&outcome.history, spec.bounds.bits);
+            if let Some(text) = warning.clone() {
+                progress.event(&Event::Warning { text });
+            }
+            Ok(Optimised {
+                raw,
+                outcome,
+                model: plan.reason,
+                updates,
+                qualities,
+                warning,
+            })
+        }
         // A checkpoint that does not fit: nothing was done
         Err(error @ Error::Format { .. }) => Err(begin_anew(error)),
         stopped => {
@@ -164,6 +173,25 @@ pub(crate) fn optimise(
             Err(stopped.err().unwrap_or(Error::Cancelled))
         }
     }
+}
+
+/// What to say when no step was better than the start, whose patterns are then the result.
+fn idle(history: &[Row], bits: Option<u32>) -> Option<String> {
+    let (start, steps) = history.split_first()?;
+    if steps.is_empty() || start.loss == 0.0 || steps.iter().any(|row| row.loss < start.loss) {
+        return None;
+    }
+    let why = bits.map_or_else(
+        || "a shorter step or another start may help".to_owned(),
+        |bits| {
+            format!(
+                "bounds.bits = {bits} rounds changes below half a level away: more bits or a longer step may help"
+            )
+        },
+    );
+    Some(format!(
+        "no step lowered the loss, the patterns are those of the start; {why}"
+    ))
 }
 
 /// The pixels whose light would pass a body that is to stay dark, when there is one.
@@ -176,8 +204,12 @@ fn dark_pixels(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<Vec<bool>>> {
-    let Some(places) = scene.keep_dark(&scene.grid)? else {
+    let Some(shares) = scene.keep_dark(&scene.grid)? else {
         return Ok(None);
+    };
+    let places = Volume {
+        values: shares.values.iter().map(|&share| share >= 0.5).collect(),
+        grid: shares.grid,
     };
     let dark = pixels_through(model, &places, cancel)?;
     let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
@@ -295,7 +327,12 @@ fn begin_anew(error: Error) -> Error {
 const KEPT: &str = "patterns.npz";
 
 /// Writes the best patterns of a run that did not end well.
-fn keep(scene: &Scene, raw: &[Patterns], folder: &Path, progress: &mut dyn Progress) -> Result<()> {
+pub(super) fn keep(
+    scene: &Scene,
+    raw: &[Patterns],
+    folder: &Path,
+    progress: &mut dyn Progress,
+) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     let path = folder.join(KEPT);
     let pairs: Vec<PatternPair<'_>> = raw
@@ -480,6 +517,27 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_run_that_stayed_at_its_start_says_so() {
+        let history = |losses: &[f64]| -> Vec<Row> {
+            let row = |(iteration, &loss): (usize, &f64)| Row {
+                iteration,
+                loss,
+                projected_gradient: None,
+                step: None,
+                forward: 0,
+                adjoint: 0,
+                seconds: 0.0,
+            };
+            losses.iter().enumerate().map(row).collect()
+        };
+        assert_eq!(idle(&history(&[2.0, 3.0, 1.9]), None), None);
+        assert_eq!(idle(&history(&[2.0]), Some(4)), None);
+        assert_eq!(idle(&history(&[0.0, 0.0]), None), None);
+        let said = idle(&history(&[2.0, 2.0, 2.5]), Some(4)).unwrap();
+        assert!(said.contains("bounds.bits = 4"), "{said}");
+    }
 
     #[test]
     fn measured_iterations_thin_out_evenly() {

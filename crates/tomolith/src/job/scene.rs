@@ -227,19 +227,13 @@ impl Scene {
         Ok(Voxels { target, labels })
     }
 
-    /// Voxels that no light may pass, when the target has any.
+    /// Share of each voxel that no light may pass, when the target has such bodies.
     ///
     /// # Errors
     /// As [`target::voxelise`].
-    pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<bool>>> {
-        let sampled = self
-            .shape
-            .body(Role::KeepDark)
-            .map(|dark| dark.sample(grid));
-        Ok(sampled.transpose()?.map(|inside| Volume {
-            grid: inside.grid,
-            values: inside.values.iter().map(|&s| s >= 0.5).collect(),
-        }))
+    pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
+        let dark = self.shape.body(Role::KeepDark);
+        dark.map(|dark| dark.sample(grid)).transpose()
     }
 
     /// The response of the material.

@@ -4,7 +4,7 @@ use super::device::{self, Written};
 use super::estimate::{self, Work};
 use super::folder::RunFolder;
 use super::judge::judge;
-use super::optimise::optimise;
+use super::optimise::{keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::read::Job;
@@ -28,10 +28,11 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     let scene = Scene::new(job)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
-    let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
+    let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
     clock.stage("optimising");
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
+    warnings.extend(optimised.warning.clone());
     clock.stage("evaluating the written patterns");
     let patterns = Written::of_raw(optimised.raw.clone(), &scene)?;
     let judged = judge(
@@ -41,7 +42,12 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
         patterns.raw.as_deref(),
         clock.progress,
         cancel,
-    )?;
+    );
+    if judged.is_err() {
+        // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
+        keep(&scene, &optimised.raw, &folder.checkpoint(), clock.progress)?;
+    }
+    let judged = judged?;
     let done = Done {
         job,
         scene,

@@ -133,7 +133,7 @@ fn report(
         part: &scene.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
-        facts: facts(scene, optimised.as_ref()),
+        facts: facts(scene, optimised.as_ref(), judged),
         lights,
         labels: &judged.fine.labels,
         response: &judged.response,
@@ -167,6 +167,9 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
         })
         .collect();
     map.insert("slices".to_owned(), serde_json::json!(judged.slices));
+    if let Some(dark) = judged.keep_dark {
+        map.insert("keep_dark".to_owned(), serde_json::json!(dark));
+    }
     let resin = &scene.spec.resin;
     let brightest = PatternStats::of(&done.patterns.shown).max;
     let threshold = value_of(&judged.published, "threshold_jaccard");
@@ -181,7 +184,7 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
 }
 
 /// Short facts for the head of the page.
-fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> {
+fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(String, String)> {
     let spec = &scene.spec;
     let kind = |value: &serde_json::Value| match value {
         serde_json::Value::Object(map) => map.keys().cloned().collect::<Vec<_>>().join(", "),
@@ -213,6 +216,9 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>) -> Vec<(String, String)> 
             "Speed",
             format!("{speed:.1} G voxel-angle updates per second"),
         ));
+    }
+    if let Some(dark) = &judged.keep_dark {
+        facts.push(("Keep-dark body", format!("gets {dark}")));
     }
     facts
         .into_iter()

@@ -7,7 +7,8 @@
 //!               with gel_threshold, band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
 //!               and standing_still: the same without turning
 //! optimisation  the same on the optimisation's grid
-//! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems
+//! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
+//!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean)
 //! lights        frames, size and scale of each light's patterns
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first
 //! movies        what a decoder makes of each movie
