@@ -363,7 +363,120 @@ const WRONG: &[Wrong] = &[
         "[stop]",
         "[response.logistic]\nupper = 0.97\n[stop]",
         "response",
-        &["response", "no dose has the response 1", "0.97"],
+        &[
+            "response: the start asks for the dose of the response 1, and no dose has it",
+            "from 0 to 0.97",
+            "[start.zero], [start.patterns]",
+        ],
+    ),
+    (
+        "[stop]",
+        "[response.fit]\ndose = [0, 1, 2, 3, 4, 5]\nresponse = [0.9, 0.8, 0.6, 0.5, 0.3, 0.1]\n[stop]",
+        "response = ",
+        &["response.fit.response", "falls with dose", "0.9 to 0.1"],
+    ),
+    (
+        "[stop]",
+        "[response.fit]\nform = \"table\"\ndose = [0, 1, 2]\nresponse = [0.9, 0.6, 0.1]\n[stop]",
+        "response = ",
+        &["response.fit.response", "falls with dose", "0.9 to 0.1"],
+    ),
+    (
+        "[stop]",
+        "[response.logistic]\nlower = 1.0\nupper = 0.2\n[stop]",
+        "lower = 1.0",
+        &["response.logistic.lower", "lower 1 is not below upper 0.2"],
+    ),
+    (
+        "[stop]",
+        "[response.logistic]\n[evaluate]\nthreshold = 1.5\n[stop]",
+        "threshold = 1.5",
+        &["evaluate.threshold", "found 1.5", "goes from 0 to 1"],
+    ),
+    (
+        "0.05",
+        "0.05\ncritical_dose_mj_per_mm3 = 0.8\n[response.logistic]\nupper = 0.5\n[objective.response.identity]\n\
+         [start.zero]\n[printer]\ntime_s = 60.0\npeak_irradiance_mw_per_cm2 = 5.0",
+        "time_s",
+        &["printer.time_s", "solid at 0.900", "from 0 to 0.5"],
+    ),
+    // Methods and what they cannot have
+    (
+        "[stop]",
+        "[optimizer.lbfgs]\nfilter = \"hann\"\n[stop]",
+        "filter",
+        &[
+            "optimizer.lbfgs.filter",
+            "`lbfgs` has no `filter`, these have:",
+            "optimizer.osmo",
+            "optimizer.cal",
+            "start.fbp",
+        ],
+    ),
+    (
+        "[stop]",
+        "[start.zero]\nfilter = \"hann\"\n[stop]",
+        "filter",
+        &[
+            "start.zero.filter",
+            "nothing: this table has no keys",
+            "start.fbp",
+        ],
+    ),
+    (
+        "[stop]",
+        "[optimizer.osmo]\nfilter = \"ramlak\"\n[stop]",
+        "filter",
+        &["optimizer.osmo.filter", "did you mean `ram_lak`?"],
+    ),
+    (
+        "[stop]",
+        "[bounds]\nbits = 8\n[stop]",
+        "bits",
+        &["bounds.bits", "optimizer.lbfgs with rounding in every step"],
+    ),
+    (
+        "[stop]",
+        "[optimizer.fista]\n[response.logistic]\n[stop]",
+        "[optimizer",
+        &["optimizer.fista", "not convex together", "one of the two"],
+    ),
+    (
+        "[stop]",
+        "[optimizer.osmo]\n[[penalties]]\nweight = 1.0\nsparsity = { exponent = 2 }\n[stop]",
+        "[[penalties",
+        &["penalties[0]", "optimizer.osmo with penalties"],
+    ),
+    // Bits
+    (
+        "[stop]",
+        "[evaluate]\nbit_depth = 0\n[stop]",
+        "bit_depth",
+        &["evaluate.bit_depth", "found 0", "from 1 to 16"],
+    ),
+    (
+        "[stop]",
+        "[evaluate]\nbit_depth = 17\n[stop]",
+        "bit_depth",
+        &["evaluate.bit_depth", "found 17", "from 1 to 16"],
+    ),
+    (
+        "[stop]",
+        "[bounds]\nbits = 0\n[stop]",
+        "bits",
+        &["bounds.bits", "found 0", "1 to 16 bits"],
+    ),
+    (
+        "[stop]",
+        "[bounds]\nbits = 17\n[stop]",
+        "bits",
+        &["bounds.bits", "found 17", "1 to 16 bits"],
+    ),
+    (
+        "[stop]",
+        "[evaluate]\nrequire_in_band = 0.9\n[stop]",
+        "require",
+        &["evaluate.require_in_band", "part and void", "require_iou"],
     ),
     (
         "[stop]",
@@ -420,6 +533,18 @@ const WRONG: &[Wrong] = &[
         "[printer]\nrefresh_hz = 4.0\n[stop]",
         "[output]",
         &["output.rpm", "5 frames a second", "at most 8 turns"],
+    ),
+    (
+        "\"FOLDER\"",
+        "\"FOLDER\"\nrpm = 900",
+        "rpm",
+        &["output.rpm", "450 frames a second", "at most 480 turns"],
+    ),
+    (
+        "\"FOLDER\"",
+        "\"FOLDER\"\nrpm = 0.01",
+        "rpm",
+        &["output.rpm", "0.005 frames a second", "at least 0.2 turns"],
     ),
     (
         "[stop]",
@@ -481,6 +606,149 @@ fn every_slip_is_named_with_key_line_and_what_is_accepted() {
 fn flat(message: &str) -> String {
     let words = message.split_whitespace().filter(|word| *word != "│");
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// The message of a job that must be refused: exit code 2, earlier outputs as they were, and all of `parts` in it.
+fn refused(bench: &Bench, job: &str, parts: &[&str]) {
+    let before = bench.earlier();
+    let output = bench.tomolith(job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in parts {
+        assert!(
+            flat(&message).contains(part),
+            "`{part}` is not in\n{message}"
+        );
+    }
+    assert_eq!(bench.earlier(), before, "{parts:?} changed earlier outputs");
+}
+
+/// An STL box between two corners.
+fn stl_box([low, high]: [[f64; 3]; 2]) -> String {
+    const FACES: [[usize; 4]; 6] = [
+        [0, 1, 3, 2],
+        [4, 6, 7, 5],
+        [0, 4, 5, 1],
+        [2, 3, 7, 6],
+        [0, 2, 6, 4],
+        [1, 5, 7, 3],
+    ];
+    let corner = |i: usize| {
+        let [x, y, z] = [i >> 2, i >> 1, i].map(|bit| bit & 1);
+        let pick = |axis: usize, upper: usize| [low, high][upper][axis];
+        format!("vertex {} {} {}\n", pick(0, x), pick(1, y), pick(2, z))
+    };
+    FACES
+        .iter()
+        .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
+        .map(|points| {
+            let points: String = points.map(|i| corner(*i)).concat();
+            format!("facet normal 0 0 0\nouter loop\n{points}endloop\nendfacet\n")
+        })
+        .collect()
+}
+
+#[test]
+fn bodies_that_contradict_each_other_are_refused() {
+    let bench = Bench::new();
+    let solid = |name: &str, boxes: &[[[f64; 3]; 2]]| {
+        let facets: String = boxes.iter().copied().map(stl_box).collect();
+        fs::write(bench.path(name), format!("solid a\n{facets}endsolid a\n")).unwrap();
+    };
+    let (first, overlapping) = (
+        [[0.0, 0.0, 0.0], [2.0, 2.0, 1.0]],
+        [[1.0, 1.0, 0.0], [3.0, 2.0, 1.0]],
+    );
+    solid("a.stl", &[first]);
+    solid("b.stl", &[overlapping]);
+    solid("two.stl", &[first, [[3.0, 0.0, 0.0], [4.0, 1.0, 1.0]]]);
+    let job = |bodies: &str| JOB.replace("phantom = \"gear\"\nsize_mm = 2.0", bodies);
+    let keep_dark = "role = \"keep-dark\"";
+    refused(
+        &bench,
+        &job(&format!(
+            "size_mm = 2.0\n[[target.body]]\nmesh = \"a.stl\"\n[[target.body]]\nmesh = \"b.stl\"\n{keep_dark}"
+        )),
+        &[
+            "target.body[1]: this body (keep-dark) and body[0] (print) share",
+            "a printed body that overlaps no insert and no keep-dark body",
+            "job.toml, line 5)",
+        ],
+    );
+    for (components, line, parts) in [
+        (
+            ["[1]", "[3]"],
+            7,
+            ["target.body[1].components: component 3", "2 components"],
+        ),
+        (
+            ["[1]", "[1]"],
+            7,
+            ["component 1, which body[0] has too", "2 components"],
+        ),
+        (
+            ["[1]", "[]"],
+            7,
+            ["no body has component 2", "1.0000 about"],
+        ),
+    ] {
+        let [a, b] = components;
+        let bodies = format!(
+            "mesh = \"two.stl\"\nsize_mm = 2.0\n[[target.body]]\ncomponents = {a}\n[[target.body]]\ncomponents = {b}\n{keep_dark}"
+        );
+        let place = format!("job.toml, line {line})");
+        refused(&bench, &job(&bodies), &[parts[0], parts[1], &place]);
+    }
+}
+
+#[test]
+fn images_of_different_sizes_are_no_stack() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("slices")).unwrap();
+    for (i, width) in [8u32, 8, 9].into_iter().enumerate() {
+        let file = fs::File::create(bench.path(&format!("slices/{i}.png"))).unwrap();
+        let mut encoder = png::Encoder::new(file, width, 8);
+        encoder.set_color(png::ColorType::Grayscale);
+        let pixels = vec![255; width as usize * 8];
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&pixels).unwrap();
+    }
+    let job = JOB.replace("phantom = \"gear\"", "stack = \"slices\"\nheight_mm = 0.5");
+    refused(
+        &bench,
+        &job,
+        &[
+            "target.stack: ",
+            "2.png: slice 3 has 9 × 8 pixels, the first one",
+            "images of one size",
+            "job.toml, line 2)",
+        ],
+    );
+}
+
+#[test]
+fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
+    let bench = Bench::new();
+    let job = JOB
+        .replace(
+            "[objective.threshold]",
+            "[optimizer.osmo]\n[objective.osmo]",
+        )
+        .replace("lower = 0.85\nupper = 0.95", "d_l = 0.0\nd_h = 0.02")
+        .replace("iterations = 2", "iterations = 30");
+    let output = bench.tomolith(&job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "optimizer: normalising by the largest dose, but the dose became zero everywhere",
+        "accepted: thresholds nearer to 1",
+        "job.toml, line ",
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(bench.run_folder().join("checkpoint/patterns.npz").exists());
+    let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
+    assert_eq!(report, "{\"earlier\": true}");
 }
 
 #[test]
@@ -624,6 +892,84 @@ fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
     assert_eq!(output.status.code(), Some(0));
     let resolved = fs::read_to_string(bench.run_folder().join("job.toml")).unwrap();
     assert!(resolved.contains("[objective.l2]"), "{resolved}");
+}
+
+/// A job whose target is a grey image.
+fn grey_job() -> String {
+    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
+    JOB.replace(
+        "phantom = \"gear\"",
+        &format!("image = \"{}\"\nheight_mm = 0.5", image.display()),
+    )
+    .replace(
+        "threshold]\nlower = 0.85\nupper = 0.95",
+        "bclp]\nepsilon = 0.05",
+    )
+}
+
+#[test]
+fn goals_of_part_and_void_are_refused_for_grey_values() {
+    let bench = Bench::new();
+    let grey = grey_job();
+    for (from, to, mark, parts) in [
+        (
+            "iterations = 2",
+            "iou = 0.9",
+            "iou",
+            ["stop.iou: counts part and void", "stop.loss"],
+        ),
+        (
+            "[stop]",
+            "[evaluate]\nrequire_iou = 0.9\n[stop]",
+            "require_iou",
+            ["evaluate.require_iou: counts", "evaluate.require_in_band"],
+        ),
+    ] {
+        let job = grey.replace(from, to);
+        let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
+        let place = format!("job.toml, line {line})");
+        refused(&bench, &job, &[parts[0], parts[1], &place]);
+    }
+    // What the start asks for is known with the voxels only: the brightest rings are above 0.7
+    let job = grey.replace(
+        "epsilon = 0.05",
+        "epsilon = 0.35\n[response.logistic]\nupper = 0.7",
+    );
+    let output = bench.tomolith(&job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "response: the start asks for the dose",
+        "from 0 to 0.7",
+        "job.toml, line 25)",
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
+    assert_eq!(report, "{\"earlier\": true}");
+    for (asked, code) in [("1.0", 1), ("0.0", 0)] {
+        let option = format!("evaluate.require_in_band={asked}");
+        let output = bench.tomolith(&grey, &["--set", &option]);
+        assert_eq!(output.status.code(), Some(code), "{asked}");
+    }
+}
+
+#[test]
+fn resuming_notices_that_a_file_of_the_job_has_other_content() {
+    let bench = Bench::new();
+    let job = JOB.replace("[stop]", "[response.table]\nfile = \"curve.csv\"\n[stop]");
+    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.4\n1 1\n").unwrap();
+    assert!(bench.tomolith(&job, &["--quiet"]).status.success());
+    let resume = || bench.tomolith(&job, &["--resume", "--quiet"]);
+    assert!(resume().status.success());
+    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.6\n1 1\n").unwrap();
+    let output = resume();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("the content of a file that the job names, have changed"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -1,13 +1,17 @@
 //! Throughput of the dose models: `cargo bench -p tomolith --bench models` (add `-- quick` for the 256³ rows alone, `-- plane`
-//! for single slices).
+//! for single slices of 512² and packs of 64 of them, `-- matrix FILE` for a stored matrix of such a slice; `peers_2d.py`
+//! beside this file runs both next to other programs).
 //!
 //! One *update* is one voxel lit by one frame, counted after all masks. Per update the kernel reads two floats of lanes and
 //! does two fused multiply-adds; dose and lanes themselves are streamed once per call. The best of three calls counts.
 #![expect(clippy::print_stdout, reason = "a bench prints its table")]
 
+use std::path::Path;
 use std::time::Instant;
-use tomolith::field::Field;
+use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, VolumeGrid};
+use tomolith::io::csr::Csr;
+use tomolith::models::matrix::MatrixModel;
 use tomolith::models::parallel::{Light, Parallel};
 use tomolith::models::{DoseModel, Run};
 use tomolith::optics::resin::Resin;
@@ -69,15 +73,20 @@ fn cases(quick: bool) -> Vec<Case> {
     cases
 }
 
-/// The rows of one slice of 512² voxels.
+/// The rows of one slice of 512² voxels, and of many 2D problems with one geometry, which are as many slices.
 fn planes() -> Vec<Case> {
-    let plane = |case: Case| Case {
-        n: 512,
-        slices: 1,
-        ..case
+    let of = |slices: usize| {
+        cases(true).into_iter().map(move |case| Case {
+            n: 512,
+            slices,
+            ..case
+        })
     };
-    cases(true).into_iter().map(plane).collect()
+    of(1).chain(of(PACK)).collect()
 }
+
+/// 2D problems of a pack.
+const PACK: usize = 64;
 
 fn best_of_three(mut call: impl FnMut()) -> f64 {
     let time = |_| {
@@ -95,55 +104,82 @@ fn peak_mb() -> Option<u64> {
     Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? / 1024)
 }
 
+impl Case {
+    fn grid(&self) -> VolumeGrid {
+        let pitch = self.grid_mm / self.n as f64;
+        VolumeGrid::centered([self.slices, self.n, self.n], pitch)
+    }
+
+    fn pixels(&self) -> PatternGrid {
+        let pitch = self.field_mm / self.n as f64;
+        PatternGrid::full_turn(self.angles, 0.0, self.slices, self.n, pitch)
+    }
+}
+
+/// Times both calls of a model and prints a row for each.
+fn rows(
+    case: &Case,
+    model: &dyn DoseModel<Field = HostField>,
+    updates: f64,
+    built: f64,
+) -> Result<(), tomolith::Error> {
+    let run = Run::new();
+    let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+    x.fill(1.0);
+    let mut grad = x.zeros_like();
+    // Lanes of all pixels written and read once, dose read and written once, two floats a tap from the caches
+    let bytes = 8.0 + 4.0 * (3 * x.len() + 2 * dose.len()) as f64 / updates;
+    let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never cancelled"));
+    let adjoint = best_of_three(|| {
+        model
+            .pullback(&x, &dose, &mut grad, &run)
+            .expect("never cancelled")
+    });
+    for (call, seconds) in [("dose", forward), ("adjoint", adjoint)] {
+        println!(
+            "{:10} {:>4}²·{:<4} {call:8} {seconds:8.4}  {:7.2} G  {bytes:12.2}  {:7}  {built:7.3}",
+            case.name,
+            case.n,
+            case.slices,
+            updates / seconds / 1e9,
+            peak_mb().unwrap_or_default(),
+        );
+    }
+    Ok(())
+}
+
+/// A matrix of one slice of 512² voxels by 360 frames of 512 columns.
+fn matrix(file: &Path) -> Result<(), tomolith::Error> {
+    let straight = straight(512, Resin::pure_radon(1.4849), "matrix");
+    let case = Case {
+        slices: 1,
+        ..straight
+    };
+    let start = Instant::now();
+    let model = MatrixModel::new(&Csr::read(file)?, vec![case.pixels()], case.grid())?;
+    let built = start.elapsed().as_secs_f64();
+    rows(&case, &model, (512 * 512 * case.angles) as f64, built)
+}
+
 fn main() -> Result<(), tomolith::Error> {
-    let asked = |name: &str| std::env::args().any(|a| a == name);
+    let arguments: Vec<String> = std::env::args().collect();
+    let asked = |name: &str| arguments.iter().any(|a| a == name);
+    println!("{} threads", rayon::current_num_threads());
+    println!("model      voxels     call      seconds  updates/s  bytes/update  peak MB  build s");
+    if let Some(i) = arguments.iter().position(|a| a == "matrix") {
+        return matrix(Path::new(&arguments[i + 1]));
+    }
     let cases = if asked("plane") {
         planes()
     } else {
         cases(asked("quick"))
     };
-    println!("{} threads", rayon::current_num_threads());
-    println!("model      voxels     call      seconds  updates/s  bytes/update  peak MB  build s");
     for case in cases {
-        let pixels = PatternGrid::full_turn(
-            case.angles,
-            0.0,
-            case.slices,
-            case.n,
-            case.field_mm / case.n as f64,
-        );
-        let grid =
-            VolumeGrid::centered([case.slices, case.n, case.n], case.grid_mm / case.n as f64);
+        let light = Light::new(case.pixels(), case.resin);
         let start = Instant::now();
-        let model = Parallel::new(
-            case.vial.as_ref(),
-            vec![Light::new(pixels, case.resin)],
-            grid,
-        )?;
+        let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
         let built = start.elapsed().as_secs_f64();
-        let run = Run::new();
-        let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
-        x.fill(1.0);
-        let mut grad = x.zeros_like();
-        let updates = DoseModel::updates(&model) as f64;
-        // Lanes of all pixels written and read once, dose read and written once, two floats a tap from the caches
-        let bytes = 8.0 + 4.0 * (3 * x.len() + 2 * dose.len()) as f64 / updates;
-        let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never cancelled"));
-        let adjoint = best_of_three(|| {
-            model
-                .pullback(&x, &dose, &mut grad, &run)
-                .expect("never cancelled")
-        });
-        for (call, seconds) in [("dose", forward), ("adjoint", adjoint)] {
-            println!(
-                "{:10} {:>4}²·{:<4} {call:8} {seconds:8.3}  {:7.1} G  {bytes:12.2}  {:7}  {built:7.3}",
-                case.name,
-                case.n,
-                case.slices,
-                updates / seconds / 1e9,
-                peak_mb().unwrap_or_default(),
-            );
-        }
+        rows(&case, &model, DoseModel::updates(&model) as f64, built)?;
     }
     Ok(())
 }

@@ -141,10 +141,14 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
                 format!("{key}.{word}")
             };
         }
+        let accepted = match names {
+            [] => "nothing: this table has no keys".to_owned(),
+            names => names.join(", "),
+        };
         return Error::Config {
             key,
             found: format!("unknown name `{word}`"),
-            accepted: names.join(", "),
+            accepted,
             nearest: nearest_name(word, names.iter().copied()).map(str::to_owned),
             place: None,
         };

@@ -69,6 +69,16 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
             "evaluate.threshold beside it",
         )
     })?;
+    let [low, high] = response.range();
+    if threshold <= low || threshold >= high {
+        return Err(Error::config(
+            "printer.time_s",
+            format!(
+                "a time, but the resin would be solid at {threshold:.3} and its response goes from {low} to {high}"
+            ),
+            "bands within the response's range, or evaluate.threshold there",
+        ));
+    }
     let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
     let frames = spec.light.iter().map(|light| light.angles.count()).sum();
     let exposure = Exposure {

@@ -23,6 +23,10 @@ const BYTES_PER_VOXEL: f64 = 21.0;
 const BYTES_PER_FINE_VOXEL: f64 = 21.0;
 /// Raw, quantised and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
+/// Weight, lower and upper end of the band, where they differ from voxel to voxel.
+const BYTES_PER_VOXEL_OF_FIELDS: f64 = 12.0;
+/// A level of a machine's canvas.
+const BYTES_PER_CANVAS_PIXEL: f64 = 2.0;
 /// What every run needs: the program, the report, one movie frame, …
 const BASE_MB: f64 = 20.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
@@ -61,6 +65,12 @@ pub(crate) struct Extent {
     pub(crate) columns: usize,
     /// The optimiser's memory m.
     pub(crate) memory: usize,
+    /// Objectives whose weights or bands differ from voxel to voxel.
+    pub(crate) fields: usize,
+    /// Pixels of all frames on the machine's canvases, 0 without a machine.
+    pub(crate) canvas: usize,
+    /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
+    pub(crate) stacked: usize,
 }
 
 impl Extent {
@@ -93,6 +103,9 @@ impl Extent {
                 .map(|l| l.pixels.frames() * l.pixels.columns)
                 .sum(),
             memory,
+            fields: 0,
+            canvas: 0,
+            stacked: 0,
         }
     }
 
@@ -110,8 +123,9 @@ impl Extent {
     pub(crate) fn optimisation(&self) -> [f64; 2] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
+        let per_voxel = BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS;
         [
-            self.lanes(1) * BYTES_PER_VOXEL / 1e6,
+            self.lanes(1) * per_voxel / 1e6,
             (self.scratch(1) + patterns) / 1e6,
         ]
     }
@@ -121,8 +135,13 @@ impl Extent {
         let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
         [
             self.lanes(self.refine) * BYTES_PER_FINE_VOXEL / 1e6,
-            (self.scratch(self.refine) + patterns) / 1e6,
+            (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
         ]
+    }
+
+    /// Memory of the levels of all canvases, which are made to be written, MB.
+    pub(crate) fn canvas_mb(&self) -> f64 {
+        self.canvas as f64 * BYTES_PER_CANVAS_PIXEL / 1e6
     }
 
     /// Memory of the optimisation, MB.
@@ -143,6 +162,7 @@ impl Extent {
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
             + fine.powf(2.0 / 3.0) * BYTES_PER_FACE_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
+            + (self.canvas * self.stacked) as f64
             + checkpoint;
         (10.0 + bytes / 1e6) as u64
     }
@@ -322,6 +342,9 @@ mod tests {
             pixels: 2000,
             columns: 600,
             memory: 10,
+            fields: 0,
+            canvas: 0,
+            stacked: 0,
         }
     }
 
@@ -385,6 +408,16 @@ mod tests {
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
         assert_eq!(whole_mb([300.0, 4.5]), 324);
+        // Two objectives with fields, and 4·10⁶ pixels of canvas that also go to a stack of two bytes each
+        let larger = Extent {
+            fields: 2,
+            canvas: 4_000_000,
+            stacked: 2,
+            ..extent.clone()
+        };
+        assert!((larger.optimisation()[0] - lanes * 45.0 / 1e6).abs() < 1e-12);
+        assert!((larger.evaluation()[1] - extent.evaluation()[1] - 8.0).abs() < 1e-12);
+        assert_eq!(larger.disk_mb(), extent.disk_mb() + 8);
     }
 
     #[test]

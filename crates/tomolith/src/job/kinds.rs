@@ -1,6 +1,7 @@
 //! Every row of every family's table in one list: help pages, the schema and the defaults of a resolved job come from
 //! here.
 
+use crate::error::Error;
 use crate::kind::{Kind, KindPage};
 use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
@@ -109,6 +110,52 @@ pub fn with_defaults(pages: &[KindPage], section: &Value) -> Value {
         }
     }
     section
+}
+
+/// Families whose kinds together are one method, so that a key may be looked for in the wrong one of them.
+const METHOD: [&str; 2] = ["optimizer", "start"];
+
+/// Adds to the refusal of an unknown key which other kinds do have it: a filter given to a method without one, for example.
+pub(crate) fn known_elsewhere(error: Error) -> Error {
+    let Error::Config {
+        key,
+        found,
+        mut accepted,
+        nearest,
+        place,
+    } = error
+    else {
+        return error;
+    };
+    let mut names = key.rsplitn(3, '.');
+    if let (Some(name), Some(kind), Some(family)) = (names.next(), names.next(), names.next())
+        && found == format!("unknown name `{name}`")
+    {
+        let owners = owners(family, name);
+        if !owners.is_empty() {
+            accepted = format!("{accepted}; `{kind}` has no `{name}`, these have: {owners}");
+        }
+    }
+    Error::Config {
+        key,
+        found,
+        accepted,
+        nearest,
+        place,
+    }
+}
+
+/// The kinds of a family, or of a method's two, that have a parameter of this name.
+fn owners(family: &str, parameter: &str) -> String {
+    let related =
+        |other: &str| other == family || [family, other].iter().all(|name| METHOD.contains(name));
+    let mut owners = Vec::new();
+    for family in families().iter().filter(|f| related(f.name)) {
+        let has = |page: &&KindPage| parameters(page).iter().any(|p| p.name == parameter);
+        let kinds = family.kinds.iter().filter(has);
+        owners.extend(kinds.map(|page| format!("{}.{}", family.name, page.name)));
+    }
+    owners.join(", ")
 }
 
 /// The type of a property in a person's words.

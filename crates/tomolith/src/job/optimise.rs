@@ -4,7 +4,7 @@ use super::coarse;
 use super::folder::RunFolder;
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
-use super::scene::{Scene, Voxels};
+use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::field::{BLOCK, Field, HostField};
@@ -21,6 +21,7 @@ use crate::optimize::{
 use rayon::prelude::*;
 use serde_json::Value;
 use std::borrow::Cow;
+use std::io::Read;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -111,7 +112,7 @@ pub(crate) fn optimise(
     let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
-        fingerprint(&tables, voxels),
+        fingerprint(&tables, voxels, &scene.base)?,
         &spec.checkpoint,
     )?
     .describing(tables);
@@ -170,7 +171,8 @@ pub(crate) fn optimise(
         Err(error @ Error::Format { .. }) => Err(begin_anew(error)),
         stopped => {
             keep(scene, &raw, &folder.checkpoint(), progress)?;
-            Err(stopped.err().unwrap_or(Error::Cancelled))
+            let error = stopped.err().unwrap_or(Error::Cancelled);
+            Err(at_section("optimizer", error))
         }
     }
 }
@@ -474,11 +476,14 @@ fn as_floats(value: &mut Value) {
     }
 }
 
-/// What makes a checkpoint belong to this job: its tables, and the voxels in place of the target's table.
-fn fingerprint(tables: &Value, voxels: &Voxels) -> u64 {
+/// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
+/// target's table.
+fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     let mut tables = tables.clone();
+    let mut start = Value::Null;
     if let Some(map) = tables.as_object_mut() {
         map.remove("target");
+        start = map.remove("start").unwrap_or_default();
     }
     let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
     let inside: Vec<u64> = voxels
@@ -488,17 +493,61 @@ fn fingerprint(tables: &Value, voxels: &Voxels) -> u64 {
         .par_chunks(BLOCK)
         .map(|block| hash(bytemuck::cast_slice(block)))
         .collect();
-    let parts = [
+    let mut parts = vec![
         hash(tables.to_string().as_bytes()),
+        hash(start.to_string().as_bytes()),
         hash(bytemuck::cast_slice(&labels)),
         hash(bytemuck::cast_slice(&inside)),
     ];
-    hash(bytemuck::cast_slice(&parts))
+    contents(&tables, base, &mut parts)?;
+    // The scene has found its file already
+    contents(&start, Path::new(""), &mut parts)?;
+    Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// Keys that name a file: fields, curves, maps, a matrix.
+const FILES: [&str; 3] = ["file", "absorption", "attenuation"];
+
+/// Hashes of the contents of all files that tables name, in the order of their keys.
+fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    match tables {
+        Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
+        Value::Object(map) => map.iter().try_for_each(|(key, value)| {
+            match value.as_str().filter(|_| FILES.contains(&key.as_str())) {
+                Some(file) => found.push(content(&base.join(file))?),
+                None => contents(value, base, found)?,
+            }
+            Ok(())
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Hash of a file's content.
+fn content(path: &Path) -> Result<u64> {
+    let failed = |e| Error::io(path, e);
+    let mut file = std::fs::File::open(path).map_err(failed)?;
+    let (mut block, mut sum) = (vec![0u8; BLOCK], FNV);
+    loop {
+        let read = file.read(&mut block).map_err(failed)?;
+        if read == 0 {
+            return Ok(sum);
+        }
+        sum = hash_on(sum, &block[..read]);
+    }
 }
 
 /// FNV-1a, 64 bits.
 fn hash(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |h, &b| {
+    hash_on(FNV, bytes)
+}
+
+/// Where FNV-1a begins.
+const FNV: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// Goes on with FNV-1a.
+fn hash_on(sum: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(sum, |h, &b| {
         (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }

@@ -75,6 +75,8 @@ pub struct Summary {
     pub optimisation: Option<Quality>,
     /// The IoU that was asked for.
     pub required_iou: Option<f64>,
+    /// The share of voxels in their bands that was asked for.
+    pub required_in_band: Option<f64>,
     /// Seconds in all.
     pub seconds: f64,
 }
@@ -83,8 +85,11 @@ impl Summary {
     /// Whether the asked quality was met.
     #[must_use]
     pub fn is_met(&self) -> bool {
-        self.required_iou
-            .is_none_or(|asked| self.evaluation.iou.is_some_and(|iou| iou >= asked))
+        let in_band = self.evaluation.grey.as_ref().and_then(|grey| grey.in_band);
+        let reached = |asked: Option<f64>, found: Option<f64>| {
+            asked.is_none_or(|asked| found.is_some_and(|found| found >= asked))
+        };
+        reached(self.required_iou, self.evaluation.iou) && reached(self.required_in_band, in_band)
     }
 }
 
@@ -109,13 +114,14 @@ impl fmt::Display for Summary {
         }
         row("written, standing still", &self.standing)?;
         row("written, turning", &self.evaluation)?;
-        if let Some(asked) = self.required_iou {
-            let verdict = if self.is_met() { "met" } else { "NOT met" };
-            writeln!(
-                f,
-                "{:>28} {asked:9.4} {verdict}",
-                "asked (evaluate.require_iou)"
-            )?;
+        for (key, asked) in [
+            ("require_iou", self.required_iou),
+            ("require_in_band", self.required_in_band),
+        ] {
+            if let Some(asked) = asked {
+                let verdict = if self.is_met() { "met" } else { "NOT met" };
+                writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
+            }
         }
         writeln!(
             f,

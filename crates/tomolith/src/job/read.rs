@@ -144,7 +144,7 @@ impl Job {
             .for_each(|printer| printer.coarsen(TOY));
         spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
         spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
-        spec.evaluate.require_iou = None;
+        (spec.evaluate.require_iou, spec.evaluate.require_in_band) = (None, None);
         self
     }
 

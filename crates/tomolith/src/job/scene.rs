@@ -4,6 +4,7 @@ use super::build::Optics;
 use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
+use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
@@ -17,7 +18,7 @@ use crate::objective::emphasis::{Common, Ground};
 use crate::objective::penalty::{PENALTIES, Penalties};
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
-use crate::optimize::{OPTIMIZERS, Optimizer};
+use crate::optimize::{Needs, OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{self, Resolution, Role, Shape, Target, default_grid, label, label_voxels};
 use serde_json::Value;
@@ -81,7 +82,8 @@ impl Scene {
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
-        try_kinds(&spec, shape.is_grey(), &job.base())?;
+        try_kinds(&spec, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
+        counted_as(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         for section in spec.objectives()? {
@@ -92,13 +94,19 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
-        let extent = Extent::new(
-            &optics,
-            &grid,
-            shape.bounds_mm(),
-            spec.evaluate.refine,
-            memory,
-        );
+        let canvases = printers.iter().flatten().map(Printer::canvas_grid);
+        let extent = Extent {
+            fields: with_fields(&spec, shape.is_grey())?,
+            canvas: canvases.map(|canvas| canvas.len()).sum(),
+            stacked: bytes_stacked(&spec),
+            ..Extent::new(
+                &optics,
+                &grid,
+                shape.bounds_mm(),
+                spec.evaluate.refine,
+                memory,
+            )
+        };
         let mut scene = Scene {
             base: job.base(),
             name: spec.target.name(),
@@ -187,6 +195,10 @@ impl Scene {
             let (key, accepted) = if voxels_mb >= pixels_mb {
                 let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
                 (grid_key(&self.spec), accepted)
+            } else if what.ends_with("evaluation") && 2.0 * self.extent.canvas_mb() > pixels_mb {
+                let accepted =
+                    "a smaller canvas (it need only hold the patterns), or fewer light.angles";
+                ("printer.canvas".to_owned(), accepted)
             } else {
                 let accepted = "fewer pixels or angles (light.pixels, light.angles)";
                 (pixels_key(&self.spec), accepted)
@@ -225,6 +237,27 @@ impl Scene {
             }
         }
         Ok(Voxels { target, labels })
+    }
+
+    /// Refuses a start that asks for doses which the material does not have, once the values of a grey target are known.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
+        if !voxels.target.grey || !asks_for_doses(&self.spec)? {
+            return Ok(());
+        }
+        let values = voxels
+            .target
+            .inside
+            .values
+            .iter()
+            .zip(&voxels.labels.values);
+        let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
+        let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
+        dose_for(self.response()?.as_ref(), f64::from(highest))
+            .map(drop)
+            .map_err(|e| e.under("response"))
     }
 
     /// Share of each voxel that no light may pass, when the target has such bodies.
@@ -302,6 +335,22 @@ impl Voxels {
     }
 }
 
+/// Objectives with numbers of their own for every voxel.
+fn with_fields(spec: &JobSpec, grey: bool) -> Result<usize> {
+    let mut count = 0;
+    for section in spec.objectives()? {
+        let (common, _) = Common::split(section)?;
+        count += usize::from(grey || common.has_fields());
+    }
+    Ok(count)
+}
+
+/// Bytes of a canvas pixel in `frames.npz`, 0 when the job asks for none.
+fn bytes_stacked(spec: &JobSpec) -> usize {
+    let asked = spec.printer.as_ref().is_some_and(|printer| printer.stack);
+    usize::from(asked) * if spec.evaluate.bit_depth > 8 { 2 } else { 1 }
+}
+
 /// The key that says how many voxels there are.
 fn grid_key(spec: &JobSpec) -> String {
     let key = if spec.grid.shape.is_some() {
@@ -340,7 +389,7 @@ fn at_grid(spec: &JobSpec, error: Error) -> Error {
 }
 
 /// Says which key named what cannot be used with this target.
-fn at_section(path: &str, error: Error) -> Error {
+pub(super) fn at_section(path: &str, error: Error) -> Error {
     match error {
         Error::Unsupported { what, reason } => {
             let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
@@ -475,7 +524,7 @@ fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
     };
     let labels = label_voxels(&target, |_| true);
     let response = response(Section::new("response", spec.response.clone()).based(base))?;
-    objectives(
+    let objective = objectives(
         spec,
         &ObjectiveInput {
             layout: &layout,
@@ -486,14 +535,96 @@ fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
         base,
         false,
     )?;
-    let (kind, _) = Section::new("start", spec.start.clone()).kind(STARTS)?;
-    if kind.name != "zero" {
-        // A start from the target asks for the dose of its response
+    solid_at(spec, response.as_ref())?;
+    penalties(spec, &[])?;
+    fit_together(spec, &optimizer(spec)?.needs(), objective.is_convex())?;
+    start(spec)?;
+    // Of a grey target the values are not known yet
+    if asks_for_doses(spec)? && !grey {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
     }
-    penalties(spec, &[])?;
-    optimizer(spec)?;
-    start(spec).map(drop)
+    Ok(())
+}
+
+/// Whether the start asks for the doses with which the material responds as the target wants.
+fn asks_for_doses(spec: &JobSpec) -> Result<bool> {
+    let (kind, _) = Section::new("start", spec.start.clone()).kind(STARTS)?;
+    Ok(!["zero", "patterns"].contains(&kind.name))
+}
+
+/// Refuses a threshold at which no dose makes the resin solid, or every one.
+fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
+    let [low, high] = response.range();
+    match spec.evaluate.threshold {
+        Some(threshold) if threshold <= low || threshold >= high => Err(Error::config(
+            "evaluate.threshold",
+            format!("found {threshold}, but the response goes from {low} to {high}"),
+            "a response between these two",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses what an optimiser cannot have beside it, with the key of the other.
+fn fit_together(spec: &JobSpec, needs: &Needs, is_convex: bool) -> Result<()> {
+    let method = format!("optimizer.{}", needs.name);
+    let not_convex = "an objective and a response that are not convex together";
+    for (reason, is_there, key, other) in [
+        (
+            needs.continuous,
+            spec.bounds.bits.is_some(),
+            "bounds.bits",
+            "rounding in every step",
+        ),
+        (
+            needs.unpenalised,
+            !spec.penalties.is_empty(),
+            "penalties[0]",
+            "penalties",
+        ),
+        (needs.convex, !is_convex, method.as_str(), not_convex),
+    ] {
+        if let Some(reason) = reason.filter(|_| is_there) {
+            return Err(Error::config(
+                key,
+                format!("{method} with {other}: {reason}"),
+                "only one of the two",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses goals that count part and void for a target that has none, and the other way round.
+fn counted_as(spec: &JobSpec, grey: bool) -> Result<()> {
+    let (stop, evaluate) = (&spec.stop, &spec.evaluate);
+    let of_part = "counts part and void, but the values of a grey target are to be reproduced";
+    let of_grey = "counts voxels in the bands of a grey target, but this one has part and void";
+    for (key, is_there, found, accepted) in [
+        (
+            "stop.iou",
+            grey && stop.iou.is_some(),
+            of_part,
+            "stop.loss (bclp: 0 when every voxel is in its band) or stop.change",
+        ),
+        (
+            "evaluate.require_iou",
+            grey && evaluate.require_iou.is_some(),
+            of_part,
+            "evaluate.require_in_band, the share of voxels in their bands",
+        ),
+        (
+            "evaluate.require_in_band",
+            !grey && evaluate.require_in_band.is_some(),
+            of_grey,
+            "evaluate.require_iou",
+        ),
+    ] {
+        if is_there {
+            return Err(Error::config(key, found, accepted));
+        }
+    }
+    Ok(())
 }
 
 /// The grid of a job: given, or round the target and cut by the resin.

@@ -289,7 +289,7 @@ pub struct StopSpec {
     pub change: Option<f64>,
     /// The loss; 0 always ends it.
     pub loss: f64,
-    /// IoU on the optimisation grid, 0 to 1.
+    /// IoU on the optimisation grid, 0 to 1; not for grey targets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub iou: Option<f64>,
     /// Wall time of the optimisation, s.
@@ -315,6 +315,9 @@ pub struct EvaluateSpec {
     /// IoU that the evaluation must reach: below it the command ends with exit code 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_iou: Option<f64>,
+    /// Grey targets: share of the voxels that must be in their bands, 0 to 1; else as `require_iou`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require_in_band: Option<f64>,
 }
 
 /// What is written, and where.
@@ -388,6 +391,7 @@ impl Default for EvaluateSpec {
             threshold: None,
             trim_percent: 0.025,
             require_iou: None,
+            require_in_band: None,
         }
     }
 }

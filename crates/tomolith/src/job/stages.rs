@@ -29,6 +29,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
+    scene.must_start(&voxels).map_err(|e| job.locate(e))?;
     clock.stage("optimising");
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
@@ -181,6 +182,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
     let begin = Instant::now();
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
     let sampling_s = begin.elapsed().as_secs_f64();
+    scene.must_start(&voxels).map_err(|e| job.locate(e))?;
     let mut warnings = scene.warnings.clone();
     warnings.extend(
         scene
@@ -275,6 +277,7 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
         required_iou: done.scene.spec.evaluate.require_iou,
+        required_in_band: done.scene.spec.evaluate.require_in_band,
         seconds: begin.elapsed().as_secs_f64(),
     }
 }

@@ -312,6 +312,15 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     optional(evaluate.require_iou, |v| {
         within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
     })?;
+    optional(evaluate.require_in_band, |v| {
+        within(
+            "evaluate.require_in_band",
+            v,
+            0.0,
+            1.0,
+            "a number from 0 to 1",
+        )
+    })?;
     positive("output.rpm", spec.output.rpm, "turns per minute")?;
     if spec.output.rpm > MOST_RPM {
         return Err(Error::config(
@@ -455,6 +464,7 @@ mod tests {
             ("evaluate.refine=0", "evaluate.refine"),
             ("evaluate.trim_percent=50", "evaluate.trim_percent"),
             ("evaluate.require_iou=99", "evaluate.require_iou"),
+            ("evaluate.require_in_band=-1", "evaluate.require_in_band"),
             ("evaluate.threshold=0", "evaluate.threshold"),
             ("output.rpm=0", "output.rpm"),
             ("output.rpm=90", "output.rpm"),

@@ -277,6 +277,12 @@ impl Common {
         self.tolerance.as_ref().is_none_or(|t| t.file.is_none())
     }
 
+    /// Whether weights or bands differ from voxel to voxel.
+    #[must_use]
+    pub fn has_fields(&self) -> bool {
+        self.region.is_some() || self.weights.is_some() || self.tolerance.is_some()
+    }
+
     /// Weight and tolerance of every element of the dose field.
     ///
     /// # Errors

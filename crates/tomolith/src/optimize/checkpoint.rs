@@ -275,7 +275,10 @@ impl Checkpoints {
             differences("", &header.job, &self.job, &mut changes);
             let changed = match (changes.as_slice(), &self.job) {
                 (_, Value::Null) => "another problem".to_owned(),
-                ([], _) => "the target's voxels have changed".to_owned(),
+                ([], _) => {
+                    "the target's voxels, or the content of a file that the job names, have changed"
+                        .to_owned()
+                }
                 (changes, _) => changes.join(", "),
             };
             return Err(Error::Format {

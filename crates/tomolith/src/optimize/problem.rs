@@ -281,7 +281,7 @@ impl<'a, F: Field> Problem<'a, F> {
         if largest == 0.0 {
             return Err(Error::Unsupported {
                 what: "normalising by the largest dose".to_owned(),
-                reason: "the dose became zero everywhere; thresholds nearer to the ceiling, or another start, keep light"
+                reason: "the dose became zero everywhere; thresholds nearer to 1, fewer steps, or another method"
                     .to_owned(),
             });
         }

@@ -69,21 +69,14 @@ pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<(logistic::Params, f64
             format!("at least {} for a fit", unknowns + 1),
         ));
     }
-    let falls = || {
-        Error::config(
-            "response",
-            "a response that falls with dose or stays the same",
-            "one that rises",
-        )
-    };
     if curve.responses[n - 1] <= curve.responses[0] {
-        return Err(falls());
+        return Err(falls(curve));
     }
     let fit = Fit { curve, unknowns };
     let theta = fit.levenberg(start(&curve.monotone()));
     let [lower, upper, b, midpoint, v] = theta;
     if lower >= upper || !theta.iter().all(|v| v.is_finite()) {
-        return Err(falls());
+        return Err(falls(curve));
     }
     let found = logistic::Params {
         lower,
@@ -93,6 +86,16 @@ pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<(logistic::Params, f64
         asymmetry: v.exp(),
     };
     Ok((found, (fit.cost(&theta) / n as f64).sqrt()))
+}
+
+/// The refusal of points through which no rising curve goes.
+fn falls(curve: &Curve) -> Error {
+    let (first, last) = (curve.responses[0], curve.responses[curve.doses.len() - 1]);
+    Error::config(
+        "response",
+        format!("a response that falls with dose or stays the same: from {first} to {last}"),
+        "responses that rise with dose, noise apart",
+    )
 }
 
 /// A, K, ln B, M and ln ν.
@@ -227,10 +230,13 @@ fn build(params: &Params, curve: &Curve) -> Result<Box<dyn Response>> {
             logistic(curve, params.asymmetry)?.0,
         )?)),
         Form::Table => {
-            let curve = curve.monotone();
+            let level = curve.monotone();
+            if level.responses[0] == level.responses[level.doses.len() - 1] {
+                return Err(falls(curve));
+            }
             Ok(Box::new(Table::new(
-                &curve.doses,
-                &curve.responses,
+                &level.doses,
+                &level.responses,
                 Beyond::Flat,
             )?))
         }

@@ -65,9 +65,10 @@ pub fn dose_for(response: &dyn Response, wanted: f64) -> Result<f32> {
     let [low, high] = response.range();
     Err(Error::config(
         "",
-        format!("no dose has the response {wanted} that the target asks for"),
+        format!("the start asks for the dose of the response {wanted}, and no dose has it"),
         format!(
-            "a response that reaches it, this one goes from {low} to {high}; or start = \"zero\""
+            "a response that reaches it, this one goes from {low} to {high}; or a start that does not ask for it: \
+             [start.zero], [start.patterns]"
         ),
     ))
 }
