@@ -41,7 +41,7 @@ pub(crate) fn flat(only: Option<&str>, which: Option<&str>) -> Result<(), Error>
         (
             "chart",
             json!({"resolution_chart": {"size_mm": 4.4, "height_mm": 20.0}}),
-            320,
+            256,
             (0.60, 0.76),
         ),
     ];

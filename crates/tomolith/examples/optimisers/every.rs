@@ -18,26 +18,32 @@ type Recipe = (&'static str, Value, f64, [usize; 3], usize);
 
 /// Those of four flat parts, a gyroid and the boat that are named, or all; the boat only when its mesh is given.
 fn six(mesh: Option<&Path>, names: &[&str]) -> impl Iterator<Item = Result<Case, Error>> {
-    let flat =
-        |name, phantom: Value| (name, json!({ "phantom": phantom }), 6.4, [1, 256, 256], 360);
+    let flat = |name, n: usize, phantom: Value| {
+        let target = json!({ "phantom": phantom });
+        (name, target, 6.4, [1, n, n], 45 * n / 32)
+    };
     let mut recipes: Vec<Recipe> = vec![
         flat(
             "disc",
+            128,
             json!({"cylinder": {"size_mm": 3.2, "height_mm": 20.0}}),
         ),
         flat(
             "dog-bones",
+            128,
             json!({"dog_bones": {"size_mm": 5.0, "height_mm": 20.0}}),
         ),
         flat(
             "chart",
+            192,
             json!({"resolution_chart": {"size_mm": 4.4, "height_mm": 20.0}}),
         ),
         flat(
             "gear",
+            128,
             json!({"gear": {"size_mm": 5.0, "height_mm": 20.0, "teeth": 12, "bore_mm": 1.6}}),
         ),
-        gyroid_recipe(96),
+        gyroid_recipe(64),
     ];
     match mesh {
         // 10 mm long and 8 mm high
@@ -45,8 +51,8 @@ fn six(mesh: Option<&Path>, names: &[&str]) -> impl Iterator<Item = Result<Case,
             "boat",
             json!({"mesh": mesh, "size_mm": 10.0}),
             11.6,
-            [90, 128, 128],
-            96,
+            [67, 96, 96],
+            72,
         )),
         None => println!("the boat is left out: no mesh was given"),
     }
@@ -109,7 +115,7 @@ fn methods(step: f64, largest: f64) -> Vec<Method> {
 }
 
 /// Adam's step as a share of the start's largest pixel.
-const ADAM: f64 = 0.01;
+const ADAM: f64 = 0.03;
 
 /// Every optimiser on the targets of these names (none: all): tables, and every measurement into a file when one is given.
 pub(crate) fn optimisers(
@@ -144,7 +150,7 @@ pub(crate) fn optimisers(
             row(&method.name, &solved.samples);
             for s in &solved.samples {
                 let q = &s.quality;
-                let numbers = [s.seconds, q.loss, q.common.pw, q.iou].map(|v| format!("{v:.5}"));
+                let numbers = [s.seconds, q.loss, q.common.pw, q.iou].map(|v| format!("{v:.5e}"));
                 let _ = writeln!(
                     lines,
                     "{};{};{};{}",

@@ -20,6 +20,8 @@ const LEFT: f64 = 46.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 24.0;
 const BOTTOM: f64 = 36.0;
+/// Losses below are drawn here: what is left is rounding.
+const FLOOR: f64 = 1e-5;
 /// Panels beside each other.
 const ACROSS: usize = 3;
 /// Curves that are drawn, with colour and dashes; the others would hide them.
@@ -67,7 +69,7 @@ pub(crate) fn picture(panels: &[Panel]) -> String {
     out
 }
 
-/// Logarithms of the ends of an axis: whole decades for the loss, the data's own for the seconds.
+/// Logarithms of the smallest and the largest value.
 fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values
         .filter(|v| *v > 0.0)
@@ -84,7 +86,7 @@ fn draw(panel: &Panel) -> String {
         .collect();
     let points = || curves.iter().flat_map(|(_, curve)| &curve.points);
     let x = span(points().map(|p| p[0]));
-    let y = span(points().map(|p| p[1])).map(f64::from);
+    let y = span(points().map(|p| p[1].max(FLOOR)));
     let y = [y[0].floor(), y[1].ceil()];
     let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
     let px = |v: f64| LEFT + (v.log10() - x[0]) / (x[1] - x[0]).max(1e-9) * (right - LEFT);
@@ -120,7 +122,7 @@ fn draw(panel: &Panel) -> String {
         let path: Vec<String> = curve
             .points
             .iter()
-            .map(|p| format!("{:.1} {:.1}", px(p[0]), py(p[1])))
+            .map(|p| format!("{:.1} {:.1}", px(p[0]), py(p[1].max(FLOOR))))
             .collect();
         let _ = write!(
             out,
@@ -138,7 +140,8 @@ fn ticks([low, high]: [f64; 2], steps: &[f64]) -> Vec<(f64, String)> {
         for step in steps {
             let value = step * 10f64.powi(power);
             if (low - 1e-9..=high + 1e-9).contains(&value.log10()) {
-                ticks.push((value, format!("{value}")));
+                let decimals = usize::try_from(-power).unwrap_or(0);
+                ticks.push((value, format!("{value:.decimals$}")));
             }
         }
     }
