@@ -86,8 +86,10 @@ impl Default for Params {
 const POWERS: usize = 10;
 /// The largest factor by which L may grow beyond its first value.
 const GROWTH: f64 = 1024.0;
-/// What a loss may lie above its bound by rounding.
+/// What a loss may lie above its bound by the rounding of its sum.
 const ROUNDING: f64 = 1e-5;
+/// What a dose in f32 may be wrong by, as a share of it.
+const DOSE_ROUNDING: f64 = 1e-6;
 
 /// FISTA; see the [module](self).
 pub struct Fista<F> {
@@ -265,7 +267,9 @@ impl<F: Field> Optimizer<F> for Fista<F> {
             trial.axpy(1.0, step);
             problem.evaluate(trial, at)?;
             let promised = loss_at_y + sums.slope + 0.5 * lipschitz * sums.square;
-            let kept = at.loss <= promised + ROUNDING * loss_at_y;
+            // Near a loss of zero what rounding does to the doses is more than a step gains
+            let kept = at.loss <= promised + ROUNDING * loss_at_y
+                || at.loss <= promised + DOSE_ROUNDING * at.cotangent.norm() * at.dose.norm();
             if kept || !checked || lipschitz >= GROWTH * first || !at.loss.is_finite() {
                 break sums;
             }
@@ -454,6 +458,32 @@ mod tests {
             "{} against {}",
             found.outcome.loss,
             good.outcome.loss
+        );
+    }
+
+    /// Raised there, L grows until momentum is all that moves the patterns, away from the minimum.
+    #[test]
+    fn rounding_near_a_loss_of_zero_raises_no_l() {
+        let case = Case::new();
+        let objective = case.objective("l2n", serde_json::json!({"lower": 0.85, "upper": 0.9}));
+        let params = Params {
+            restart: Restart::None,
+            ..Params::default()
+        };
+        let mut method = fista(params);
+        let found = case.run(&*objective, &mut method, 4000, None);
+        let [now, first] = method.kept.lipschitz;
+        let last = found.outcome.history.last().unwrap().loss;
+        assert_eq!(
+            now,
+            first,
+            "L grew {} times, to a loss of {last:e}",
+            now / first
+        );
+        assert!(
+            last <= 2.0 * found.outcome.loss,
+            "{last:e} after {:e}",
+            found.outcome.loss
         );
     }
 
