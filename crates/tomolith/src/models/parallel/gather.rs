@@ -1,4 +1,4 @@
-//! The dose of a tile: what a group of frames brings to its voxels, gathered voxel by voxel.
+//! The dose of a tile: what a group of views brings to its voxels, gathered voxel by voxel.
 
 use super::chains::{Avx512, Chain, GUARD, Taps};
 use super::kernel::{Block, Entries, accumulate};
@@ -8,7 +8,7 @@ use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
 use crate::field::LANES;
 use std::ops::Range;
 
-/// What a group of frames brings to a tile: chains as taps, all else as entries sorted by voxel.
+/// What a group of views brings to a tile: chains as taps, all else as entries sorted by voxel.
 #[derive(Default)]
 pub(super) struct Gatherer {
     chains: Vec<Taps>,
@@ -18,19 +18,19 @@ pub(super) struct Gatherer {
 }
 
 impl Gatherer {
-    /// Enumerates what a group of frames lights in a tile.
+    /// Enumerates what a group of views lights in a tile.
     pub(super) fn load(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
-        frames: Range<usize>,
+        views: Range<usize>,
         index: usize,
         tile: &Tile,
     ) {
         self.chain_count = 0;
         self.loose.found.clear();
-        for frame in frames {
-            for i in plan.of_frame[frame].clone() {
+        for view in views {
+            for i in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + i];
                 if let Some(wide) = path.wide.filter(|_| meeting.chain) {
                     self.load_chain(wide, plan, i, meeting, tile);
@@ -95,7 +95,7 @@ impl Gatherer {
     }
 }
 
-/// Entries of a group of frames, sorted by voxel.
+/// Entries of a group of views, sorted by voxel.
 #[derive(Default)]
 struct Sorter {
     /// By strip; a run's column is its slot: frame and column of the light.

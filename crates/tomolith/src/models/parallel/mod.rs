@@ -34,7 +34,8 @@
 //!
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
-//! geometry aside. Memory beside the fields: lanes of all pixels once (frames·columns·nz floats).
+//! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames
+//! share these: see `views.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats).
 //!
 //! # Example
 //! Uniform light of 1 mJ/mm² from four sides through an index-matched cylinder makes, at the axis, four times
@@ -68,6 +69,7 @@ mod plane;
 pub mod radon;
 mod strips;
 mod tiles;
+mod views;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
@@ -165,7 +167,7 @@ pub struct Parallel {
     updates: OnceLock<u64>,
 }
 
-/// Frames whose entries are sorted together: more need more cache, fewer more passes over the dose.
+/// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
 
 impl Parallel {
@@ -298,24 +300,24 @@ impl Parallel {
             .push(field);
     }
 
-    /// dose += light of these frames of one light.
+    /// dose += light of these views of one light, from these sides.
     fn add_light(
         &self,
         light: usize,
-        frames: Range<usize>,
+        (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         dose: &mut [f32],
         run: &Run,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.add_light_of_plane(light, frames, x, dose, run);
+            return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
-            frames.clone(),
+            (views.clone(), sides),
             x,
             &mut lanes.as_mut_slice()[GUARD * row..],
             row,
@@ -327,7 +329,7 @@ impl Parallel {
             .into_par_iter()
             .zip(self.tiles.par_iter().enumerate())
             .for_each_init(Gatherer::default, |gatherer, (mut rows, (index, tile))| {
-                for group in plan.groups(frames.clone()) {
+                for group in plan.groups(views.clone()) {
                     if run.is_cancelled() {
                         return;
                     }
@@ -359,9 +361,9 @@ impl Parallel {
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        let frames = plan.of_frame.len();
+        let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
-        let chunk = frames.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
         let blocks = self.blocks();
         let nx = self.outputs[0].grid.shape[2];
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
@@ -372,13 +374,13 @@ impl Parallel {
                 lanes.fill(0.0);
                 let first = i * chunk;
                 for (index, tile) in self.tiles.iter().enumerate() {
-                    for group in plan.groups(first..(first + chunk).min(frames)) {
+                    for group in plan.groups(first..(first + chunk).min(views)) {
                         if run.is_cancelled() {
                             return;
                         }
-                        let per_frame = plan.columns * row;
+                        let per_view = plan.columns * row;
                         let own = &mut lanes
-                            [(group.start - first) * per_frame..(group.end - first) * per_frame];
+                            [(group.start - first) * per_view..(group.end - first) * per_view];
                         plan.collect_tile(
                             self.path,
                             group,
@@ -520,11 +522,11 @@ impl LinearOperator for Parallel {
         run: &Run,
     ) -> Result<()> {
         for (light, plan) in self.lights.iter().enumerate() {
-            let count = plan.of_frame.len();
+            let count = plan.views.frames;
             let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
             let own = local(frames.start)..local(frames.end);
-            if !own.is_empty() {
-                self.add_light(light, own, x.as_slice(), dose.as_mut_slice(), run)?;
+            for part in plan.views.of_frames(own) {
+                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), run)?;
             }
         }
         Ok(())
@@ -538,7 +540,7 @@ impl LinearOperator for Parallel {
     }
 
     fn frames(&self) -> usize {
-        self.lights.iter().map(|plan| plan.of_frame.len()).sum()
+        self.lights.iter().map(|plan| plan.views.frames).sum()
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -568,8 +570,8 @@ impl Parallel {
                 let tiles = self.tiles.par_iter().enumerate();
                 tiles
                     .map_init(TileEntries::default, |entries, (index, tile)| {
-                        (0..plan.of_frame.len())
-                            .map(|frame| plan.updates_in(frame, index, tile, nz, entries))
+                        (0..plan.of_view.len())
+                            .map(|view| plan.updates_in(view, index, tile, nz, entries))
                             .sum::<u64>()
                     })
                     .sum::<u64>()
