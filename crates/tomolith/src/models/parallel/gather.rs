@@ -18,14 +18,14 @@ pub(super) struct Gatherer {
 }
 
 impl Gatherer {
-    /// Enumerates what a group of views lights in a tile.
+    /// Enumerates what a group of views lights in a tile; `row`: vectors of a row of lanes.
     pub(super) fn load(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
         views: Range<usize>,
-        index: usize,
-        tile: &Tile,
+        (index, tile): (usize, &Tile),
+        row: usize,
     ) {
         self.chain_count = 0;
         self.loose.found.clear();
@@ -33,7 +33,7 @@ impl Gatherer {
             for i in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + i];
                 if let Some(wide) = path.wide.filter(|_| meeting.chain) {
-                    self.load_chain(wide, plan, i, meeting, tile);
+                    self.load_chain(wide, plan, (i, meeting), tile, row);
                 } else if meeting.end > meeting.first {
                     self.loose.load(path, plan, i, meeting, tile);
                 }
@@ -46,9 +46,9 @@ impl Gatherer {
         &mut self,
         wide: Avx512,
         plan: &LightPlan,
-        beam: usize,
-        meeting: Meeting,
+        (beam, meeting): (usize, Meeting),
         tile: &Tile,
+        row: usize,
     ) {
         if self.chains.len() == self.chain_count {
             self.chains.push(Taps::default());
@@ -58,13 +58,9 @@ impl Gatherer {
         let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
         let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(
-            taps,
-            &chain,
-            &local,
-            beam.major == Major::X,
-            beam.frame * plan.columns as u32,
-        );
+        let slot = beam.frame * plan.columns as u32;
+        let hop = beam.columns.step * row as i32;
+        wide.find_taps(taps, &chain, &local, beam.major == Major::X, (slot, hop));
     }
 
     /// Adds one block of lanes to the voxels of a tile; `source` has [`GUARD`] rows before slot 0.

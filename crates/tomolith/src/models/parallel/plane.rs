@@ -76,7 +76,7 @@ impl Parallel {
             });
         let all = sources.as_slice();
         let nx = self.outputs[0].grid.shape[2];
-        tile_rows(dose, 1, nx)
+        tile_rows(&self.tiles, dose, 1, nx)
             .into_par_iter()
             .zip(self.tiles.par_iter().enumerate())
             .for_each_init(Bench::default, |bench, (mut rows, (index, tile))| {
@@ -167,7 +167,7 @@ impl Bench {
         let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
         let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(&mut self.taps, &chain, &local, false, 0);
+        wide.find_taps(&mut self.taps, &chain, &local, false, (0, 1));
         let mut window = [0.0; WINDOW];
         for (to, column) in window.iter_mut().zip(chain.columns_of_pixels()) {
             *to = values[column];
