@@ -3,7 +3,8 @@
 //! beside this file runs both next to other programs).
 //!
 //! One *update* is one voxel lit by one frame, counted after all masks. Per update the kernel reads two floats of lanes and
-//! does two fused multiply-adds; dose and lanes themselves are streamed once per call. The best of three calls counts.
+//! does two fused multiply-adds, half that where two opposite frames are one; dose and lanes themselves are streamed once
+//! per call. The best of three calls counts.
 #![expect(clippy::print_stdout, reason = "a bench prints its table")]
 
 use std::path::Path;
@@ -127,8 +128,11 @@ fn rows(
     let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
     x.fill(1.0);
     let mut grad = x.zeros_like();
-    // Lanes of all pixels written and read once, dose read and written once, two floats a tap from the caches
-    let bytes = 8.0 + 4.0 * (3 * x.len() + 2 * dose.len()) as f64 / updates;
+    // Pixels read once, lanes written and read once, dose read and written once, two floats a tap from the caches;
+    // opposite frames of pure Radon share lanes and taps
+    let share = if case.resin.pure_radon { 0.5 } else { 1.0 };
+    let streamed = (1.0 + 2.0 * share) * x.len() as f64 + 2.0 * dose.len() as f64;
+    let bytes = 8.0 * share + 4.0 * streamed / updates;
     let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never cancelled"));
     let adjoint = best_of_three(|| {
         model

@@ -103,7 +103,8 @@ impl Avx512 {
         }
     }
 
-    /// The taps of a chain; `slot` is the slot of column 0 of the frame.
+    /// The taps of a chain; `slot` is the slot of column 0 of the view, `hop` the vectors from the lanes of one strip to
+    /// those of the next.
     #[cfg_attr(
         not(target_arch = "x86_64"),
         expect(unused_variables, reason = "no such machine")
@@ -114,12 +115,12 @@ impl Avx512 {
         chain: &Chain,
         local: &Local,
         along_x: bool,
-        slot: u32,
+        (slot, hop): (u32, i32),
     ) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: `self` proves that AVX-512F was detected.
         unsafe {
-            taps.find(chain, local, along_x, slot);
+            taps.find(chain, local, along_x, (slot, hop));
         }
     }
 
@@ -210,14 +211,14 @@ pub(super) struct Taps {
     step: i32,
     /// Strips.
     count: u32,
-    /// Strips that cover a voxel, at most.
+    /// Strips that cover a voxel, at most; at least two, the second perhaps of no weight.
     taps: usize,
-    /// Position of voxel (x, y) in the arrays is `x·per_x + y·per_y`.
-    per_x: usize,
-    per_y: usize,
+    /// Whether voxel (x, y) is element `x·TILE + y` of the arrays, not `y·TILE + x`.
+    along_x: bool,
     /// Bit `x + PATCHES·y` says whether patch (x, y) is lit.
     lit: u16,
-    strip: [u8; TILE * TILE],
+    /// Where the lanes of the first strip are, in vectors from those of strip 0.
+    place: [i32; TILE * TILE],
     weight: [[f32; TILE * TILE]; MOST_TAPS],
 }
 
@@ -227,11 +228,10 @@ impl Default for Taps {
             slot: 0,
             step: 0,
             count: 0,
-            taps: 0,
-            per_x: 1,
-            per_y: TILE,
+            taps: 2,
+            along_x: false,
             lit: 0,
-            strip: [0; TILE * TILE],
+            place: [0; TILE * TILE],
             weight: [[0.0; TILE * TILE]; MOST_TAPS],
         }
     }
@@ -371,7 +371,15 @@ mod avx512 {
                 _mm512_set1_epi32(local.row_step as i32),
             ),
         );
+        let step = _mm512_set1_epi32(local.across_step as i32);
         let direction = if chain.upward { -1.0 } else { 1.0 };
+        // Strips of straight light all weaken alike
+        let mut per_row = 0.0;
+        let mut decay = _mm512_set1_ps(1.0);
+        // Every edge cuts a voxel of a row at most
+        let most = local.rows * (local.across + chain.count + 1) + 16;
+        out.slots.reserve(most);
+        out.weights.reserve(most);
         for (i, &energy) in energy.iter().enumerate().take(chain.count) {
             let column = (chain.column as i32 + c.step * i as i32) as u32;
             if !keep(column) {
@@ -383,27 +391,26 @@ mod avx512 {
                 _mm512_fmadd_ps(_mm512_set1_ps(c.slope[at]), middle, offset)
             };
             let (left, right) = (edge(at), edge(at + 1));
-            let decay = exp16(_mm512_mul_ps(
-                ramp(),
-                _mm512_set1_ps(direction * c.per_row[at]),
-            ));
+            if c.per_row[at] != per_row {
+                per_row = c.per_row[at];
+                decay = exp16(_mm512_mul_ps(ramp(), _mm512_set1_ps(direction * per_row)));
+            }
             let deposit = _mm512_mul_ps(_mm512_set1_ps(energy), decay);
             let density = _mm512_mul_ps(deposit, inverse(_mm512_sub_ps(right, left)));
             let left = _mm512_max_ps(left, _mm512_setzero_ps());
             let right = _mm512_min_ps(right, across);
             let mut voxel = _mm512_roundscale_ps::<{ _MM_FROUND_TO_ZERO }>(left);
             let begin = out.slots.len() as u32;
-            let step = _mm512_set1_epi32(local.across_step as i32);
             let before = _mm512_mullo_epi32(_mm512_cvttps_epi32(voxel), step);
             let mut slot = _mm512_add_epi32(slot_of_row, before);
             loop {
                 let next = _mm512_add_ps(voxel, _mm512_set1_ps(1.0));
                 let cover = _mm512_sub_ps(_mm512_min_ps(right, next), _mm512_max_ps(left, voxel));
                 let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, cover, _mm512_setzero_ps());
-                if lit == 0 {
+                append(out, lit, slot, _mm512_mul_ps(cover, density));
+                if _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, right, next) == 0 {
                     break;
                 }
-                append(out, lit, slot, _mm512_mul_ps(cover, density));
                 slot = _mm512_add_epi32(slot, step);
                 voxel = next;
             }
@@ -411,14 +418,13 @@ mod avx512 {
         }
     }
 
-    /// Appends the chosen lanes to the entries.
+    /// Appends the chosen lanes to the entries, which have room for sixteen more.
     #[target_feature(enable = "avx512f")]
     fn append(out: &mut TileEntries, chosen: __mmask16, slots: __m512i, weights: __m512) {
         let len = out.slots.len();
         let count = chosen.count_ones() as usize;
-        out.slots.reserve(16);
-        out.weights.reserve(16);
-        // SAFETY: sixteen places were reserved behind `len` in both, and `count` ≤ 16 of them are then initialised.
+        assert!(len + 16 <= out.slots.capacity() && len + 16 <= out.weights.capacity());
+        // SAFETY: there are sixteen places behind `len` in both, and `count` ≤ 16 of them are then initialised.
         unsafe {
             let slots = _mm512_maskz_compress_epi32(chosen, slots);
             let weights = _mm512_maskz_compress_ps(chosen, weights);
@@ -430,27 +436,27 @@ mod avx512 {
     }
 
     impl Taps {
-        /// Finds the taps of a chain; `slot` is the slot of column 0 of the frame.
+        /// See [`Avx512::find_taps`](super::Avx512::find_taps).
         #[target_feature(enable = "avx512f")]
         pub(in super::super) fn find(
             &mut self,
             chain: &Chain,
             local: &Local,
             along_x: bool,
-            slot: u32,
+            (slot, hop): (u32, i32),
         ) {
             let c = chain.columns;
             self.slot = slot + chain.column;
             self.step = c.step;
             self.count = chain.count as u32;
-            self.taps = 0;
+            self.taps = 2;
             self.lit = 0;
-            (self.per_x, self.per_y) = if along_x { (TILE, 1) } else { (1, TILE) };
+            self.along_x = along_x;
             // Two registers hold 32 edges, four 64
             if chain.count < 32 {
-                self.find_among::<2>(chain, local);
+                self.find_among::<2>(chain, local, hop);
             } else {
-                self.find_among::<4>(chain, local);
+                self.find_among::<4>(chain, local, hop);
             }
             if along_x {
                 self.lit = transposed(self.lit);
@@ -458,7 +464,7 @@ mod avx512 {
         }
 
         #[target_feature(enable = "avx512f")]
-        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local) {
+        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local, hop: i32) {
             let c = chain.columns;
             let parts: [usize; H] = std::array::from_fn(|h| chain.first + 16 * h);
             let sign = _mm512_set1_ps(if chain.upward { -1.0 } else { 1.0 });
@@ -467,94 +473,119 @@ mod avx512 {
             let slope = parts.map(|at| load(&c.slope, at));
             let corner = _mm512_set1_ps(local.origin[1]);
             let offset = parts.map(|at| _mm512_sub_ps(load(&c.offset, at), corner));
-            let inside: __mmask16 = if local.across == 16 {
-                0xffff
-            } else {
-                (1 << local.across) - 1
+            let edges = |row: f32| -> [__m512; H] {
+                let middle = _mm512_set1_ps(local.origin[0] + row + 0.5);
+                std::array::from_fn(|h| _mm512_fmadd_ps(slope[h], middle, offset[h]))
+            };
+            // Edges are nearly evenly spaced: their mean distance is good for a guess
+            let middle = edges(0.5 * local.rows as f32);
+            let count = _mm512_set1_epi32(chain.count as i32);
+            let span = _mm512_sub_ps(look(middle, count), look(middle, _mm512_setzero_si512()));
+            let strips = Strips {
+                per_voxel: _mm512_mul_ps(_mm512_cvtepi32_ps(count), inverse(span)),
+                last: _mm512_sub_epi32(count, _mm512_set1_epi32(1)),
+                hop: _mm512_set1_epi32(hop),
+                inside: if local.across == 16 {
+                    0xffff
+                } else {
+                    (1 << local.across) - 1
+                },
             };
             for row in 0..local.rows {
-                let middle = _mm512_set1_ps(local.origin[0] + row as f32 + 0.5);
-                let edge: [__m512; H] =
-                    std::array::from_fn(|h| _mm512_fmadd_ps(slope[h], middle, offset[h]));
+                let edge = edges(row as f32);
                 let density: [__m512; H] = std::array::from_fn(|h| {
                     let next = shift(edge[h], edge[(h + 1).min(H - 1)]);
                     _mm512_mul_ps(energy[h], inverse(_mm512_sub_ps(next, edge[h])))
                 });
-                self.find_row(row, edge, density, chain.count, inside);
+                self.find_row(row, edge, density, &strips);
                 energy = std::array::from_fn(|h| _mm512_mul_ps(energy[h], ratio[h]));
             }
         }
 
         #[target_feature(enable = "avx512f")]
+        #[inline]
         fn find_row<const H: usize>(
             &mut self,
             row: usize,
             edge: [__m512; H],
             density: [__m512; H],
-            count: usize,
-            inside: __mmask16,
+            strips: &Strips,
         ) {
-            let int = |i: usize| _mm512_set1_epi32(i as i32);
-            let one = int(1);
-            let last = int(count - 1);
+            let &Strips { last, inside, .. } = strips;
+            let (zero, one) = (_mm512_setzero_si512(), _mm512_set1_epi32(1));
             let low = ramp();
             let high = _mm512_add_ps(low, _mm512_set1_ps(1.0));
-            // Edges are nearly evenly spaced: guess the strip, then step up or down until it fits
-            let (begin, end) = (look(edge, int(0)), look(edge, int(count)));
-            let per_voxel = _mm512_mul_ps(
-                _mm512_set1_ps(count as f32),
-                inverse(_mm512_sub_ps(end, begin)),
-            );
-            let guess = _mm512_cvttps_epi32(_mm512_mul_ps(_mm512_sub_ps(low, begin), per_voxel));
-            let mut strip = _mm512_max_epi32(_mm512_min_epi32(guess, last), int(0));
+            // Guess the strip, then step up or down until it fits
+            let begin = _mm512_broadcastss_ps(_mm512_castps512_ps128(edge[0]));
+            let guess = _mm512_mul_ps(_mm512_sub_ps(low, begin), strips.per_voxel);
+            let guess = _mm512_min_epi32(_mm512_cvttps_epi32(guess), last);
+            let mut strip = _mm512_max_epi32(guess, zero);
+            let mut lower = look(edge, strip);
+            let mut upper = look(edge, _mm512_add_epi32(strip, one));
             for _ in 0..MOST_IN_CHAIN {
                 let not_last = _mm512_mask_cmplt_epi32_mask(inside, strip, last);
-                let not_first = _mm512_mask_cmpgt_epi32_mask(inside, strip, int(0));
-                let upper = look(edge, _mm512_add_epi32(strip, one));
+                let not_first = _mm512_mask_cmpgt_epi32_mask(inside, strip, zero);
                 let above = _mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(not_last, upper, low);
-                let below =
-                    _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(not_first, look(edge, strip), low);
+                let below = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(not_first, lower, low);
                 if above | below == 0 {
                     break;
                 }
                 strip = _mm512_mask_add_epi32(strip, above, strip, one);
                 strip = _mm512_mask_sub_epi32(strip, below, strip, one);
+                lower = look(edge, strip);
+                upper = look(edge, _mm512_add_epi32(strip, one));
             }
             let at = row * TILE;
-            let mut from = _mm512_max_ps(low, look(edge, strip));
-            let mut current = strip;
+            let to = &mut self.place[at..at + 16];
+            // SAFETY: sixteen numbers.
+            unsafe {
+                let place = _mm512_mullo_epi32(strip, strips.hop);
+                _mm512_storeu_epi32(to.as_mut_ptr(), _mm512_maskz_mov_epi32(inside, place));
+            }
+            let mut from = _mm512_max_ps(low, lower);
+            let mut lit: __mmask16 = inside;
             let mut seen: __mmask16 = 0;
             for tap in 0..MOST_TAPS {
-                let exists = _mm512_mask_cmple_epi32_mask(inside, current, last);
-                let following = _mm512_add_epi32(current, one);
-                let upper = look(edge, following);
-                let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
-                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(exists, cover, _mm512_setzero_ps());
-                seen |= lit;
-                if lit != 0 && tap >= self.taps {
+                if tap >= self.taps {
                     // Rows before this one had no such tap
-                    for weights in &mut self.weight[self.taps..=tap] {
-                        weights[..at].fill(0.0);
-                    }
+                    self.weight[tap][..at].fill(0.0);
                     self.taps = tap + 1;
-                } else if lit == 0 && tap >= self.taps {
+                }
+                let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
+                lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(lit, cover, _mm512_setzero_ps());
+                seen |= lit;
+                let weight = _mm512_maskz_mul_ps(lit, cover, look(density, strip));
+                store(&mut self.weight[tap], at, weight);
+                // Voxels that reach beyond the strip
+                let inner = _mm512_mask_cmplt_epi32_mask(inside, strip, last);
+                lit = _mm512_mask_cmp_ps_mask::<_CMP_LT_OQ>(inner, upper, high);
+                if lit == 0 {
+                    for weights in &mut self.weight[tap + 1..self.taps.max(tap + 1)] {
+                        store(weights, at, _mm512_setzero_ps());
+                    }
                     break;
                 }
-                let weight = _mm512_maskz_mul_ps(lit, cover, look(density, current));
-                store(&mut self.weight[tap], at, weight);
                 from = upper;
-                current = following;
+                strip = _mm512_add_epi32(strip, one);
+                upper = look(edge, _mm512_add_epi32(strip, one));
             }
             // Any of four voxels: one bit per patch, gathered in the lowest four
             let pairs = (seen | seen >> 1) & 0x5555;
             let fours = u32::from((pairs | pairs >> 2) & 0x1111);
             let patches = ((fours * 0x1248) >> 12) & 0xf;
             self.lit |= (patches as u16) << (PATCHES * (row / PATCH));
-            let narrow = _mm512_cvtepi32_epi8(_mm512_maskz_mov_epi32(inside, strip));
-            let to = &mut self.strip[at..at + 16];
-            // SAFETY: sixteen bytes.
-            unsafe { _mm_storeu_si128(to.as_mut_ptr().cast(), narrow) };
         }
+    }
+
+    /// What finding taps needs to know of a chain in every row.
+    struct Strips {
+        /// Mean number of strips per voxel, and number of the last strip.
+        per_voxel: __m512,
+        last: __m512i,
+        /// Vectors from the lanes of one strip to those of the next.
+        hop: __m512i,
+        /// Voxels of a row that are in the tile.
+        inside: __mmask16,
     }
 
     /// Bits of 4 × 4 patches with x and y exchanged.
@@ -591,10 +622,9 @@ mod avx512 {
     pub(super) fn add_taps(taps: &Taps, rows: usize, window: &[f32; WINDOW], out: &mut Square) {
         let table: [__m512; 4] = std::array::from_fn(|i| load(window, 16 * i));
         for at in (0..rows * TILE).step_by(TILE) {
-            let strips = &taps.strip[at..at + 16];
-            // SAFETY: sixteen bytes.
-            let strips = unsafe { _mm_loadu_si128(strips.as_ptr().cast()) };
-            let mut strip = _mm512_cvtepu8_epi32(strips);
+            let strips = &taps.place[at..at + 16];
+            // SAFETY: sixteen numbers.
+            let mut strip = unsafe { _mm512_loadu_epi32(strips.as_ptr()) };
             let mut sum = load(out, at);
             for weights in &taps.weight[..taps.taps] {
                 sum = _mm512_fmadd_ps(load(weights, at), look(table, strip), sum);
@@ -701,15 +731,14 @@ mod avx512 {
     }
 
     /// Where a chain's weights and lanes begin: what the gathering of a voxel needs of [`Taps`].
+    #[derive(Clone, Copy)]
     struct Feed {
-        strip: *const u8,
+        place: *const i32,
         weight: *const f32,
         taps: usize,
         /// Lanes of the block in strip 0, and floats from one strip to the next.
         lanes: *const f32,
         hop: isize,
-        per_x: usize,
-        per_y: usize,
     }
 
     impl Feed {
@@ -717,13 +746,11 @@ mod avx512 {
             let stride = block.row * LANES;
             let first = (taps.slot as usize + GUARD) * stride + block.first * LANES;
             Feed {
-                strip: taps.strip.as_ptr(),
+                place: taps.place.as_ptr(),
                 weight: taps.weight.as_ptr().cast(),
                 taps: taps.taps,
                 lanes: source[first..].as_ptr(),
                 hop: taps.step as isize * stride as isize,
-                per_x: taps.per_x,
-                per_y: taps.per_y,
             }
         }
     }
@@ -740,18 +767,21 @@ mod avx512 {
         block: Block,
     ) {
         let stride = block.row * LANES;
-        let all: Vec<(u16, Feed)> = chains
-            .iter()
-            .map(|taps| (taps.lit, Feed::new(taps, source, block)))
-            .collect();
-        let mut feeds: Vec<&Feed> = Vec::with_capacity(all.len());
+        let (along_x, along_y): (Vec<&Taps>, Vec<&Taps>) =
+            chains.iter().partition(|taps| taps.along_x);
+        let feeds = |taps: &&Taps| (taps.lit, Feed::new(taps, source, block));
+        let all: [Vec<(u16, Feed)>; 2] =
+            [along_x, along_y].map(|taps| taps.iter().map(feeds).collect());
+        let mut feeds: [Vec<Feed>; 2] = Default::default();
         for (patch_y, lines) in rows.chunks_mut(PATCH).enumerate() {
             let across = lines[0].len() / stride;
             for first_x in (0..across).step_by(PATCH) {
                 let bit = 1 << (first_x / PATCH + PATCHES * patch_y);
-                feeds.clear();
-                feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| &f.1));
-                if feeds.is_empty() {
+                for (feeds, all) in feeds.iter_mut().zip(&all) {
+                    feeds.clear();
+                    feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| f.1));
+                }
+                if feeds.iter().all(Vec::is_empty) {
                     continue;
                 }
                 for (y, line) in lines.iter_mut().enumerate() {
@@ -768,33 +798,50 @@ mod avx512 {
         }
     }
 
-    /// Adds to N vectors of one voxel.
+    /// Adds to N vectors of one voxel, first what the chains along x bring, then those along y.
     ///
     /// # Safety
     /// The feeds' lanes are readable for every strip of every tap; `out` has N vectors; x, y < [`TILE`].
     #[target_feature(enable = "avx512f")]
     #[inline]
-    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[&Feed], [x, y]: [usize; 2]) {
+    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[Vec<Feed>; 2], [x, y]: [usize; 2]) {
         // SAFETY: the caller's promise.
         unsafe {
             let to = out.as_mut_ptr();
             let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-            for feed in feeds {
-                let at = x * feed.per_x + y * feed.per_y;
-                let mut from = feed.lanes.offset(*feed.strip.add(at) as isize * feed.hop);
-                let mut weight = feed.weight.add(at);
-                for _ in 0..feed.taps {
-                    let factor = _mm512_set1_ps(*weight);
-                    for (v, sum) in sums.iter_mut().enumerate() {
-                        *sum = _mm512_fmadd_ps(factor, _mm512_loadu_ps(from.add(v * 16)), *sum);
-                    }
+            for (feeds, at) in feeds.iter().zip([x * TILE + y, y * TILE + x]) {
+                for feed in feeds {
+                    let mut from = feed
+                        .lanes
+                        .offset(*feed.place.add(at) as isize * LANES as isize);
+                    let mut weight = feed.weight.add(at);
+                    add(&mut sums, *weight, from);
                     from = from.wrapping_offset(feed.hop);
-                    weight = weight.wrapping_add(TILE * TILE);
+                    add(&mut sums, *weight.add(TILE * TILE), from);
+                    for _ in 2..feed.taps {
+                        from = from.wrapping_offset(feed.hop);
+                        weight = weight.add(TILE * TILE);
+                        add(&mut sums, *weight.add(TILE * TILE), from);
+                    }
                 }
             }
             for (v, sum) in sums.iter().enumerate() {
                 _mm512_storeu_ps(to.add(v * 16), *sum);
             }
+        }
+    }
+
+    /// sums += weight · N vectors at `from`
+    ///
+    /// # Safety
+    /// They are readable.
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn add<const N: usize>(sums: &mut [__m512; N], weight: f32, from: *const f32) {
+        let factor = _mm512_set1_ps(weight);
+        for (v, sum) in sums.iter_mut().enumerate() {
+            // SAFETY: the caller's promise.
+            *sum = unsafe { _mm512_fmadd_ps(factor, _mm512_loadu_ps(from.add(v * 16)), *sum) };
         }
     }
 }

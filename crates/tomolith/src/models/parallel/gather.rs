@@ -1,4 +1,4 @@
-//! The dose of a tile: what a group of frames brings to its voxels, gathered voxel by voxel.
+//! The dose of a tile: what a group of views brings to its voxels, gathered voxel by voxel.
 
 use super::chains::{Avx512, Chain, GUARD, Taps};
 use super::kernel::{Block, Entries, accumulate};
@@ -8,7 +8,7 @@ use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
 use crate::field::LANES;
 use std::ops::Range;
 
-/// What a group of frames brings to a tile: chains as taps, all else as entries sorted by voxel.
+/// What a group of views brings to a tile: chains as taps, all else as entries sorted by voxel.
 #[derive(Default)]
 pub(super) struct Gatherer {
     chains: Vec<Taps>,
@@ -18,22 +18,22 @@ pub(super) struct Gatherer {
 }
 
 impl Gatherer {
-    /// Enumerates what a group of frames lights in a tile.
+    /// Enumerates what a group of views lights in a tile; `row`: vectors of a row of lanes.
     pub(super) fn load(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
-        frames: Range<usize>,
-        index: usize,
-        tile: &Tile,
+        views: Range<usize>,
+        (index, tile): (usize, &Tile),
+        row: usize,
     ) {
         self.chain_count = 0;
         self.loose.found.clear();
-        for frame in frames {
-            for i in plan.of_frame[frame].clone() {
+        for view in views {
+            for i in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + i];
                 if let Some(wide) = path.wide.filter(|_| meeting.chain) {
-                    self.load_chain(wide, plan, i, meeting, tile);
+                    self.load_chain(wide, plan, (i, meeting), tile, row);
                 } else if meeting.end > meeting.first {
                     self.loose.load(path, plan, i, meeting, tile);
                 }
@@ -46,9 +46,9 @@ impl Gatherer {
         &mut self,
         wide: Avx512,
         plan: &LightPlan,
-        beam: usize,
-        meeting: Meeting,
+        (beam, meeting): (usize, Meeting),
         tile: &Tile,
+        row: usize,
     ) {
         if self.chains.len() == self.chain_count {
             self.chains.push(Taps::default());
@@ -58,13 +58,9 @@ impl Gatherer {
         let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
         let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(
-            taps,
-            &chain,
-            &local,
-            beam.major == Major::X,
-            beam.frame * plan.columns as u32,
-        );
+        let slot = beam.frame * plan.columns as u32;
+        let hop = beam.columns.step * row as i32;
+        wide.find_taps(taps, &chain, &local, beam.major == Major::X, (slot, hop));
     }
 
     /// Adds one block of lanes to the voxels of a tile; `source` has [`GUARD`] rows before slot 0.
@@ -95,7 +91,7 @@ impl Gatherer {
     }
 }
 
-/// Entries of a group of frames, sorted by voxel.
+/// Entries of a group of views, sorted by voxel.
 #[derive(Default)]
 struct Sorter {
     /// By strip; a run's column is its slot: frame and column of the light.

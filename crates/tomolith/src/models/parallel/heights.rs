@@ -30,9 +30,8 @@ struct Taps {
 }
 
 impl Taps {
-    /// out[i] = Σ weight · source[first + tap]
+    /// out[i] += Σ weight · source[first + tap]
     fn apply(&self, wide: Option<Avx512>, source: &[f32], out: &mut [f32]) {
-        out.fill(0.0);
         for (tap, weights) in self.weights.iter().enumerate() {
             if let Some(start) = self.consecutive {
                 for ((o, &w), &s) in out.iter_mut().zip(weights).zip(&source[start + tap..]) {
@@ -56,7 +55,6 @@ impl Taps {
         (source, source_first): (&[f32], usize),
         (out, out_first): (&mut [f32], usize),
     ) {
-        out.fill(0.0);
         for (tap, weights) in self.weights.iter().enumerate() {
             let wanted = start + tap + out_first;
             let skipped = source_first.saturating_sub(wanted).min(out.len());
@@ -146,7 +144,7 @@ impl Heights {
         }
     }
 
-    /// Length of the buffer that [`expand`](Self::expand) and [`collect`](Self::collect) need.
+    /// Length of the buffer that [`add_expanded`](Self::add_expanded) and [`collect`](Self::collect) need.
     pub(super) fn buffer(&self) -> usize {
         (self.rows + self.to_lanes.reach()).max(self.lanes + self.to_rows.reach())
     }
@@ -162,8 +160,8 @@ impl Heights {
             .map_or((0, 0), |(a, b)| (a as usize, b as usize))
     }
 
-    /// Values of a run of rows → `lanes` (whole row of lanes, overwritten).
-    pub(super) fn expand(
+    /// Adds the values of a run of rows to `lanes` (whole row of lanes).
+    pub(super) fn add_expanded(
         &self,
         values: &[f32],
         run: PixelRun,
@@ -181,7 +179,7 @@ impl Heights {
             .apply(self.wide, buffer, &mut lanes[..self.lanes]);
     }
 
-    /// Lanes → the rows of a run (transpose of [`expand`](Self::expand)).
+    /// Lanes → the rows of a run (transpose of [`add_expanded`](Self::add_expanded)); `values` are overwritten.
     pub(super) fn collect(
         &self,
         lanes: &[f32],
@@ -191,11 +189,13 @@ impl Heights {
         rows: &mut [f32],
     ) {
         if let Some(start) = self.to_rows.consecutive {
+            values.fill(0.0);
             let out = (values, run.bottom as usize);
             return (self.to_rows).apply_shifted(start, (&lanes[..self.lanes], 0), out);
         }
         buffer[..self.lanes].copy_from_slice(&lanes[..self.lanes]);
         buffer[self.lanes..].fill(0.0);
+        rows.fill(0.0);
         self.to_rows
             .apply(self.wide, buffer, &mut rows[..self.rows]);
         values.copy_from_slice(&rows[run.bottom as usize..][..run.count as usize]);

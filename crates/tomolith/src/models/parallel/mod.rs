@@ -34,7 +34,8 @@
 //!
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
-//! geometry aside. Memory beside the fields: lanes of all pixels once (frames·columns·nz floats).
+//! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames
+//! share these: see `views.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats).
 //!
 //! # Example
 //! Uniform light of 1 mJ/mm² from four sides through an index-matched cylinder makes, at the axis, four times
@@ -68,6 +69,7 @@ mod plane;
 pub mod radon;
 mod strips;
 mod tiles;
+mod views;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
@@ -92,7 +94,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use tiles::{TILE, Tile, TileEntries};
+use tiles::{BLOCK, TILE, Tile, TileEntries};
 
 /// Keys of `[model.parallel]`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -165,8 +167,11 @@ pub struct Parallel {
     updates: OnceLock<u64>,
 }
 
-/// Frames whose entries are sorted together: more need more cache, fewer more passes over the dose.
+/// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
+
+/// Floats of dose that stay in a second-level cache of 2 MB beside the columns that light them.
+const CACHED: usize = 320 << 10;
 
 impl Parallel {
     /// The model of a vial, its lights and the voxels where dose is wanted.
@@ -285,6 +290,13 @@ impl Parallel {
             .collect()
     }
 
+    /// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as
+    /// must their dose. Results do not depend on it.
+    fn neighbours(&self) -> usize {
+        let of_tile = TILE * TILE * self.outputs[0].row;
+        (CACHED / of_tile).clamp(1, BLOCK * BLOCK)
+    }
+
     fn borrow_scratch(&self, len: usize) -> HostField {
         let mut pool = self.scratch.lock().unwrap_or_else(PoisonError::into_inner);
         let found = pool.iter().position(|f| f.len() == len);
@@ -298,42 +310,46 @@ impl Parallel {
             .push(field);
     }
 
-    /// dose += light of these frames of one light.
+    /// dose += light of these views of one light, from these sides.
     fn add_light(
         &self,
         light: usize,
-        frames: Range<usize>,
+        (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         dose: &mut [f32],
         run: &Run,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.add_light_of_plane(light, frames, x, dose, run);
+            return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
-            frames.clone(),
+            (views.clone(), sides),
             x,
             &mut lanes.as_mut_slice()[GUARD * row..],
             row,
         );
         let [_, _, nx] = self.outputs[0].grid.shape;
         let blocks = self.blocks();
+        let neighbours = self.neighbours();
         let source = lanes.as_slice();
-        tile_rows(dose, row, nx)
-            .into_par_iter()
-            .zip(self.tiles.par_iter().enumerate())
-            .for_each_init(Gatherer::default, |gatherer, (mut rows, (index, tile))| {
-                for group in plan.groups(frames.clone()) {
-                    if run.is_cancelled() {
-                        return;
-                    }
-                    gatherer.load(self.path, plan, group, index, tile);
-                    for block in &blocks {
-                        gatherer.add_block(self.path, plan, *block, source, &mut rows);
+        tile_rows(&self.tiles, dose, row, nx)
+            .par_chunks_mut(neighbours)
+            .enumerate()
+            .for_each_init(Gatherer::default, |gatherer, (i, tiles)| {
+                for group in plan.groups(views.clone()) {
+                    for (index, rows) in (i * neighbours..).zip(tiles.iter_mut()) {
+                        if run.is_cancelled() {
+                            return;
+                        }
+                        let tile = (index, &self.tiles[index]);
+                        gatherer.load(self.path, plan, group.clone(), tile, row / LANES);
+                        for block in &blocks {
+                            gatherer.add_block(self.path, plan, *block, source, rows);
+                        }
                     }
                 }
             });
@@ -359,10 +375,11 @@ impl Parallel {
         let plan = &self.lights[light];
         let row = self.outputs[0].row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        let frames = plan.of_frame.len();
+        let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
-        let chunk = frames.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
         let blocks = self.blocks();
+        let neighbours = self.neighbours();
         let nx = self.outputs[0].grid.shape[2];
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         lanes.as_mut_slice()[used.clone()]
@@ -371,22 +388,24 @@ impl Parallel {
             .for_each_init(TileEntries::default, |entries, (i, lanes)| {
                 lanes.fill(0.0);
                 let first = i * chunk;
-                for (index, tile) in self.tiles.iter().enumerate() {
-                    for group in plan.groups(first..(first + chunk).min(frames)) {
-                        if run.is_cancelled() {
-                            return;
-                        }
-                        let per_frame = plan.columns * row;
+                for (i, tiles) in self.tiles.chunks(neighbours).enumerate() {
+                    for group in plan.groups(first..(first + chunk).min(views)) {
+                        let per_view = plan.columns * row;
                         let own = &mut lanes
-                            [(group.start - first) * per_frame..(group.end - first) * per_frame];
-                        plan.collect_tile(
-                            self.path,
-                            group,
-                            (index, tile, nx),
-                            &blocks,
-                            (cotangent, own),
-                            entries,
-                        );
+                            [(group.start - first) * per_view..(group.end - first) * per_view];
+                        for (index, tile) in (i * neighbours..).zip(tiles) {
+                            if run.is_cancelled() {
+                                return;
+                            }
+                            plan.collect_tile(
+                                self.path,
+                                group.clone(),
+                                (index, tile, nx),
+                                &blocks,
+                                (cotangent, &mut *own),
+                                entries,
+                            );
+                        }
                     }
                 }
             });
@@ -476,19 +495,25 @@ fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
 }
 
 /// The dose, cut into tiles: for each tile its rows of voxels.
-fn tile_rows(dose: &mut [f32], row: usize, nx: usize) -> Vec<Vec<&mut [f32]>> {
+fn tile_rows<'a>(
+    tiles: &[Tile],
+    dose: &'a mut [f32],
+    row: usize,
+    nx: usize,
+) -> Vec<Vec<&'a mut [f32]>> {
     let across = nx.div_ceil(TILE);
-    let mut tiles: Vec<Vec<&mut [f32]>> = Vec::new();
+    let mut at = vec![0; tiles.len()];
+    for (i, tile) in tiles.iter().enumerate() {
+        at[tile.start[1] / TILE * across + tile.start[0] / TILE] = i;
+    }
+    let mut rows: Vec<Vec<&mut [f32]>> = tiles.iter().map(|_| Vec::with_capacity(TILE)).collect();
     for (y, line) in dose.chunks_mut(nx * row).enumerate() {
-        if y % TILE == 0 {
-            tiles.extend((0..across).map(|_| Vec::with_capacity(TILE)));
-        }
         let first = (y / TILE) * across;
-        for (tile, piece) in tiles[first..].iter_mut().zip(line.chunks_mut(TILE * row)) {
-            tile.push(piece);
+        for (&i, piece) in at[first..].iter().zip(line.chunks_mut(TILE * row)) {
+            rows[i].push(piece);
         }
     }
-    tiles
+    rows
 }
 
 impl LinearOperator for Parallel {
@@ -520,11 +545,11 @@ impl LinearOperator for Parallel {
         run: &Run,
     ) -> Result<()> {
         for (light, plan) in self.lights.iter().enumerate() {
-            let count = plan.of_frame.len();
+            let count = plan.views.frames;
             let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
             let own = local(frames.start)..local(frames.end);
-            if !own.is_empty() {
-                self.add_light(light, own, x.as_slice(), dose.as_mut_slice(), run)?;
+            for part in plan.views.of_frames(own) {
+                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), run)?;
             }
         }
         Ok(())
@@ -538,7 +563,7 @@ impl LinearOperator for Parallel {
     }
 
     fn frames(&self) -> usize {
-        self.lights.iter().map(|plan| plan.of_frame.len()).sum()
+        self.lights.iter().map(|plan| plan.views.frames).sum()
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -568,8 +593,8 @@ impl Parallel {
                 let tiles = self.tiles.par_iter().enumerate();
                 tiles
                     .map_init(TileEntries::default, |entries, (index, tile)| {
-                        (0..plan.of_frame.len())
-                            .map(|frame| plan.updates_in(frame, index, tile, nz, entries))
+                        (0..plan.of_view.len())
+                            .map(|view| plan.updates_in(view, index, tile, nz, entries))
                             .sum::<u64>()
                     })
                     .sum::<u64>()

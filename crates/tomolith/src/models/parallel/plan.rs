@@ -8,6 +8,7 @@ use super::mapped::Mapped;
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::views::Views;
 use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
@@ -37,8 +38,9 @@ impl KernelPath {
 /// What is known of one light before any pattern.
 pub(super) struct LightPlan {
     pub(super) beams: Vec<Beam>,
-    /// Beams of each frame.
-    pub(super) of_frame: Vec<Range<usize>>,
+    pub(super) views: Views,
+    /// Beams of each view.
+    pub(super) of_view: Vec<Range<usize>>,
     /// Beams that are combs, for a single slice.
     pub(super) combs: Vec<Option<Comb>>,
     /// How tiles and beams meet: `[tile][beam]`.
@@ -47,8 +49,10 @@ pub(super) struct LightPlan {
     deposit: Deposit,
     pub(super) kernel: Kernel,
     mapped: Option<Mapped>,
-    /// Vectors of lanes that an active pixel of (frame, column) lights, half-open.
+    /// Vectors of lanes that an active pixel of (view, column) lights, half-open.
     pub(super) lit: Vec<(u16, u16)>,
+    /// The same of (frame, column).
+    lit_by_frame: Vec<(u16, u16)>,
     pub(super) columns: usize,
     pub(super) first_frame: usize,
 }
@@ -76,23 +80,24 @@ impl LightPlan {
             pure_radon: resin.pure_radon,
         };
         let sub_angles = light.sub_angles.max(1);
+        let views = Views::of(vial, light);
+        let pixels = views.pixels(&light.pixels);
         let beams = if light.kernel == Kernel::DistanceDriven {
             strips::beams(
                 &tracer,
                 vial.is_round(),
-                &light.pixels,
+                &pixels,
                 sub_angles,
                 grid,
                 &deposit,
             )
         } else {
             let radius = vial.resin_wall().inscribed_radius();
-            radon::beams(light.kernel, radius, &light.pixels, sub_angles, grid)
+            radon::beams(light.kernel, radius, &pixels, sub_angles, grid)
         };
-        let frames = light.pixels.frames();
-        let mut of_frame = vec![0..0; frames];
+        let mut of_view = vec![0..0; views.count()];
         for (i, beam) in beams.iter().enumerate() {
-            let range = &mut of_frame[beam.frame as usize];
+            let range = &mut of_view[beam.frame as usize];
             *range = if range.start == range.end {
                 i..i + 1
             } else {
@@ -111,7 +116,7 @@ impl LightPlan {
         let combs: Vec<Option<Comb>> = beams
             .par_iter()
             .map(|beam| {
-                let comb = || Comb::new(beam, &light.pixels, grid, &deposit);
+                let comb = || Comb::new(beam, &pixels, grid, &deposit);
                 is_comb.then(comb).flatten()
             })
             .collect();
@@ -131,8 +136,8 @@ impl LightPlan {
                     .map(move |pair| meeting(tile, pair))
             })
             .collect();
-        let heights = Heights::new(&light.pixels, grid, KernelPath::of(Isa::in_use()).wide);
-        let lit = layout
+        let heights = Heights::new(&pixels, grid, KernelPath::of(Isa::in_use()).wide);
+        let lit_by_frame: Vec<(u16, u16)> = layout
             .runs
             .iter()
             .map(|&run| {
@@ -140,9 +145,18 @@ impl LightPlan {
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
             })
             .collect();
+        let lit = (0..views.count() * pixels.columns)
+            .map(|slot| {
+                let of_side = |side| lit_by_frame[views.pixel_column(slot, side)];
+                let lit = views.sides().map(of_side).filter(|lit| lit.1 > lit.0);
+                lit.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+                    .unwrap_or_default()
+            })
+            .collect();
         LightPlan {
             beams,
-            of_frame,
+            views,
+            of_view,
             combs,
             meetings,
             heights,
@@ -150,18 +164,16 @@ impl LightPlan {
             kernel: light.kernel,
             mapped,
             lit,
+            lit_by_frame,
             columns: light.pixels.columns,
             first_frame,
         }
     }
 
-    /// Frames in groups.
-    pub(super) fn groups(
-        &self,
-        frames: Range<usize>,
-    ) -> impl Iterator<Item = Range<usize>> + use<> {
-        let end = frames.end;
-        frames
+    /// Views in groups.
+    pub(super) fn groups(&self, views: Range<usize>) -> impl Iterator<Item = Range<usize>> + use<> {
+        let end = views.end;
+        views
             .step_by(GROUP)
             .map(move |first| first..(first + GROUP).min(end))
     }
@@ -175,31 +187,31 @@ impl LightPlan {
         (first as usize) < block.first + block.count && (end as usize) > block.first
     }
 
-    /// Rows of pixels → lanes, of some frames.
+    /// Rows of pixels → lanes, of some views seen from some sides.
     pub(super) fn expand(
         &self,
         layout: &PatternLayout,
-        frames: Range<usize>,
+        (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         lanes: &mut [f32],
         row: usize,
     ) {
-        let per_frame = self.columns * row;
-        lanes[frames.start * per_frame..frames.end * per_frame]
-            .par_chunks_mut(per_frame)
-            .zip(
-                layout.runs[frames.start * self.columns..frames.end * self.columns]
-                    .par_chunks(self.columns),
-            )
+        let per_view = self.columns * row;
+        lanes[views.start * per_view..views.end * per_view]
+            .par_chunks_mut(per_view)
+            .zip(views)
             .for_each_init(
                 || vec![0.0; self.heights.buffer()],
-                |buffer, (lanes, runs)| {
-                    for (lanes, run) in lanes.chunks_mut(row).zip(runs) {
-                        if run.count > 0 {
-                            let values = &x[run.offset..][..run.count as usize];
-                            self.heights.expand(values, *run, lanes, buffer);
-                        } else {
-                            lanes.fill(0.0);
+                |buffer, (lanes, view)| {
+                    for (column, lanes) in lanes.chunks_mut(row).enumerate() {
+                        lanes.fill(0.0);
+                        for side in sides.clone() {
+                            let slot = view * self.columns + column;
+                            let run = layout.runs[self.views.pixel_column(slot, side)];
+                            if run.count > 0 {
+                                let values = &x[run.offset..][..run.count as usize];
+                                self.heights.add_expanded(values, run, lanes, buffer);
+                            }
                         }
                     }
                 },
@@ -214,7 +226,7 @@ impl LightPlan {
         grad: &mut [f32],
         row: usize,
     ) {
-        let mut pieces = Vec::with_capacity(self.of_frame.len());
+        let mut pieces = Vec::with_capacity(self.views.frames);
         let mut rest = &mut grad[layout.range()];
         for runs in layout.runs.chunks(self.columns) {
             let len = runs.iter().map(|r| r.count as usize).sum();
@@ -224,8 +236,8 @@ impl LightPlan {
         }
         pieces
             .into_par_iter()
-            .zip(lanes.par_chunks(self.columns * row))
             .zip(layout.runs.par_chunks(self.columns))
+            .enumerate()
             .for_each_init(
                 || {
                     [
@@ -233,10 +245,11 @@ impl LightPlan {
                         vec![0.0; self.heights.buffer()],
                     ]
                 },
-                |[buffer, rows], ((mut piece, lanes), runs)| {
-                    for (lanes, run) in lanes.chunks(row).zip(runs) {
+                |[buffer, rows], (frame, (mut piece, runs))| {
+                    for (column, run) in runs.iter().enumerate() {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {
+                            let lanes = &lanes[self.views.slot(frame, column) * row..][..row];
                             self.heights.collect(lanes, *run, values, buffer, rows);
                         }
                         piece = tail;
@@ -245,11 +258,11 @@ impl LightPlan {
             );
     }
 
-    /// Adds to the lanes of a group of frames what the cotangent of one tile gives.
+    /// Adds to the lanes of a group of views what the cotangent of one tile gives.
     pub(super) fn collect_tile(
         &self,
         path: KernelPath,
-        frames: Range<usize>,
+        views: Range<usize>,
         (index, tile, nx): (usize, &Tile, usize),
         blocks: &[Block],
         (cotangent, lanes): (&[f32], &mut [f32]),
@@ -257,19 +270,19 @@ impl LightPlan {
     ) {
         found.clear();
         let place = (tile, Slots::within_plane(tile, nx));
-        for frame in frames.clone() {
+        for view in views.clone() {
             let before = found.runs.len();
-            for i in self.of_frame[frame].clone() {
+            for i in self.of_view[view].clone() {
                 let meeting = self.meetings[index * self.beams.len() + i];
                 self.enumerate(path, i, meeting, place, found);
             }
-            let columns_before = ((frame - frames.start) * self.columns) as u32;
+            let columns_before = ((view - views.start) * self.columns) as u32;
             for run in &mut found.runs[before..] {
                 run.column += columns_before;
             }
         }
         found.sort_by_place();
-        let first_slot = frames.start * self.columns;
+        let first_slot = views.start * self.columns;
         for &block in blocks {
             for &i in &found.by_place {
                 let run = &found.runs[i as usize];
@@ -309,16 +322,17 @@ impl LightPlan {
         }
     }
 
+    /// Pairs of frame and voxel of a tile, for the frames of a view, of which an active pixel lights the voxel.
     pub(super) fn updates_in(
         &self,
-        frame: usize,
+        view: usize,
         index: usize,
         tile: &Tile,
         nz: usize,
         entries: &mut TileEntries,
     ) -> u64 {
         let mut total = 0;
-        for i in self.of_frame[frame].clone() {
+        for i in self.of_view[view].clone() {
             entries.clear();
             let meeting = self.meetings[index * self.beams.len() + i];
             self.enumerate(
@@ -328,19 +342,24 @@ impl LightPlan {
                 (tile, Slots::WITHIN_TILE),
                 entries,
             );
-            let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
-            for run in &entries.runs {
-                let lit = self.lit[frame * self.columns + run.column as usize];
-                for &voxel in entries.of(run).slots {
-                    let seen = &mut lanes[voxel as usize];
-                    *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
+            for side in self.views.sides() {
+                let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
+                for run in &entries.runs {
+                    let slot = view * self.columns + run.column as usize;
+                    let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
+                    if lit.1 > lit.0 {
+                        for &voxel in entries.of(run).slots {
+                            let seen = &mut lanes[voxel as usize];
+                            *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
+                        }
+                    }
                 }
+                total += lanes
+                    .iter()
+                    .filter(|l| l.1 > l.0)
+                    .map(|l| (l.1 as usize * LANES).min(nz) as u64 - (l.0 as usize * LANES) as u64)
+                    .sum::<u64>();
             }
-            total += lanes
-                .iter()
-                .filter(|l| l.1 > l.0)
-                .map(|l| (l.1 as usize * LANES).min(nz) as u64 - (l.0 as usize * LANES) as u64)
-                .sum::<u64>();
         }
         total
     }

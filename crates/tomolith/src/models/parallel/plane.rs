@@ -28,9 +28,9 @@ fn square_of(major: Major) -> usize {
 }
 
 impl LightPlan {
-    /// Beams of some frames: they lie one after the other.
-    fn beams_of(&self, frames: Range<usize>) -> Range<usize> {
-        let mut lit = self.of_frame[frames].iter().filter(|own| !own.is_empty());
+    /// Beams of some views: they lie one after the other.
+    fn beams_of(&self, views: Range<usize>) -> Range<usize> {
+        let mut lit = self.of_view[views].iter().filter(|own| !own.is_empty());
         let first = lit.next();
         let last = lit.next_back().or(first);
         first.zip(last).map_or(0..0, |(a, b)| a.start..b.end)
@@ -48,11 +48,11 @@ impl LightPlan {
 }
 
 impl Parallel {
-    /// dose += light of these frames of one light, for a single slice.
+    /// dose += light of these views of one light, from these sides, for a single slice.
     pub(super) fn add_light_of_plane(
         &self,
         light: usize,
-        frames: Range<usize>,
+        (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         dose: &mut [f32],
         run: &Run,
@@ -60,9 +60,9 @@ impl Parallel {
         let plan = &self.lights[light];
         let mut pixels = self.borrow_scratch(plan.lit.len());
         let layout = &self.patterns[light];
-        plan.expand(layout, frames.clone(), x, pixels.as_mut_slice(), 1);
+        plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice(), 1);
         let values = pixels.as_slice();
-        let beams = plan.beams_of(frames);
+        let beams = plan.beams_of(views);
         let stride = Comb::stride(plan.columns);
         let mut sources = self.borrow_scratch(beams.len() * stride);
         sources
@@ -76,7 +76,7 @@ impl Parallel {
             });
         let all = sources.as_slice();
         let nx = self.outputs[0].grid.shape[2];
-        tile_rows(dose, 1, nx)
+        tile_rows(&self.tiles, dose, 1, nx)
             .into_par_iter()
             .zip(self.tiles.par_iter().enumerate())
             .for_each_init(Bench::default, |bench, (mut rows, (index, tile))| {
@@ -124,10 +124,10 @@ impl Parallel {
         run: &Run,
     ) -> Result<()> {
         let plan = &self.lights[light];
-        let frames = plan.of_frame.len();
+        let views = plan.of_view.len();
         let mut pixels = self.borrow_scratch(plan.lit.len());
         // Few long chunks read the cotangent less often; the result does not depend on their length
-        let chunk = frames.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
         pixels
             .as_mut_slice()
             .par_chunks_mut(chunk * plan.columns)
@@ -135,7 +135,7 @@ impl Parallel {
             .for_each_init(Gathering::default, |gathering, (i, pixels)| {
                 pixels.fill(0.0);
                 let first = i * chunk;
-                gathering.begin(plan, first..(first + chunk).min(frames));
+                gathering.begin(plan, first..(first + chunk).min(views));
                 for (index, tile) in self.tiles.iter().enumerate() {
                     if run.is_cancelled() {
                         return;
@@ -167,7 +167,7 @@ impl Bench {
         let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
         let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(&mut self.taps, &chain, &local, false, 0);
+        wide.find_taps(&mut self.taps, &chain, &local, false, (0, 1));
         let mut window = [0.0; WINDOW];
         for (to, column) in window.iter_mut().zip(chain.columns_of_pixels()) {
             *to = values[column];

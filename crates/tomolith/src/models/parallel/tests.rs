@@ -1,5 +1,6 @@
 //! What the parallel model must get right.
 
+use super::views::Views;
 use super::*;
 use crate::check;
 use crate::optics::trace::Tracer;
@@ -491,4 +492,82 @@ fn straight_light_through_a_plane_is_a_comb() {
     let meetings = || model.lights[0].meetings.iter().filter(met);
     assert!(meetings().count() > 0);
     assert!(meetings().all(|m| m.comb), "tiles that are no combs");
+}
+
+/// A light of pure Radon from these azimuths, some of its pixels dark.
+fn reversible(azimuths: Vec<f64>) -> Light {
+    let pixels = PatternGrid {
+        azimuths,
+        ..PatternGrid::full_turn(1, 0.0, 40, 33, 0.11)
+    };
+    let run = |i: usize| ((i % 7) as u32, 5 + (i % 29) as u32);
+    let active = (0..pixels.frames() * pixels.columns).map(run).collect();
+    Light {
+        active: Some(active),
+        ..Light::new(pixels, Resin::pure_radon(1.5))
+    }
+}
+
+#[test]
+fn opposite_frames_are_one_view_and_change_nothing() {
+    let all = PatternGrid::full_turn(10, 0.3, 1, 1, 0.1).azimuths;
+    let vial = IndexMatched { radius_mm: 3.0 };
+    for nz in [1, 37] {
+        let grid = VolumeGrid::centered([nz, 30, 35], 0.1);
+        let whole = reversible(all.clone());
+        // The same frames as two lights of half a turn each: no frame has its opposite
+        let halves = [0..5, 5..10].map(|frames: Range<usize>| {
+            let columns = whole.pixels.columns;
+            let active = whole.active.as_ref().unwrap();
+            Light {
+                active: Some(active[frames.start * columns..frames.end * columns].to_vec()),
+                ..reversible(all[frames].to_vec())
+            }
+        });
+        let paired = Parallel::new(&vial, vec![whole], grid.clone()).unwrap();
+        let single = Parallel::new(&vial, halves.to_vec(), grid).unwrap();
+        assert_eq!(paired.lights[0].of_view.len(), 5);
+        assert_eq!(single.lights[0].of_view.len(), 5);
+        assert_eq!(paired.updates(), single.updates());
+        check::model::model(&paired, 3).unwrap();
+        let x = HostField::from_slice(&check::model::noise(5, paired.patterns[0].len()));
+        let dose_of = |model: &Parallel, frames: Range<usize>| {
+            let mut dose = LinearOperator::new_dose(model).unwrap();
+            model
+                .add_forward(frames, &x, &mut dose, &Run::new())
+                .unwrap();
+            dose
+        };
+        for frames in [0..10, 2..4, 3..9, 6..10] {
+            let (a, b) = (dose_of(&paired, frames.clone()), dose_of(&single, frames));
+            assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
+        }
+        let noise = check::model::noise(6, paired.outputs[0].len());
+        let cotangent = HostField::from_slice(&noise);
+        let [a, b] = [&paired, &single].map(|model| {
+            let mut grad = LinearOperator::new_patterns(model).unwrap();
+            model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
+            grad
+        });
+        assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
+    }
+}
+
+#[test]
+fn frames_have_opposites_only_where_light_can_be_reversed() {
+    let all = |count| PatternGrid::full_turn(count, 0.3, 1, 1, 0.1).azimuths;
+    let views = |vial: &dyn Vial, light: &Light| Views::of(vial, light).count();
+    let light = reversible(all(10));
+    let matched = IndexMatched { radius_mm: 3.0 };
+    assert_eq!(views(&matched, &light), 5);
+    assert_eq!(views(&matched, &reversible(all(9))), 9);
+    assert_eq!(views(vials()[1].as_ref(), &light), 10);
+    let absorbing = Light {
+        resin: Resin::absorbing(1.5, 0.1),
+        ..light
+    };
+    assert_eq!(views(&matched, &absorbing), 10);
+    let mut uneven = all(10);
+    uneven[7] += 1e-3;
+    assert_eq!(views(&matched, &reversible(uneven)), 10);
 }

@@ -13,6 +13,9 @@ use super::strips::{Beam, Major, Strip};
 /// Edge of a tile of voxels in the plane.
 pub(super) const TILE: usize = 16;
 
+/// Edge of a block of neighbouring tiles, in tiles.
+pub(super) const BLOCK: usize = 2;
+
 /// Voxels of the plane that one task works on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
@@ -23,18 +26,21 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// All tiles of a plane of `nx`·`ny` voxels, row by row.
+    /// All tiles of a plane of `nx`·`ny` voxels, block by block, so that neighbours follow each other.
     pub(super) fn cover(nx: usize, ny: usize) -> Vec<Tile> {
-        let mut tiles = Vec::new();
-        for y in (0..ny).step_by(TILE) {
-            for x in (0..nx).step_by(TILE) {
-                tiles.push(Tile {
-                    start: [x, y],
-                    size: [TILE.min(nx - x), TILE.min(ny - y)],
-                });
+        let place = |n: usize| 0..n.div_ceil(TILE);
+        let mut tiles: Vec<[usize; 2]> = place(ny)
+            .flat_map(|y| place(nx).map(move |x| [y, x]))
+            .collect();
+        tiles.sort_by_key(|at| (at.map(|i| i / BLOCK), *at));
+        let tile = |[y, x]: [usize; 2]| {
+            let start = [x * TILE, y * TILE];
+            Tile {
+                start,
+                size: [TILE.min(nx - start[0]), TILE.min(ny - start[1])],
             }
-        }
-        tiles
+        };
+        tiles.into_iter().map(tile).collect()
     }
 }
 
