@@ -11,6 +11,7 @@ pub mod square;
 
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
+use crate::optics::surface::Surface;
 
 /// The curve of a wall in the plane z = const, centred on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +63,20 @@ pub struct Wall {
 pub trait Vial: std::fmt::Debug + Send + Sync {
     /// Walls from outside to inside; exactly one of them encloses [`Medium::Resin`].
     fn walls(&self) -> Vec<Wall>;
+
+    /// The same walls in space.
+    fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        let in_space = |wall: Wall| (Surface::Prism(wall.curve), wall.inside);
+        self.walls().into_iter().map(in_space).collect()
+    }
+
+    /// No part of the vial is farther from the axis, mm.
+    fn outer_radius_mm(&self) -> f64 {
+        self.walls().first().map_or(0.0, |wall| match wall.curve {
+            Curve::Circle(r) => r,
+            Curve::Square(w) => w * std::f64::consts::SQRT_2,
+        })
+    }
 
     /// Index of what surrounds the vial, given the index asked for and the resin's.
     fn surrounding_index(&self, asked: f64, _resin: f64) -> f64 {
