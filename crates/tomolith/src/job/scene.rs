@@ -76,13 +76,16 @@ impl Scene {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
         }
         RunFolder::check(&job.folder())?;
-        let optics = Optics::new(&spec, &job.base())?;
+        let mut optics = Optics::new(&spec, &job.base())?;
         optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         try_kinds(&spec, shape.is_grey(), &job.base())?;
         optics.must_hold(shape.as_ref())?;
+        if spec.target.insert_shadow.unwrap_or(true) {
+            optics.add_inserts(shape.as_ref())?;
+        }
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         for section in spec.objectives()? {
             let path = section.path.clone();

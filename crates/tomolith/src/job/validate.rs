@@ -198,11 +198,7 @@ fn light(light: &LightSpec) -> Result<()> {
         count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
     }
     count("sub_angles", light.sub_angles, 1, MOST_SUB_ANGLES)?;
-    positive(
-        "projector.collimated.pixel_pitch_mm",
-        light.projector.pixel_pitch_mm(),
-        "mm",
-    )?;
+    light.projector.build("projector")?;
     match &light.angles {
         Angles::Even {
             count: frames,

@@ -10,16 +10,23 @@
 //! A body lies wholly in one medium, in the resin or outside of the vial.
 
 use super::surface::Surface;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// What a body does to light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Material {
     /// Ends every ray.
+    #[default]
     Black,
-    /// Refracts; clear, of this index.
-    Dielectric(f64),
     /// Reflects everything.
     Mirror,
+    /// Refracts; clear.
+    Dielectric {
+        /// Refractive index, > 0.
+        refractive_index: f64,
+    },
 }
 
 /// A body in the light.

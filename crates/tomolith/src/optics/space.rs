@@ -389,7 +389,7 @@ impl SpaceTracer {
                     state.ray.direction = reflected(state.ray.direction, normal);
                     return true;
                 }
-                Material::Dielectric(_) => {
+                Material::Dielectric { .. } => {
                     behind.within = if state.within.is_some() { None } else { Some(index) };
                 }
             },
@@ -423,7 +423,7 @@ impl SpaceTracer {
 
     fn index_of(&self, state: &State) -> f64 {
         match state.within.map(|i| self.obstacles[i].material) {
-            Some(Material::Dielectric(n)) => n,
+            Some(Material::Dielectric { refractive_index }) => refractive_index,
             _ => self.indices[state.depth],
         }
     }
@@ -642,7 +642,9 @@ mod tests {
         assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
         assert!((shadow.account.total() - 1.0).abs() < 1e-12);
         assert!(shadow.account.blocked > 0.1 && shadow.legs.len() == 1);
-        let matched = with(Material::Dielectric(1.49)).trace(ray);
+        let matched = with(Material::Dielectric {
+            refractive_index: 1.49,
+        }).trace(ray);
         let gap = 2.0 / -matched.legs[0].ray.direction[0];
         let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
         assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);

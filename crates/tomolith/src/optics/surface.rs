@@ -253,11 +253,11 @@ pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
 
     /// A closed box.
-    pub(in crate::optics) fn box_mesh(low: [f64; 3], high: [f64; 3]) -> Mesh {
+    pub(crate) fn box_mesh(low: [f64; 3], high: [f64; 3]) -> Mesh {
         let corner = |i: usize| -> [f64; 3] {
             std::array::from_fn(|axis| if i >> axis & 1 == 1 { high[axis] } else { low[axis] })
         };

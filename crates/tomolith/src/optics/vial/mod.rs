@@ -83,6 +83,11 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
         asked
     }
 
+    /// Whether it is the same at all heights.
+    fn is_invariant(&self) -> bool {
+        true
+    }
+
     /// Whether the cross-section is the same from every azimuth.
     fn is_round(&self) -> bool {
         self.walls()
@@ -91,7 +96,7 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
     }
 
     /// Whether a point (mm) is in the resin.
-    fn in_resin(&self, x: f64, y: f64) -> bool {
+    fn in_resin(&self, [x, y, _]: [f64; 3]) -> bool {
         let walls = self.walls();
         let inside = walls.iter().take_while(|w| w.curve.contains(x, y)).count();
         inside > 0 && walls[inside - 1].inside == Medium::Resin
@@ -168,8 +173,8 @@ mod tests {
             let vial = (row.build)(&inner).unwrap();
             assert_eq!(row.name, kind.name);
             let r = vial.resin_wall().inscribed_radius();
-            assert!(vial.in_resin(r * 0.999, 0.0), "{}", kind.name);
-            assert!(!vial.in_resin(r * 1.001, 0.0), "{}", kind.name);
+            assert!(vial.in_resin([r * 0.999, 0.0, 0.0]), "{}", kind.name);
+            assert!(!vial.in_resin([r * 1.001, 0.0, 0.0]), "{}", kind.name);
             let walls = vial.walls();
             assert_eq!(
                 walls.iter().filter(|w| w.inside == Medium::Resin).count(),
