@@ -40,7 +40,9 @@ impl Optics {
     /// # Errors
     /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
     pub(crate) fn new(spec: &JobSpec, base: &Path) -> Result<Self> {
-        let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
+        let (kind, section) = Section::new("vial", spec.vial.kind.clone())
+            .based(base)
+            .kind(VIALS)?;
         let vial = (kind.build)(&section)?;
         let mut model = Choice::default();
         if let Some(value) = &spec.model {

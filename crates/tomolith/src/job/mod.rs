@@ -27,6 +27,7 @@ mod scene;
 pub mod schema;
 pub mod spec;
 mod stages;
+pub mod trace;
 pub mod validate;
 mod write;
 

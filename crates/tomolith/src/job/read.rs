@@ -110,6 +110,12 @@ impl Job {
             let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
             *file = path.display().to_string().into();
         }
+        for wall in ["/mesh/outer", "/mesh/inner"] {
+            if let Some(file) = spec.vial.kind.pointer_mut(wall) {
+                let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
+                *file = path.display().to_string().into();
+            }
+        }
         for obstacle in &mut spec.obstacles {
             obstacle.mesh = absolute(&self.base().join(&obstacle.mesh));
         }

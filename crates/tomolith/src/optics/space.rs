@@ -516,12 +516,13 @@ fn least_axis(d: [f64; 3]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::surface::{Net, tests::box_mesh};
+    use super::super::surface::Net;
     use super::super::trace::Tracer;
     use super::super::vial::cylinder::Cylinder;
     use super::super::vial::double_tube::DoubleTube;
     use super::super::vial::square::Square;
     use super::*;
+    use crate::io::mesh::samples::cuboid;
     use std::sync::Arc;
 
     const GLASS: Cylinder = Cylinder {
@@ -627,7 +628,7 @@ mod tests {
     #[test]
     fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_do_nothing() {
         let body = Surface::Net(Arc::new(
-            Net::new(&box_mesh([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
+            Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
         ));
         let with = |material| {
             tracer(&GLASS, Polarisation::Unpolarised, Limits::default()).with_obstacles(vec![Obstacle {

@@ -253,36 +253,13 @@ pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
-
-    /// A closed box.
-    pub(crate) fn box_mesh(low: [f64; 3], high: [f64; 3]) -> Mesh {
-        let corner = |i: usize| -> [f64; 3] {
-            std::array::from_fn(|axis| if i >> axis & 1 == 1 { high[axis] } else { low[axis] })
-        };
-        let quads = [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ];
-        let triangles = quads
-            .iter()
-            .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
-            .map(|t: [u32; 3]| t)
-            .collect();
-        Mesh {
-            vertices: (0..8).map(corner).collect(),
-            triangles,
-        }
-    }
+    use crate::io::mesh::samples::cuboid;
 
     #[test]
     fn a_box_of_triangles_is_met_where_a_square_prism_is() {
-        let mesh = box_mesh([-2.0, -2.0, -50.0], [2.0, 2.0, 50.0]);
+        let mesh = cuboid([-2.0, -2.0, -50.0], [2.0, 2.0, 50.0]);
         assert!(mesh.signed_volume() > 0.0);
         let net = Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()));
         let prism = Surface::Prism(Curve::Square(2.0));

@@ -68,7 +68,7 @@ use crate::optics::motion::Motion;
 use crate::optics::obstacle::Obstacle;
 use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
-use crate::optics::space::{Account, Limits, SpaceTracer};
+use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -267,6 +267,18 @@ impl Rays {
     #[must_use]
     pub fn account(&self, light: usize, frame: usize) -> Account {
         self.sources[light].account(frame)
+    }
+
+    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean account of its rays.
+    #[must_use]
+    pub fn trace(
+        &self,
+        light: usize,
+        frame: usize,
+        column: usize,
+        row: usize,
+    ) -> (Vec<Leg>, Account) {
+        self.sources[light].trace_pixel(frame, column, row)
     }
 
     /// (Frame, column) pairs of some frames of a light, in runs that send about [`CHUNK`] rays each.

@@ -28,6 +28,12 @@ pub(super) struct Sample {
     pub(super) aperture: [f64; 2],
 }
 
+/// The ray through the middle of pixel and aperture.
+const MIDDLE: Sample = Sample {
+    within: [0.0; 2],
+    aperture: [0.0; 2],
+};
+
 /// Legs of all pixels of one frame.
 struct Shared {
     /// First leg of each (column, row from below), and one more.
@@ -128,22 +134,30 @@ impl Source {
         }
     }
 
+    /// Legs of a pixel's middle ray, and where the power of its rays goes.
+    pub(super) fn trace_pixel(&self, frame: usize, column: usize, row: usize) -> (Vec<Leg>, Account) {
+        let azimuth = self.pixels.azimuths[frame];
+        let middle = self.ray(column, row, &MIDDLE, azimuth);
+        (self.tracer.trace(middle).legs, self.account_of(frame, column, row))
+    }
+
+    fn account_of(&self, frame: usize, column: usize, row: usize) -> Account {
+        let mut account = Account::default();
+        for sample in &self.samples {
+            let ray = self.ray(column, row, sample, self.pixels.azimuths[frame]);
+            account.add(&self.tracer.trace(ray).account, 1.0 / self.samples.len() as f64);
+        }
+        account
+    }
+
     /// Where the power of a frame's light goes, mean over its pixels.
     pub(super) fn account(&self, frame: usize) -> Account {
         let rows = self.pixels.rows;
         let pixels = self.pixels.columns * rows;
-        let share = 1.0 / (pixels * self.samples.len()) as f64;
-        let of_pixel = |i: usize| {
-            let mut account = Account::default();
-            for sample in &self.samples {
-                let ray = self.ray(i / rows, i % rows, sample, self.pixels.azimuths[frame]);
-                account.add(&self.tracer.trace(ray).account, share);
-            }
-            account
-        };
+        let of_pixel = |i: usize| self.account_of(frame, i / rows, i % rows);
         let all: Vec<Account> = (0..pixels).into_par_iter().map(of_pixel).collect();
         let mut sum = Account::default();
-        all.iter().for_each(|account| sum.add(account, 1.0));
+        all.iter().for_each(|account| sum.add(account, 1.0 / pixels as f64));
         sum
     }
 }

@@ -8,7 +8,8 @@ use crate::optics::obstacle::Material;
 use crate::optics::projector::diverging::Diverging;
 use crate::optics::projector::telecentric::Telecentric;
 use crate::optics::resin::Resin;
-use crate::optics::surface::{Net, Surface, tests::box_mesh};
+use crate::io::mesh::samples::cuboid;
+use crate::optics::surface::{Net, Surface};
 use crate::optics::vial::cylinder::Cylinder;
 use crate::optics::vial::double_tube::DoubleTube;
 use crate::optics::vial::index_matched::IndexMatched;
@@ -57,7 +58,7 @@ fn optics() -> Vec<(&'static str, Optics)> {
         focus_mm: 0.1,
     };
     let body = Surface::Net(Arc::new(
-        Net::new(&box_mesh([0.1, 0.6, -0.4], [0.4, 0.8, 0.3]), "mesh").unwrap(),
+        Net::new(&cuboid([0.1, 0.6, -0.4], [0.4, 0.8, 0.3]), "mesh").unwrap(),
     ));
     let with = |material| Optics {
         obstacles: vec![Obstacle {

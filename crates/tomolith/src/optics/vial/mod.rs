@@ -1,12 +1,13 @@
 //! Vials: what stands around the resin.
 //!
-//! *What must it do, and who does it.* A z-invariant vial is a nest of closed walls, from outside to inside; each wall
-//! says what lies within it. The tracer ([`crate::optics::trace`]) knows Snell and Fresnel, so a vial is its geometry and
-//! nothing else.
+//! *What must it do, and who does it.* A vial is a nest of closed walls, from outside to inside; each wall says what lies
+//! within it. The tracers ([`crate::optics::trace`] in the plane, [`crate::optics::space`] in space) know Snell and Fresnel, so a
+//! vial is its geometry and nothing else.
 
 pub mod cylinder;
 pub mod double_tube;
 pub mod index_matched;
+pub mod mesh;
 pub mod square;
 
 use crate::error::{Error, Result};
@@ -59,7 +60,7 @@ pub struct Wall {
     pub inside: Medium,
 }
 
-/// A vial whose cross-section is the same at all heights.
+/// A vial: most have the same cross-section at all heights.
 pub trait Vial: std::fmt::Debug + Send + Sync {
     /// Walls from outside to inside; exactly one of them encloses [`Medium::Resin`].
     fn walls(&self) -> Vec<Wall>;
@@ -124,12 +125,13 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
 /// Builds a vial from its section.
 pub type BuildVial = fn(&Section) -> Result<Box<dyn Vial>>;
 
-/// Every z-invariant vial.
+/// Every vial.
 pub static VIALS: &[Kind<BuildVial>] = &[
     index_matched::KIND,
     cylinder::KIND,
     square::KIND,
     double_tube::KIND,
+    mesh::KIND,
 ];
 
 /// Refuses anything but a finite number > 0.
@@ -163,12 +165,18 @@ pub(crate) fn inner_below_outer(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::mesh::samples::{cuboid, stl_binary};
 
     #[test]
     fn every_example_builds_and_holds_resin_on_its_resin_wall() {
         for kind in VIALS {
             let document: serde_json::Value = toml::from_str(kind.example).unwrap();
-            let section = Section::new("vial", document["vial"].clone());
+            let folder = tempfile::tempdir().unwrap();
+            for (file, half) in [("cuvette-outer.stl", 3.0), ("cuvette-inner.stl", 2.5)] {
+                let wall = cuboid([-half; 3], [half; 3]);
+                std::fs::write(folder.path().join(file), stl_binary(&wall)).unwrap();
+            }
+            let section = Section::new("vial", document["vial"].clone()).based(folder.path());
             let (row, inner) = section.kind(VIALS).unwrap();
             let vial = (row.build)(&inner).unwrap();
             assert_eq!(row.name, kind.name);
