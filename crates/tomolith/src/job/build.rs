@@ -8,9 +8,10 @@ use crate::kind::Section;
 use crate::models::parallel::{AbsorptionMap, Kernel, Light};
 use crate::io::mesh::read_mesh;
 use crate::models::planner::Setup;
-use crate::models::{Choice, MODELS, rays};
+use crate::models::{Choice, MODELS, rays, scatter};
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::{Material, Obstacle};
+use crate::optics::phase::{PHASES, Scattering};
 use crate::optics::resin::Resin;
 use crate::optics::surface::{Net, Surface};
 use crate::optics::trace::Bath;
@@ -53,10 +54,11 @@ impl Optics {
         match &mut model {
             Choice::Parallel(parallel) => kernel = parallel.kernel,
             Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
-            Choice::Cheapest | Choice::Rays(_) => {}
+            Choice::Cheapest | Choice::Rays(_) | Choice::Scatter(_) => {}
         }
         let obstacles = obstacles_of(spec, base)?;
         let motion = motion_of(spec)?;
+        let scattering = scattering_of(spec)?;
         let mut paths = Vec::with_capacity(spec.light.len());
         for (i, light) in spec.light.iter().enumerate() {
             let projector = light.projector.build(&format!("light[{i}].projector"))?;
@@ -64,6 +66,7 @@ impl Optics {
                 projector: Arc::from(projector),
                 motion,
                 obstacles: obstacles.clone(),
+                scattering: scattering.clone(),
             });
         }
         let bath = bath_of(spec, vial.as_ref())?;
@@ -114,14 +117,21 @@ impl Optics {
         Ok(())
     }
 
-    /// The model on a grid `refine` times as fine: as many rays for each of its voxels.
+    /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
+    /// where light is scattered.
     pub(crate) fn model_for(&self, refine: usize) -> Choice {
         let mut model = self.model.clone();
-        if self.setup().beyond_parallel().is_some() && matches!(model, Choice::Cheapest) {
-            model = Choice::Rays(rays::Params::default());
+        if matches!(model, Choice::Cheapest) {
+            if self.setup().scatters() {
+                model = Choice::Scatter(scatter::Params::default());
+            } else if self.setup().beyond_parallel().is_some() {
+                model = Choice::Rays(rays::Params::default());
+            }
         }
-        if let Choice::Rays(params) = &mut model {
-            params.rays_per_pixel *= refine * refine;
+        match &mut model {
+            Choice::Rays(params) => params.rays_per_pixel *= refine * refine,
+            Choice::Scatter(params) => *params = params.for_judging(),
+            _ => {}
         }
         model
     }
@@ -357,6 +367,17 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
     })
 }
 
+/// What scatters in the resin.
+fn scattering_of(spec: &JobSpec) -> Result<Option<Scattering>> {
+    let resin = &spec.resin;
+    let (kind, section) = Section::new("resin.phase", resin.phase.clone()).kind(PHASES)?;
+    let phase = (kind.build)(&section)?;
+    Ok((resin.scattering_per_mm > 0.0).then(|| Scattering {
+        per_mm: resin.scattering_per_mm,
+        phase: Arc::from(phase),
+    }))
+}
+
 /// The bodies in the light.
 fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
@@ -420,7 +441,8 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: f64) -> Light {
             attenuation_per_mm: if resin.pure_radon {
                 0.0
             } else {
-                resin.attenuation_per_mm.unwrap_or(absorption)
+                let known = absorption + resin.scattering_per_mm;
+                resin.attenuation_per_mm.unwrap_or(known)
             },
             pure_radon: resin.pure_radon,
         },

@@ -5,6 +5,7 @@ use crate::kind::{Kind, KindPage};
 use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
 use crate::objective::penalty::PENALTIES;
+use crate::optics::phase::PHASES;
 use crate::optics::projector::PROJECTORS;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
@@ -37,6 +38,7 @@ pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
         family("projector", "What a light's rays do before the vial", PROJECTORS),
+        family("resin.phase", "Where scattered light goes", PHASES),
         family("model", "How light becomes dose", MODELS),
         family("objective", "What is minimised", OBJECTIVES),
         family("penalties", "What patterns cost by themselves", PENALTIES),

@@ -179,6 +179,7 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     for light in &mut spec.light {
         light.projector.0 = with_defaults(pages("projector"), &light.projector.0);
     }
+    spec.resin.phase = with_defaults(pages("resin.phase"), &spec.resin.phase);
     if let Some(model) = &mut spec.model {
         *model = with_defaults(pages("model"), model);
     }

@@ -22,13 +22,6 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 1] = [(
-    "resin.phase",
-    "scattering is not in this version",
-    "a phase function has no meaning where nothing scatters",
-)];
-
 /// A whole job.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -133,14 +126,16 @@ pub struct ResinSpec {
     pub refractive_index: f64,
     /// Napierian absorption of the active species, 1/mm, > 0: what makes dose.
     pub absorption_per_mm: f64,
-    /// Napierian attenuation by everything, 1/mm; the active absorption when nothing else absorbs.
+    /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
     /// Absorption that changes across the plane, for straight light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapSpec>,
-    /// Scattering, 1/mm; only 0 for now.
+    /// Napierian scattering, 1/mm; part of the attenuation by everything.
     pub scattering_per_mm: f64,
+    /// Where scattered light goes, `[resin.phase.KIND]`.
+    pub phase: Value,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
     pub pure_radon: bool,
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
@@ -406,6 +401,7 @@ impl Default for ResinSpec {
             attenuation_per_mm: None,
             map: None,
             scattering_per_mm: 0.0,
+            phase: kind("rayleigh"),
             pure_radon: false,
             critical_dose_mj_per_mm3: None,
         }
@@ -649,19 +645,14 @@ impl JobSpec {
     /// but not built.
     pub fn from_document(document: &Document) -> Result<Self> {
         let root = document.root.as_object().cloned().unwrap_or_default();
-        for (key, missing, instead) in PLANNED {
-            let pointer = format!("/{}", key.replace('.', "/"));
-            if document.root.pointer(&pointer).is_some() {
-                let error = Error::config(
-                    key,
-                    format!("planned, but not built yet: {missing}"),
-                    format!("no such key; {instead}"),
-                );
-                return Err(document.locate(error));
+        let read = || {
+            let spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
+            for (i, light) in spec.light.iter().enumerate() {
+                light.projector.build(&format!("light[{i}].projector"))?;
             }
-        }
-        let spec = Section::new("", Value::Object(root)).parse::<JobSpec>();
-        spec.map_err(|e| document.locate(e))
+            Ok(spec)
+        };
+        read().map_err(|e| document.locate(e))
     }
 
     /// The objectives, one section each, with their key paths.

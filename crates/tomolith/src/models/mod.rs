@@ -11,6 +11,7 @@ pub mod matrix;
 pub mod parallel;
 pub mod planner;
 pub mod rays;
+pub mod scatter;
 pub mod selection;
 
 use crate::error::Result;
@@ -30,6 +31,8 @@ pub enum Choice {
     Parallel(parallel::Params),
     /// Rays of any direction through any vial.
     Rays(rays::Params),
+    /// Rays in a resin that scatters.
+    Scatter(scatter::Params),
     /// A stored matrix.
     Matrix(matrix::Params),
 }
@@ -38,7 +41,12 @@ pub enum Choice {
 pub type ChooseModel = fn(&Section) -> Result<Choice>;
 
 /// Every dose model; without one in the job the [`planner`] chooses.
-pub static MODELS: &[Kind<ChooseModel>] = &[parallel::KIND, rays::KIND, matrix::KIND];
+pub static MODELS: &[Kind<ChooseModel>] = &[
+    parallel::KIND,
+    rays::KIND,
+    scatter::KIND,
+    matrix::KIND,
+];
 
 /// What long work carries along: a way to be stopped.
 ///

@@ -1,14 +1,15 @@
 //! Chooses the dose model of a job, and says why.
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
-//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. A job may ask for one
+//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`], or
+//! [`scatter`] where the resin scatters. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::matrix::MatrixModel;
 use super::parallel::{Light, Parallel};
 use super::rays::{Optics, Rays};
 use super::selection::useful_rows;
-use super::{Choice, DoseModel, Run};
+use super::{Choice, DoseModel, Run, scatter};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
@@ -33,11 +34,19 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
+    /// Whether light is scattered anywhere.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        self.optics.iter().any(|o| o.scattering.is_some())
+    }
+
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
     pub fn beyond_parallel(&self) -> Option<&'static str> {
         let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
-        if !self.vial.is_invariant() {
+        if self.scatters() {
+            Some("the resin scatters")
+        } else if !self.vial.is_invariant() {
             Some("the vial changes along z")
         } else if any(&|o| !o.projector.is_collimated()) {
             Some("light is not collimated")
@@ -110,12 +119,15 @@ fn optical(
     grid: VolumeGrid,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     let rays = |params| Rays::new(setup.vial, lights.clone(), setup.optics, params, grid.clone());
+    let scatter = |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone());
     match (choice, setup.beyond_parallel()) {
+        (Choice::Scatter(params), _) => Ok(Box::new(scatter(params)?)),
+        (Choice::Cheapest, _) if setup.scatters() => Ok(Box::new(scatter(&scatter::Params::default())?)),
         (Choice::Rays(params), _) => Ok(Box::new(rays(params)?)),
         (Choice::Cheapest, Some(_)) => Ok(Box::new(rays(&super::rays::Params::default())?)),
         (Choice::Parallel(_), Some(reason)) => Err(Error::Unsupported {
             what: "model.parallel".into(),
-            reason: format!("{reason}; use [model.rays], or leave [model] out"),
+            reason: format!("{reason}; leave [model] out, or name another"),
         }),
         (_, None) => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
         (Choice::Matrix(_), Some(_)) => unreachable!("a stored matrix needs no optics"),

@@ -3,7 +3,9 @@
 pub mod interface;
 pub mod motion;
 pub mod obstacle;
+pub mod phase;
 pub mod projector;
+pub mod random;
 pub mod resin;
 pub mod space;
 pub mod surface;

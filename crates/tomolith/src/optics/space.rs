@@ -9,6 +9,13 @@
 //! With [`Limits::reflections`] the reflected part is followed too, through all orders down to `Limits::least_power` of
 //! what was emitted; else it is lost. Total reflection keeps all power; the phase between s and p that it adds is not followed.
 //!
+//! # Scattering
+//! With [`SpaceTracer::in_scattering`] and a stream of random numbers, a leg of length L leaves its expected absorption all
+//! along, and what it loses to scattering goes on from one point of it: the distance is drawn from the free paths below
+//! L, the direction from the phase function, the power is (μ_s/μ_t)·(1 − e^(−μ_t·L)) of the leg's. So the straight light
+//! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
+//! power/least_power (Russian roulette). Scattered light is unpolarised.
+//!
 //! # Equation
 //! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped = 1.
 //!
@@ -32,11 +39,14 @@
 
 use super::interface::Polarisation;
 use super::obstacle::{Material, Obstacle};
+use super::phase::Scattering;
 use super::projector::Ray;
+use super::random::Stream;
 use super::resin::Resin;
 use super::surface::{Crossing, Surface, cross, dot, unit};
 use super::trace::Bath;
 use super::vial::{Curve, Medium, Vial};
+use std::f64::consts::TAU;
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +68,8 @@ pub struct Limits {
     pub least_power: f64,
     /// Interfaces that one ray passes at most.
     pub interfaces: usize,
+    /// How often light is scattered at most.
+    pub orders: usize,
 }
 
 impl Default for Limits {
@@ -67,6 +79,7 @@ impl Default for Limits {
             reflections: false,
             least_power: 1e-4,
             interfaces: 64,
+            orders: 64,
         }
     }
 }
@@ -136,6 +149,7 @@ pub struct SpaceTracer {
     resin: Resin,
     polarisation: Polarisation,
     bath: Option<Bath>,
+    scattering: Option<Scattering>,
     limits: Limits,
     /// Rays begin this far before the axis, mm.
     far: f64,
@@ -150,6 +164,8 @@ struct State {
     /// Within this obstacle.
     within: Option<usize>,
     crossed: usize,
+    /// How often it was scattered.
+    order: usize,
     met_resin: bool,
 }
 
@@ -235,8 +251,16 @@ impl SpaceTracer {
             resin,
             polarisation,
             bath: None,
+            scattering: None,
             limits,
         }
+    }
+
+    /// The same vial with a resin that scatters too; its total attenuation holds the scattering.
+    #[must_use]
+    pub fn in_scattering(mut self, scattering: Option<Scattering>) -> Self {
+        self.scattering = scattering;
+        self
     }
 
     /// The same vial in an absorbing bath.
@@ -260,9 +284,19 @@ impl SpaceTracer {
         -(-self.resin.attenuation_per_mm * length).exp_m1()
     }
 
-    /// Follows one ray; where it begins along its line does not matter.
+    /// Follows one ray, straight light only; where it begins along its line does not matter.
     #[must_use]
     pub fn trace(&self, ray: Ray) -> Path {
+        self.trace_with(ray, None)
+    }
+
+    /// Follows one ray and what is scattered out of it.
+    #[must_use]
+    pub fn trace_scattered(&self, ray: Ray, random: &mut Stream) -> Path {
+        self.trace_with(ray, Some(random))
+    }
+
+    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>) -> Path {
         let mut path = Path::default();
         // Back to where no wall has been met
         let back = dot(ray.from, ray.direction) + self.far;
@@ -276,22 +310,35 @@ impl SpaceTracer {
             depth: 0,
             within: None,
             crossed: 0,
+            order: 0,
             met_resin: false,
         }];
         while let Some(state) = waiting.pop() {
-            self.follow(state, &mut waiting, &mut path);
+            self.follow(state, &mut waiting, &mut path, random.as_deref_mut());
         }
         path
     }
 
     /// Follows a ray to its end; what is reflected and to be followed is left in `waiting`.
-    fn follow(&self, mut state: State, waiting: &mut Vec<State>, path: &mut Path) {
+    fn follow(
+        &self,
+        mut state: State,
+        waiting: &mut Vec<State>,
+        path: &mut Path,
+        mut random: Option<&mut Stream>,
+    ) {
         loop {
             let Some(ahead) = self.ahead(&state) else {
                 break;
             };
             let distance = ahead.crossing().distance;
-            self.cross_medium(&mut state, distance, path);
+            let before = state;
+            let lost = self.cross_medium(&mut state, distance, path);
+            if let (Some(random), Some(scattering)) = (random.as_deref_mut(), &self.scattering)
+                && lost > 0.0
+            {
+                self.scatter(&before, scattering, distance, lost, random, waiting, path);
+            }
             state.ray.from = state.ray.at(distance);
             state.crossed += 1;
             let power = state.fields.power();
@@ -319,8 +366,54 @@ impl SpaceTracer {
         }
     }
 
-    /// What the medium takes on the way to the next surface.
-    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) {
+    /// What goes on from a point of a leg that lost `lost` of its power: its share moves from absorbed to scattered.
+    #[expect(clippy::too_many_arguments, reason = "one event of a path")]
+    fn scatter(
+        &self,
+        leg: &State,
+        scattering: &Scattering,
+        length: f64,
+        lost: f64,
+        random: &mut Stream,
+        waiting: &mut Vec<State>,
+        path: &mut Path,
+    ) {
+        let mu = self.resin.attenuation_per_mm;
+        let mut power = lost * scattering.per_mm / mu;
+        path.account.absorbed -= power;
+        if leg.order >= self.limits.orders {
+            path.account.dropped += power;
+            return;
+        }
+        let least = self.limits.least_power;
+        if power < least {
+            let survives = random.uniform() * least < power;
+            let after = if survives { least } else { 0.0 };
+            path.account.dropped += power - after;
+            power = after;
+        }
+        if power == 0.0 {
+            return;
+        }
+        let reach = -(-mu * length).exp_m1();
+        let distance = -(-random.uniform() * reach).ln_1p() / mu;
+        let cosine = scattering.phase.draw(random);
+        let direction = deflected(leg.ray.direction, cosine, TAU * random.uniform());
+        let mut fields = Fields::new(Polarisation::Unpolarised, direction);
+        fields.scale(power);
+        waiting.push(State {
+            ray: Ray {
+                from: leg.ray.at(distance.min(length)),
+                direction,
+            },
+            fields,
+            order: leg.order + 1,
+            ..*leg
+        });
+    }
+
+    /// What the medium takes on the way to the next surface; returns what resin took.
+    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) -> f64 {
         let power = state.fields.power();
         if state.depth == self.resin_depth && state.within.is_none() {
             state.met_resin = true;
@@ -332,12 +425,14 @@ impl SpaceTracer {
             let loss = self.loss(length);
             path.account.absorbed += loss * power;
             state.fields.scale(1.0 - loss);
+            return loss * power;
         } else if let (Some(bath), 0, None) = (self.bath, state.depth, state.within) {
             let way = bath_way(bath, &state.ray, length);
             let loss = -(-bath.absorption_per_mm * way).exp_m1();
             path.account.bath += loss * power;
             state.fields.scale(1.0 - loss);
         }
+        0.0
     }
 
     /// The next surface of a ray: the wall around it, the one it encloses, or an obstacle.
@@ -509,6 +604,17 @@ fn mirrored(fields: &Fields, normal: [f64; 3]) -> Fields {
     }))
 }
 
+/// A direction at this angle (its cosine) and azimuth from another.
+fn deflected(d: [f64; 3], cosine: f64, azimuth: f64) -> [f64; 3] {
+    let a = unit(cross(d, least_axis(d)));
+    let b = cross(d, a);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let (sin, cos) = azimuth.sin_cos();
+    unit(std::array::from_fn(|i| {
+        cosine * d[i] + sine * (cos * a[i] + sin * b[i])
+    }))
+}
+
 fn least_axis(d: [f64; 3]) -> [f64; 3] {
     let least = (0..3).min_by(|&a, &b| d[a].abs().total_cmp(&d[b].abs()));
     std::array::from_fn(|i| f64::from(u8::from(Some(i) == least)))
@@ -602,6 +708,7 @@ mod tests {
             reflections: true,
             least_power: 1e-7,
             interfaces: 200,
+            ..Limits::default()
         };
         let mut clear = resin();
         clear.absorption_per_mm = 0.0;
@@ -623,6 +730,47 @@ mod tests {
         // What leaves backwards before any resin: the first two interfaces alone
         let two = r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49));
         assert!((without_resin - two / (1.0 + two)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts_it() {
+        use super::super::phase::isotropic::Isotropic;
+        let per_mm = 0.5;
+        let mut dull = resin();
+        dull.attenuation_per_mm = 0.1 + per_mm;
+        let scattering = Scattering {
+            per_mm,
+            phase: Arc::new(Isotropic {}),
+        };
+        let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+        let run = |orders: usize| {
+            let limits = Limits {
+                orders,
+                least_power: 0.0,
+                ..Limits::default()
+            };
+            SpaceTracer::new(&vial, dull, 1.0, Polarisation::Unpolarised, limits)
+                .in_scattering(Some(scattering.clone()))
+        };
+        // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
+        let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
+        let ray = level(0.0, 0.0);
+        let (mut depth, mut cosine) = (0.0, 0.0);
+        let paths: u32 = 20_000;
+        for i in 0..paths {
+            let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
+            assert!((path.account.total() - 1.0).abs() < 1e-12);
+            assert!((path.legs[1].power - expected).abs() < 1e-12);
+            depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
+            cosine += path.legs[1].ray.direction[2] / f64::from(paths);
+        }
+        // Mean free path below 4 mm: 1/μ − 4/(e^(4μ) − 1), and no direction is preferred
+        let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
+        assert!((depth - mean).abs() < 0.04, "{depth} {mean}");
+        assert!(cosine.abs() < 0.02);
+        // With all orders the power that is dropped is small, and the account is whole
+        let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
     }
 
     #[test]

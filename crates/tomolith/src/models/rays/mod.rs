@@ -66,6 +66,7 @@ use crate::models::{
 };
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::Obstacle;
+use crate::optics::phase::Scattering;
 use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
 use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
@@ -133,6 +134,8 @@ pub struct Optics {
     pub motion: Motion,
     /// What stands in the light.
     pub obstacles: Vec<Obstacle>,
+    /// What scatters in the resin, at this light's wavelength.
+    pub scattering: Option<Scattering>,
 }
 
 impl Optics {
@@ -143,14 +146,18 @@ impl Optics {
             projector: Arc::new(Collimated { pixel_pitch_mm }),
             motion: Motion::default(),
             obstacles: Vec::new(),
+            scattering: None,
         }
     }
+}
 
-    /// Whether `parallel` covers it.
-    #[must_use]
-    pub fn is_parallel(&self) -> bool {
-        self.projector.is_collimated() && self.motion.is_plain() && self.obstacles.is_empty()
-    }
+/// How a pixel's light is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Emission {
+    pub(super) rays_per_pixel: usize,
+    pub(super) limits: Limits,
+    /// Seed of the paths of scattered light; None: straight light only.
+    pub(super) seed: Option<u64>,
 }
 
 /// See the [module page](self).
@@ -176,12 +183,38 @@ impl Rays {
     ///
     /// # Errors
     /// [`Error::Config`] when there is nothing to light or nothing that absorbs; [`Error::Unsupported`] for an absorption
-    /// map or a kernel of pure Radon.
+    /// map, a kernel of pure Radon or a resin that scatters.
     pub fn new(
         vial: &dyn Vial,
         lights: Vec<Light>,
         optics: &[Optics],
         params: &Params,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if optics.iter().any(|o| o.scattering.is_some()) {
+            return Err(Error::Unsupported {
+                what: "model.rays".into(),
+                reason: "the resin scatters; use [model.scatter], or leave [model] out".into(),
+            });
+        }
+        let emission = Emission {
+            rays_per_pixel: params.rays_per_pixel,
+            limits: Limits {
+                reflections: params.reflections,
+                least_power: params.least_power,
+                ..Limits::default()
+            },
+            seed: None,
+        };
+        Self::build(vial, &lights, optics, &emission, grid)
+    }
+
+    /// The model of straight light, or of light and what is scattered out of it.
+    pub(super) fn build(
+        vial: &dyn Vial,
+        lights: &[Light],
+        optics: &[Optics],
+        emission: &Emission,
         grid: VolumeGrid,
     ) -> Result<Self> {
         if grid.is_empty() {
@@ -197,19 +230,15 @@ impl Rays {
         for (light, optics) in lights.iter().zip(optics) {
             light.check()?;
             refuse(light)?;
-            let limits = Limits {
-                reflections: params.reflections,
-                least_power: params.least_power,
-                ..Limits::default()
-            };
             let tracer = SpaceTracer::new(
                 vial,
                 light.resin,
                 light.surrounding_index,
                 light.polarisation,
-                limits,
+                emission.limits,
             )
             .in_bath(light.bath)
+            .in_scattering(optics.scattering.clone())
             .with_obstacles(optics.obstacles.clone());
             let is_round = vial.is_round() && optics.obstacles.is_empty();
             let layout = light.layout(offset);
@@ -218,7 +247,7 @@ impl Rays {
                 light,
                 Arc::clone(&optics.projector),
                 optics.motion,
-                params.rays_per_pixel,
+                emission,
                 tracer,
                 is_round,
             ));
@@ -246,7 +275,8 @@ impl Rays {
             is_level: optics
                 .iter()
                 .all(|o| o.projector.is_collimated() && o.motion.tilt_rad == 0.0)
-                && !params.reflections,
+                && !emission.limits.reflections
+                && emission.seed.is_none(),
             sources,
             uptakes,
             patterns,

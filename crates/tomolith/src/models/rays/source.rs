@@ -1,9 +1,11 @@
 //! Where rays come from: pixels of frames → legs in the resin.
 
 use crate::grid::PatternGrid;
+use super::Emission;
 use crate::models::parallel::Light;
 use crate::optics::motion::{Motion, turned};
 use crate::optics::projector::{Projector, Ray};
+use crate::optics::random::Stream;
 use crate::optics::space::{Account, Leg, SpaceTracer};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, TAU};
@@ -17,6 +19,8 @@ pub(super) struct Source {
     tracer: SpaceTracer,
     samples: Vec<Sample>,
     sub_angles: usize,
+    /// Seed of the paths of scattered light; None: straight light only.
+    seed: Option<u64>,
     /// Legs as seen at azimuth 0, where every frame has the same.
     shared: Option<Shared>,
 }
@@ -46,11 +50,11 @@ impl Source {
         light: &Light,
         projector: Arc<dyn Projector>,
         motion: Motion,
-        rays_per_pixel: usize,
+        emission: &Emission,
         tracer: SpaceTracer,
         is_round: bool,
     ) -> Self {
-        let samples = samples(rays_per_pixel, projector.has_aperture());
+        let samples = samples(emission.rays_per_pixel, projector.has_aperture());
         let mut source = Source {
             pixels: light.pixels.clone(),
             projector,
@@ -58,9 +62,11 @@ impl Source {
             tracer,
             samples,
             sub_angles: light.sub_angles.max(1),
+            seed: emission.seed,
             shared: None,
         };
-        source.shared = (is_round && motion.is_symmetric()).then(|| source.trace_once());
+        let alike = is_round && motion.is_symmetric() && emission.seed.is_none();
+        source.shared = alike.then(|| source.trace_once());
         source
     }
 
@@ -107,6 +113,22 @@ impl Source {
         }
     }
 
+    /// The same with what is scattered; `exposure` counts frames and their sub-angles.
+    fn trace_scattered(
+        &self,
+        (column, row): (usize, usize),
+        (azimuth, exposure, seed): (f64, usize, u64),
+        mut visit: impl FnMut(Leg),
+    ) {
+        let pixel = (column * self.pixels.rows + row) as u64;
+        for (i, sample) in self.samples.iter().enumerate() {
+            let mut random = Stream::new([seed, exposure as u64, pixel, i as u64]);
+            let ray = self.ray(column, row, sample, azimuth);
+            let path = self.tracer.trace_scattered(ray, &mut random);
+            path.legs.into_iter().for_each(&mut visit);
+        }
+    }
+
     /// Calls `visit` with every leg of the light of a pixel (row counted from below) in a frame.
     pub(super) fn for_each_leg(
         &self,
@@ -118,6 +140,11 @@ impl Source {
         for sub in 0..self.sub_angles {
             let within = (sub as f64 + 0.5) / self.sub_angles as f64 - 0.5;
             let azimuth = self.pixels.azimuths[frame] + within * self.pixels.frame_arc;
+            if let Some(seed) = self.seed {
+                let exposure = frame * self.sub_angles + sub;
+                self.trace_scattered((column, row), (azimuth, exposure, seed), &mut visit);
+                continue;
+            }
             let Some(shared) = &self.shared else {
                 self.trace(column, row, azimuth, &mut visit);
                 continue;
@@ -143,9 +170,17 @@ impl Source {
 
     fn account_of(&self, frame: usize, column: usize, row: usize) -> Account {
         let mut account = Account::default();
-        for sample in &self.samples {
+        for (i, sample) in self.samples.iter().enumerate() {
             let ray = self.ray(column, row, sample, self.pixels.azimuths[frame]);
-            account.add(&self.tracer.trace(ray).account, 1.0 / self.samples.len() as f64);
+            let pixel = (column * self.pixels.rows + row) as u64;
+            let path = match self.seed {
+                Some(seed) => {
+                    let mut random = Stream::new([seed, frame as u64, pixel, i as u64]);
+                    self.tracer.trace_scattered(ray, &mut random)
+                }
+                None => self.tracer.trace(ray),
+            };
+            account.add(&path.account, 1.0 / self.samples.len() as f64);
         }
         account
     }

