@@ -20,6 +20,7 @@
 //! | `seed` | – | 1 | which paths |
 //! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
 //! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
+//! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them |
 //!
 //! # Limits
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed and sixteen times
@@ -71,6 +72,8 @@ pub struct Params {
     pub least_power: f64,
     /// How often light is scattered at most, 0 to 1000.
     pub orders: usize,
+    /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32.
+    pub smooth: usize,
 }
 
 impl Default for Params {
@@ -80,6 +83,7 @@ impl Default for Params {
             seed: 1,
             least_power: 0.05,
             orders: 64,
+            smooth: 4,
         }
     }
 }
@@ -118,6 +122,9 @@ pub const KIND: Kind<ChooseModel> = Kind {
         if params.orders > 1000 {
             return refuse("orders", format!("found {}", params.orders), "0 to 1000");
         }
+        if !(1..=32).contains(&params.smooth) {
+            return refuse("smooth", format!("found {}", params.smooth), "1 to 32");
+        }
         Ok(Choice::Scatter(params))
     },
 };
@@ -141,7 +148,7 @@ pub fn model(
             orders: params.orders,
             ..Limits::default()
         },
-        seed: Some(params.seed),
+        scattered: Some((params.seed, params.smooth)),
     };
     Rays::build(vial, lights, optics, &emission, grid)
 }

@@ -57,6 +57,8 @@ pub struct Leg {
     pub length: f64,
     /// Power where it enters, per emitted power.
     pub power: f64,
+    /// How often its light was scattered before.
+    pub order: usize,
 }
 
 /// How far light is followed.
@@ -421,6 +423,7 @@ impl SpaceTracer {
                 ray: state.ray,
                 length,
                 power,
+                order: state.order,
             });
             let loss = self.loss(length);
             path.account.absorbed += loss * power;

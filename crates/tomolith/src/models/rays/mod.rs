@@ -52,6 +52,7 @@
 //! assert!((absorbed / sent - (1.0 - (-0.4f32).exp())).abs() < 1e-4); // the rays at ±0.025 mm run 4 mm less 6e-4
 //! ```
 
+mod coarse;
 mod segment;
 mod source;
 mod walk;
@@ -73,6 +74,7 @@ use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use rayon::prelude::*;
 use schemars::JsonSchema;
+use coarse::Coarse;
 use segment::{Lattice, Segment, Uptake};
 use serde::{Deserialize, Serialize};
 use source::Source;
@@ -156,8 +158,9 @@ impl Optics {
 pub(super) struct Emission {
     pub(super) rays_per_pixel: usize,
     pub(super) limits: Limits,
-    /// Seed of the paths of scattered light; None: straight light only.
-    pub(super) seed: Option<u64>,
+    /// Seed of the paths of scattered light, and the voxels along an edge of the cells it is summed on; None: straight
+    /// light only.
+    pub(super) scattered: Option<(u64, usize)>,
 }
 
 /// See the [module page](self).
@@ -167,6 +170,8 @@ pub struct Rays {
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
     lattice: Lattice,
+    /// Where scattered light is summed.
+    coarse: Option<(Coarse, Lattice)>,
     gait: Gait,
     is_level: bool,
     updates: OnceLock<u64>,
@@ -177,6 +182,13 @@ const CHUNK: usize = 1 << 14;
 
 /// Segments by major axis.
 type Bundles = [Vec<Segment>; 3];
+
+/// Segments of straight light on voxels, and of scattered light on coarse cells.
+#[derive(Default)]
+struct Lit {
+    straight: Bundles,
+    scattered: Bundles,
+}
 
 impl Rays {
     /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
@@ -204,7 +216,7 @@ impl Rays {
                 least_power: params.least_power,
                 ..Limits::default()
             },
-            seed: None,
+            scattered: None,
         };
         Self::build(vial, &lights, optics, &emission, grid)
     }
@@ -270,13 +282,19 @@ impl Rays {
                 ),
             });
         }
+        let coarse = emission.scattered.map(|(_, factor)| {
+            let coarse = Coarse::new(&outputs[0], factor);
+            let lattice = Lattice::new(&coarse.layout);
+            (coarse, lattice)
+        });
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),
+            coarse,
             is_level: optics
                 .iter()
                 .all(|o| o.projector.is_collimated() && o.motion.tilt_rad == 0.0)
                 && !emission.limits.reflections
-                && emission.seed.is_none(),
+                && emission.scattered.is_none(),
             sources,
             uptakes,
             patterns,
@@ -336,7 +354,7 @@ impl Rays {
         light: usize,
         pairs: Range<usize>,
         wants: impl Fn(usize) -> bool + Sync,
-    ) -> Bundles {
+    ) -> Lit {
         let (source, layout) = (&self.sources[light], &self.patterns[light]);
         let columns = layout.grid.columns;
         let pitch = layout.grid.pitch_mm;
@@ -351,22 +369,51 @@ impl Rays {
                 }
                 let row = run.bottom as usize + i;
                 source.for_each_leg(pair / columns, pair % columns, row, |leg| {
-                    found.extend(self.lattice.segment(
-                        &leg,
-                        self.uptakes[light],
-                        area,
-                        pixel as u32,
-                    ));
+                    let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
+                    let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
+                    let segment = lattice.segment(&leg, self.uptakes[light], area, pixel as u32);
+                    found.extend(segment.map(|(axis, s)| (scattered.is_some(), axis, s)));
                 });
             }
             found
         };
-        let by_pair: Vec<Vec<(usize, Segment)>> = pairs.into_par_iter().map(of_pair).collect();
-        let mut bundles = Bundles::default();
-        for (axis, segment) in by_pair.into_iter().flatten() {
+        let by_pair: Vec<Vec<(bool, usize, Segment)>> =
+            pairs.into_par_iter().map(of_pair).collect();
+        let mut lit = Lit::default();
+        for (is_scattered, axis, segment) in by_pair.into_iter().flatten() {
+            let bundles = if is_scattered { &mut lit.scattered } else { &mut lit.straight };
             bundles[axis].push(segment);
         }
-        bundles
+        lit
+    }
+}
+
+impl Rays {
+    /// Dark coarse cells.
+    fn cells(&self) -> Vec<f32> {
+        vec![0.0; self.coarse.as_ref().map_or(0, |(coarse, _)| coarse.layout.len())]
+    }
+
+    /// dose += what segments of pixels of these values leave
+    fn add(&self, lattice: &Lattice, bundles: &Bundles, x: &[f32], dose: &mut [f32]) {
+        for (axis, segments) in bundles.iter().enumerate() {
+            walk::add(self.gait, Ways::new(lattice, axis), segments, x, dose);
+        }
+    }
+
+    /// grad += what segments collect of a cotangent
+    fn collect(&self, lattice: &Lattice, bundles: &Bundles, c: &[f32], grad: &mut [f32]) {
+        for (axis, segments) in bundles.iter().enumerate() {
+            let ways = Ways::new(lattice, axis);
+            let sums: Vec<f32> = segments
+                .par_iter()
+                .with_min_len(64)
+                .map(|segment| walk::collect(self.gait, ways, segment, c))
+                .collect();
+            for (segment, sum) in segments.iter().zip(sums) {
+                grad[segment.pixel as usize] += sum;
+            }
+        }
     }
 }
 
@@ -417,6 +464,7 @@ impl LinearOperator for Rays {
     ) -> Result<()> {
         let x = x.as_slice();
         let dose = dose.as_mut_slice();
+        let mut cells = self.cells();
         let mut first = 0;
         for (light, layout) in self.patterns.iter().enumerate() {
             let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
@@ -426,12 +474,15 @@ impl LinearOperator for Rays {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
-                let bundles = self.bundles(light, pairs, |pixel| x[pixel] != 0.0);
-                for (axis, segments) in bundles.iter().enumerate() {
-                    let ways = Ways::new(&self.lattice, axis);
-                    walk::add(self.gait, ways, segments, x, dose);
+                let lit = self.bundles(light, pairs, |pixel| x[pixel] != 0.0);
+                self.add(&self.lattice, &lit.straight, x, dose);
+                if let Some((_, lattice)) = &self.coarse {
+                    self.add(lattice, &lit.scattered, x, &mut cells);
                 }
             }
+        }
+        if let Some((coarse, _)) = &self.coarse {
+            coarse.spread(&cells, dose);
         }
         Ok(())
     }
@@ -439,22 +490,19 @@ impl LinearOperator for Rays {
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         grad.fill(0.0);
+        let mut cells = self.cells();
+        if let Some((coarse, _)) = &self.coarse {
+            coarse.gather(c, &mut cells);
+        }
         for (light, layout) in self.patterns.iter().enumerate() {
             for pairs in self.chunks(light, 0..layout.grid.frames()) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
-                let bundles = self.bundles(light, pairs, |_| true);
-                for (axis, segments) in bundles.iter().enumerate() {
-                    let ways = Ways::new(&self.lattice, axis);
-                    let sums: Vec<f32> = segments
-                        .par_iter()
-                        .with_min_len(64)
-                        .map(|segment| walk::collect(self.gait, ways, segment, c))
-                        .collect();
-                    for (segment, sum) in segments.iter().zip(sums) {
-                        grad[segment.pixel as usize] += sum;
-                    }
+                let lit = self.bundles(light, pairs, |_| true);
+                self.collect(&self.lattice, &lit.straight, c, grad);
+                if let Some((_, lattice)) = &self.coarse {
+                    self.collect(lattice, &lit.scattered, &cells, grad);
                 }
             }
         }
@@ -483,8 +531,9 @@ impl LinearOperator for Rays {
             let mut total = 0.0;
             for (light, layout) in self.patterns.iter().enumerate() {
                 for pairs in self.chunks(light, 0..layout.grid.frames()) {
-                    let bundles = self.bundles(light, pairs, |_| true);
-                    total += bundles.iter().flatten().map(of).sum::<f64>();
+                    let lit = self.bundles(light, pairs, |_| true);
+                    let bundles = lit.straight.iter().chain(&lit.scattered);
+                    total += bundles.flatten().map(of).sum::<f64>();
                 }
             }
             total as u64

@@ -62,10 +62,10 @@ impl Source {
             tracer,
             samples,
             sub_angles: light.sub_angles.max(1),
-            seed: emission.seed,
+            seed: emission.scattered.map(|(seed, _)| seed),
             shared: None,
         };
-        let alike = is_round && motion.is_symmetric() && emission.seed.is_none();
+        let alike = is_round && motion.is_symmetric() && emission.scattered.is_none();
         source.shared = alike.then(|| source.trace_once());
         source
     }
