@@ -4,6 +4,7 @@ use crate::compare::CompareArguments;
 use crate::export::{CalibrateArguments, ExportArguments};
 use crate::export_matrix::MatrixArguments;
 use crate::metrics::MetricsArguments;
+use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -59,6 +60,8 @@ pub(crate) enum Command {
     Export(ExportArguments),
     /// Write the dose model of a small job as a sparse matrix for SciPy
     ExportMatrix(MatrixArguments),
+    /// Follow the light of single pixels: its way, where its power goes, its dose
+    Trace(TraceArguments),
     /// Draw calibration frames for a machine
     Calibrate(CalibrateArguments),
     /// Put several runs side by side on one page

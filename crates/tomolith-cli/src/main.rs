@@ -9,6 +9,7 @@ mod export_matrix;
 mod help;
 mod metrics;
 mod screen;
+mod trace;
 mod trouble;
 mod voxelize;
 
@@ -54,6 +55,10 @@ fn main() -> ExitCode {
         Command::ExportMatrix(given) => quick(given.manner, || {
             let job = read(&given.job, None)?;
             export_matrix::export_matrix(given, &job, &cancel_on_ctrl_c())
+        }),
+        Command::Trace(given) => quick(given.manner, || {
+            let job = read(&given.job, None)?;
+            trace::run(given, &job, &cancel_on_ctrl_c())
         }),
         Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
         Command::Compare(given) => quick(given.manner, || compare::compare(given)),

@@ -199,14 +199,14 @@ fn as_option(mut error: Error) -> Error {
 
 /// What a file name asks for.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(crate) enum Kind {
     Npy,
     Vti,
     Png,
 }
 
 impl Kind {
-    fn of(path: &Path) -> Result<Self> {
+    pub(crate) fn of(path: &Path) -> Result<Self> {
         match path
             .extension()
             .and_then(|e| e.to_str())
@@ -228,18 +228,34 @@ impl Kind {
 fn write(path: &Path, kind: Kind, target: &Target, binary: bool) -> Result<()> {
     let Volume { grid, values } = &target.inside;
     let bytes = || values.iter().map(|&v| v as u8).collect::<Vec<u8>>();
-    match (kind, binary) {
-        (Kind::Npy, false) => write_volume(path, &target.inside),
-        (Kind::Npy, true) => write_volume(
+    match kind {
+        Kind::Npy if binary => write_volume(
             path,
             &Volume {
                 grid: grid.clone(),
                 values: bytes(),
             },
         ),
-        (Kind::Vti, false) => write_vti(path, grid, &[("inside", VtiValues::F32(values))]),
-        (Kind::Vti, true) => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))]),
-        (Kind::Png, _) => write_slices(path, &target.inside),
+        Kind::Vti if binary => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))]),
+        kind => write_values(path, kind, "inside", &target.inside),
+    }
+}
+
+/// Values as they are; in a picture, from 0 (black) to 1 (white).
+pub(crate) fn write_values(
+    path: &Path,
+    kind: Kind,
+    name: &str,
+    volume: &Volume<f32>,
+) -> Result<()> {
+    match kind {
+        Kind::Npy => write_volume(path, volume),
+        Kind::Vti => write_vti(
+            path,
+            &volume.grid,
+            &[(name, VtiValues::F32(&volume.values))],
+        ),
+        Kind::Png => write_slices(path, volume),
     }
 }
 

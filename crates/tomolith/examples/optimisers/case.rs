@@ -12,7 +12,8 @@ use tomolith::kind::Section;
 use tomolith::metrics::published::{Options, published, value_of};
 use tomolith::metrics::scan::Scan;
 use tomolith::models::parallel::Light;
-use tomolith::models::planner::{self, Plan};
+use tomolith::models::planner::{self, Plan, Setup};
+use tomolith::models::rays::Optics;
 use tomolith::models::{Choice, DoseModel, Run};
 use tomolith::objective::{OBJECTIVES, Objective, ObjectiveInput};
 use tomolith::optics::resin::Resin;
@@ -88,10 +89,13 @@ impl Case {
         let vial = IndexMatched {
             radius_mm: 0.75 * field_mm,
         };
-        let choice = Choice::default();
+        let setup = Setup {
+            vial: &vial,
+            optics: &[Optics::collimated(light.pixels.pitch_mm)],
+        };
         let plan = planner::plan(
-            &choice,
-            &vial,
+            &Choice::default(),
+            setup,
             vec![light],
             grid,
             Some(&wanted),

@@ -3,14 +3,20 @@
 use super::spec::{JobSpec, LightSpec, MapSpec, Region};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
+use crate::io::mesh::read_mesh;
 use crate::io::npy::read_matrix;
 use crate::kind::Section;
 use crate::models::parallel::{AbsorptionMap, Kernel, Light};
-use crate::models::{Choice, MODELS};
+use crate::models::planner::Setup;
+use crate::models::{Choice, MODELS, rays, scatter};
+use crate::optics::motion::Motion;
+use crate::optics::obstacle::{Material, Obstacle};
+use crate::optics::phase::{PHASES, Scattering};
 use crate::optics::resin::Resin;
+use crate::optics::surface::{Net, Surface};
 use crate::optics::trace::Bath;
 use crate::optics::vial::{Curve, VIALS, Vial};
-use crate::target::{Shape, label};
+use crate::target::{MeshShape, Placement, Repair, Role, Shape, label};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -23,6 +29,8 @@ pub(crate) struct Optics {
     pub(crate) vial: Box<dyn Vial>,
     /// One per light.
     pub(crate) lights: Vec<Light>,
+    /// What stands between each light's pixels and the vial.
+    paths: Vec<rays::Optics>,
     /// How light becomes dose.
     pub(crate) model: Choice,
 }
@@ -33,14 +41,33 @@ impl Optics {
     /// # Errors
     /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
     pub(crate) fn new(spec: &JobSpec, base: &Path) -> Result<Self> {
-        let (kind, section) = Section::new("vial", spec.vial.kind.clone()).kind(VIALS)?;
+        let (kind, section) = Section::new("vial", spec.vial.kind.clone())
+            .based(base)
+            .kind(VIALS)?;
         let vial = (kind.build)(&section)?;
-        let (kind, section) = Section::new("model", spec.model.clone()).kind(MODELS)?;
-        let mut model = (kind.build)(&section)?;
+        let mut model = Choice::default();
+        if let Some(value) = &spec.model {
+            let (kind, section) = Section::new("model", value.clone()).kind(MODELS)?;
+            model = (kind.build)(&section)?;
+        }
         let mut kernel = Kernel::default();
         match &mut model {
             Choice::Parallel(parallel) => kernel = parallel.kernel,
             Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
+            Choice::Cheapest | Choice::Rays(_) | Choice::Scatter(_) => {}
+        }
+        let obstacles = obstacles_of(spec, base)?;
+        let motion = motion_of(spec)?;
+        let scattering = scattering_of(spec)?;
+        let mut paths = Vec::with_capacity(spec.light.len());
+        for (i, light) in spec.light.iter().enumerate() {
+            let projector = light.projector.build(&format!("light[{i}].projector"))?;
+            paths.push(rays::Optics {
+                projector: Arc::from(projector),
+                motion,
+                obstacles: obstacles.clone(),
+                scattering: scattering.clone(),
+            });
         }
         let bath = bath_of(spec, vial.as_ref())?;
         let map = spec.resin.map.as_ref().map(|map| map_of(map, base));
@@ -48,18 +75,65 @@ impl Optics {
         let lights = spec
             .light
             .iter()
-            .map(|light| Light {
+            .zip(&paths)
+            .map(|(light, path)| Light {
                 bath,
                 map: map.clone(),
                 kernel,
-                ..light_of(spec, light)
+                ..light_of(spec, light, path.projector.pixel_pitch_mm())
             })
             .collect();
         Ok(Optics {
             vial,
             lights,
+            paths,
             model,
         })
+    }
+
+    /// What light passes, as the planner sees it.
+    pub(crate) fn setup(&self) -> Setup<'_> {
+        Setup {
+            vial: self.vial.as_ref(),
+            optics: &self.paths,
+        }
+    }
+
+    /// Puts the inserts of a target into the light.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for an insert that has no surface.
+    pub(crate) fn add_inserts(&mut self, shape: &dyn Shape) -> Result<()> {
+        let meshes = shape.body(Role::Insert).map(Shape::meshes);
+        for mesh in meshes.into_iter().flatten() {
+            let body = Obstacle {
+                surface: Surface::Net(Arc::new(Net::new(mesh, "target.body")?)),
+                material: Material::Black,
+            };
+            for path in &mut self.paths {
+                path.obstacles.push(body.clone());
+            }
+        }
+        Ok(())
+    }
+
+    /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
+    /// where light is scattered.
+    pub(crate) fn model_for(&self, refine: usize) -> Choice {
+        let mut model = self.model.clone();
+        if matches!(model, Choice::Cheapest) {
+            if self.setup().scatters() {
+                model = Choice::Scatter(scatter::Params::default());
+            } else if self.setup().beyond_parallel().is_some() {
+                model = Choice::Rays(rays::Params::default());
+            }
+        }
+        match &mut model {
+            Choice::Rays(params) => params.rays_per_pixel *= refine * refine,
+            Choice::Scatter(params) => *params = params.for_judging(),
+            _ => {}
+        }
+        model
     }
 
     /// Refuses an evaluation that a stored matrix cannot give.
@@ -68,7 +142,7 @@ impl Optics {
     /// [`Error::Config`].
     pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
         let evaluate = &spec.evaluate;
-        if matches!(self.model, Choice::Parallel(_))
+        if !matches!(self.model, Choice::Matrix(_))
             || (evaluate.refine, evaluate.sub_angles) == (1, 1)
         {
             return Ok(());
@@ -108,7 +182,7 @@ impl Optics {
         } else {
             f64::INFINITY
         };
-        move |[x, y, _]| x.hypot(y) < radius && self.vial.in_resin(x, y)
+        move |[x, y, z]| x.hypot(y) < radius && self.vial.in_resin([x, y, z])
     }
 
     /// Distance from the axis up to which every light is tangent, mm.
@@ -266,7 +340,84 @@ fn map_of(map: &MapSpec, base: &Path) -> Result<AbsorptionMap> {
     AbsorptionMap::new(shape, map.pitch_mm.0, active, total)
 }
 
-fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
+/// How the vial moves.
+fn motion_of(spec: &JobSpec) -> Result<Motion> {
+    let motion = &spec.motion;
+    let [x, y] = motion.offset_mm;
+    for (key, value, least, most) in [
+        ("tilt_deg", motion.tilt_deg, -80.0, 80.0),
+        ("offset_mm[0]", x, -1e3, 1e3),
+        ("offset_mm[1]", y, -1e3, 1e3),
+        ("wobble_mm", motion.wobble_mm, 0.0, 1e3),
+        ("wobble_phase_deg", motion.wobble_phase_deg, -360.0, 360.0),
+    ] {
+        if !(least..=most).contains(&value) {
+            return Err(Error::config(
+                format!("motion.{key}"),
+                format!("found {value}"),
+                format!("{least} to {most}"),
+            ));
+        }
+    }
+    Ok(Motion {
+        tilt_rad: motion.tilt_deg.to_radians(),
+        offset_mm: motion.offset_mm,
+        wobble_mm: motion.wobble_mm,
+        wobble_phase_rad: motion.wobble_phase_deg.to_radians(),
+    })
+}
+
+/// What scatters in the resin.
+fn scattering_of(spec: &JobSpec) -> Result<Option<Scattering>> {
+    let resin = &spec.resin;
+    let (kind, section) = Section::new("resin.phase", resin.phase.clone()).kind(PHASES)?;
+    let phase = (kind.build)(&section)?;
+    Ok((resin.scattering_per_mm > 0.0).then(|| Scattering {
+        per_mm: resin.scattering_per_mm,
+        phase: Arc::from(phase),
+    }))
+}
+
+/// The bodies in the light.
+fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
+    let mut obstacles = Vec::with_capacity(spec.obstacles.len());
+    for (i, obstacle) in spec.obstacles.iter().enumerate() {
+        let section = format!("obstacles[{i}]");
+        if let Material::Dielectric { refractive_index } = obstacle.material
+            && !(refractive_index.is_finite() && refractive_index > 0.0)
+        {
+            return Err(Error::config(
+                format!("{section}.material.dielectric.refractive_index"),
+                format!("found {refractive_index}"),
+                "a finite number > 0",
+            ));
+        }
+        let placement = Placement {
+            scale: Some(obstacle.scale),
+            offset_mm: obstacle.offset_mm,
+            center: false,
+            ..Placement::default()
+        };
+        let key = |error: Error| match error {
+            Error::Io { .. } | Error::Mesh { .. } | Error::Format { .. } => Error::config(
+                format!("{section}.mesh"),
+                error.to_string(),
+                "a closed mesh that can be read",
+            ),
+            other => other,
+        };
+        let file = base.join(&obstacle.mesh);
+        let mesh = read_mesh(&file).map_err(key)?;
+        let shape = MeshShape::new(mesh, &placement, &file, &section, Repair::Safe).map_err(key)?;
+        obstacles.push(Obstacle {
+            surface: Surface::Net(Arc::new(Net::new(shape.mesh(), &section)?)),
+            material: obstacle.material,
+        });
+    }
+    Ok(obstacles)
+}
+
+fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: f64) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = &spec.resin;
@@ -281,7 +432,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
             frame_arc,
             rows,
             columns,
-            pitch_mm: light.projector.pixel_pitch_mm(),
+            pitch_mm,
         },
         resin: Resin {
             refractive_index: resin.refractive_index,
@@ -289,7 +440,8 @@ fn light_of(spec: &JobSpec, light: &LightSpec) -> Light {
             attenuation_per_mm: if resin.pure_radon {
                 0.0
             } else {
-                resin.attenuation_per_mm.unwrap_or(absorption)
+                let known = absorption + resin.scattering_per_mm;
+                resin.attenuation_per_mm.unwrap_or(known)
             },
             pure_radon: resin.pure_radon,
         },
@@ -353,14 +505,8 @@ mod tests {
         let grid = VolumeGrid::centered([2, 4, 4], 0.1);
         let lights = optics.lights.clone();
         let run = crate::models::Run::new();
-        let refused = crate::models::planner::plan(
-            &optics.model,
-            optics.vial.as_ref(),
-            lights,
-            grid,
-            None,
-            &run,
-        );
+        let refused =
+            crate::models::planner::plan(&optics.model, optics.setup(), lights, grid, None, &run);
         assert!(matches!(refused, Err(Error::Unsupported { .. })));
     }
 

@@ -72,10 +72,9 @@ fn solve_level(
     run: &Run,
 ) -> Result<(Vec<Patterns>, Counters)> {
     let voxels = scene.voxels(grid)?;
-    let vial = scene.optics.vial.as_ref();
     let plan = planner::plan(
         &scene.optics.model,
-        vial,
+        scene.optics.setup(),
         lights,
         grid.clone(),
         Some(&voxels.wanted()),

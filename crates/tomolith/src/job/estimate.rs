@@ -256,9 +256,13 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     }
     let frames: usize = lights.iter().map(|l| l.pixels.frames()).sum();
     // A matrix is known for its own pixels only: what the geometry would take stands for it
+    let choice = match &scene.optics.model {
+        Choice::Matrix(_) => Choice::default(),
+        other => other.clone(),
+    };
     let plan = planner::plan(
-        &Choice::default(),
-        scene.optics.vial.as_ref(),
+        &choice,
+        scene.optics.setup(),
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),

@@ -177,10 +177,10 @@ const BYTES_PER_ENTRY: f64 = 36.0;
 /// not linear; [`Error::Cancelled`].
 pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
     let scene = Scene::new(job)?;
-    let (vial, lights) = (scene.optics.vial.as_ref(), scene.optics.lights.clone());
+    let lights = scene.optics.lights.clone();
     let plan = planner::plan(
         &scene.optics.model,
-        vial,
+        scene.optics.setup(),
         lights,
         scene.grid.clone(),
         None,

@@ -266,9 +266,10 @@ fn dose(
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
     }
+    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let model = planner::plan(
-        &scene.optics.model,
-        scene.optics.vial.as_ref(),
+        &scene.optics.model_for(refine),
+        scene.optics.setup(),
         lights,
         grid.clone(),
         None,

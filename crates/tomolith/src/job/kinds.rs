@@ -6,6 +6,8 @@ use crate::kind::{Kind, KindPage};
 use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
 use crate::objective::penalty::PENALTIES;
+use crate::optics::phase::PHASES;
+use crate::optics::projector::PROJECTORS;
 use crate::optics::vial::VIALS;
 use crate::optimize::OPTIMIZERS;
 use crate::optimize::start::STARTS;
@@ -36,6 +38,12 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Fa
 pub fn families() -> Vec<Family> {
     vec![
         family("vial", "What stands around the resin", VIALS),
+        family(
+            "projector",
+            "What a light's rays do before the vial",
+            PROJECTORS,
+        ),
+        family("resin.phase", "Where scattered light goes", PHASES),
         family("model", "How light becomes dose", MODELS),
         family("objective", "What is minimised", OBJECTIVES),
         family("penalties", "What patterns cost by themselves", PENALTIES),

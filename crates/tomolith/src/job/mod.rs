@@ -27,6 +27,7 @@ mod scene;
 pub mod schema;
 pub mod spec;
 mod stages;
+pub mod trace;
 pub mod validate;
 mod write;
 
@@ -110,7 +111,10 @@ folder = "out/part"
     #[test]
     fn lengths_take_units_and_defaults_are_filled_in() {
         let spec = read(FULL).unwrap();
-        assert_eq!(spec.light[0].projector.pixel_pitch_mm(), 0.05);
+        assert_eq!(
+            spec.light[0].projector.build("").unwrap().pixel_pitch_mm(),
+            0.05
+        );
         assert_eq!(spec.light[0].angles.count(), 180);
         assert_eq!(
             (

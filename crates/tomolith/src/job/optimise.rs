@@ -75,7 +75,7 @@ pub(crate) fn optimise(
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
         &scene.optics.model,
-        scene.optics.vial.as_ref(),
+        scene.optics.setup(),
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),

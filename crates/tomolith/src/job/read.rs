@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use super::kinds::{Family, families, with_defaults};
-use super::spec::{Angles, JobSpec, ProjectorSpec, default_objective};
+use super::spec::{Angles, JobSpec, default_objective};
 use super::validate;
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
@@ -106,9 +106,22 @@ impl Job {
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
             *file = absolute(&self.base().join(&*file));
         }
-        if let Some(file) = spec.model.pointer_mut("/matrix/file") {
+        if let Some(file) = spec
+            .model
+            .as_mut()
+            .and_then(|m| m.pointer_mut("/matrix/file"))
+        {
             let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
             *file = path.display().to_string().into();
+        }
+        for wall in ["/mesh/outer", "/mesh/inner"] {
+            if let Some(file) = spec.vial.kind.pointer_mut(wall) {
+                let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
+                *file = path.display().to_string().into();
+            }
+        }
+        for obstacle in &mut spec.obstacles {
+            obstacle.mesh = absolute(&self.base().join(&obstacle.mesh));
         }
         if let Some(map) = &mut spec.resin.map {
             for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
@@ -132,8 +145,7 @@ impl Job {
         }
         for light in &mut spec.light {
             light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
-            let ProjectorSpec::Collimated(collimated) = &mut light.projector;
-            collimated.pixel_pitch_mm.0 *= TOY;
+            light.projector.coarsen(TOY);
             match &mut light.angles {
                 Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
                 Angles::List(list) => list.truncate(TOY_FRAMES),
@@ -168,7 +180,13 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     if let Some(phantom) = &mut spec.target.phantom {
         *phantom = with_defaults(pages("target.phantom"), phantom);
     }
-    spec.model = with_defaults(pages("model"), &spec.model);
+    for light in &mut spec.light {
+        light.projector.0 = with_defaults(pages("projector"), &light.projector.0);
+    }
+    spec.resin.phase = with_defaults(pages("resin.phase"), &spec.resin.phase);
+    if let Some(model) = &mut spec.model {
+        *model = with_defaults(pages("model"), model);
+    }
     spec.response = with_defaults(pages("response"), &spec.response);
     spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
     spec.start = with_defaults(pages("start"), &spec.start);

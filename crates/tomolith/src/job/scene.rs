@@ -77,7 +77,7 @@ impl Scene {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
         }
         RunFolder::check(&job.folder())?;
-        let optics = Optics::new(&spec, &job.base())?;
+        let mut optics = Optics::new(&spec, &job.base())?;
         optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
@@ -85,6 +85,9 @@ impl Scene {
         try_kinds(&spec, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         counted_as(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
+        if spec.target.insert_shadow.unwrap_or(true) {
+            optics.add_inserts(shape.as_ref())?;
+        }
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
         for section in spec.objectives()? {
             let path = section.path.clone();

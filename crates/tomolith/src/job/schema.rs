@@ -28,6 +28,7 @@ pub fn schema() -> Value {
             "target.phantom" => {
                 definitions["TargetSpec"]["properties"]["phantom"] = options;
             }
+            "resin.phase" => definitions["ResinSpec"]["properties"]["phase"] = options,
             "vial" => drop(definitions.insert("VialSpec".to_owned(), options)),
             "objective" => {
                 root["properties"]["objectives"]["items"] = options.clone();

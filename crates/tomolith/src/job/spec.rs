@@ -11,6 +11,8 @@ use crate::exposure::PrinterSpec;
 pub use crate::exposure::Rotation;
 use crate::kind::Section;
 use crate::optics::interface::Polarisation;
+use crate::optics::obstacle::Material;
+use crate::optics::projector::{PROJECTORS, Projector};
 use crate::optimize::checkpoint;
 use crate::target::TargetSpec;
 use crate::units::Mm;
@@ -19,13 +21,6 @@ use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::path::PathBuf;
-
-/// Keys that are planned but not built, what is missing, and what to do without them.
-const PLANNED: [(&str, &str, &str); 1] = [(
-    "resin.phase",
-    "scattering is not in this version",
-    "a phase function has no meaning where nothing scatters",
-)];
 
 /// A whole job.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -43,9 +38,15 @@ pub struct JobSpec {
     /// An absorbing bath round the vial; its index is `vial.surrounding_index`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bath: Option<BathSpec>,
-    /// How light becomes dose, `[model.KIND]`.
-    #[serde(default = "parallel")]
-    pub model: Value,
+    /// How the vial moves before the projectors.
+    #[serde(default, skip_serializing_if = "MotionSpec::is_default")]
+    pub motion: MotionSpec,
+    /// Bodies in the light.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<ObstacleSpec>,
+    /// How light becomes dose, `[model.KIND]`; the cheapest model that is exact for the optics when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model: Option<Value>,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
     /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
@@ -125,14 +126,16 @@ pub struct ResinSpec {
     pub refractive_index: f64,
     /// Napierian absorption of the active species, 1/mm, > 0: what makes dose.
     pub absorption_per_mm: f64,
-    /// Napierian attenuation by everything, 1/mm; the active absorption when nothing else absorbs.
+    /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
     /// Absorption that changes across the plane, for straight light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapSpec>,
-    /// Scattering, 1/mm; only 0 for now.
+    /// Napierian scattering, 1/mm; part of the attenuation by everything.
     pub scattering_per_mm: f64,
+    /// Where scattered light goes, `[resin.phase.KIND]`.
+    pub phase: Value,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
     pub pure_radon: bool,
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
@@ -200,30 +203,68 @@ pub struct LightSpec {
     pub projector: ProjectorSpec,
 }
 
-/// The optics of a light.
+/// The optics of a light: one kind, `projector.KIND`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ProjectorSpec {
-    /// Parallel rays, perpendicular to the axis.
-    Collimated(Collimated),
-}
-
-/// Parallel rays, perpendicular to the axis.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Collimated {
-    /// Distance of columns and of rows at the vial.
-    pub pixel_pitch_mm: Mm,
-}
+#[serde(transparent)]
+pub struct ProjectorSpec(pub Value);
 
 impl ProjectorSpec {
-    /// Distance of columns and of rows at the vial, mm.
-    #[must_use]
-    pub fn pixel_pitch_mm(&self) -> f64 {
-        match self {
-            ProjectorSpec::Collimated(collimated) => collimated.pixel_pitch_mm.0,
+    /// The projector; `path` is its key.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub fn build(&self, path: &str) -> Result<Box<dyn Projector>> {
+        let (kind, section) = Section::new(path, self.0.clone()).kind(PROJECTORS)?;
+        (kind.build)(&section)
+    }
+
+    /// Makes pixels larger by a factor.
+    pub(crate) fn coarsen(&mut self, factor: f64) {
+        for parameters in self.0.as_object_mut().into_iter().flatten() {
+            if let Some(pitch) = parameters.1.get_mut("pixel_pitch_mm")
+                && let Ok(Mm(mm)) = serde_json::from_value(pitch.clone())
+            {
+                *pitch = (factor * mm).into();
+            }
         }
     }
+}
+
+/// How the vial moves: it turns about its own axis, normal to the light, unless something else is said here.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct MotionSpec {
+    /// Light comes from above by this angle: −80 to 80.
+    pub tilt_deg: f64,
+    /// Axis of the vial [x, y], seen from the rotation axis, in the frame that turns with it.
+    pub offset_mm: [f64; 2],
+    /// Largest run-out of the rotation axis along the columns.
+    pub wobble_mm: f64,
+    /// Azimuth of the light at which it runs out farthest.
+    pub wobble_phase_deg: f64,
+}
+
+impl MotionSpec {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// A body in the light: a closed mesh in the frame of the vial, mm.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ObstacleSpec {
+    /// Mesh file, relative to the job.
+    pub mesh: PathBuf,
+    /// What it does to light: "black", "mirror", or { dielectric = { refractive_index = 1.5 } }.
+    #[serde(default)]
+    pub material: Material,
+    /// Millimetres per unit of the file.
+    #[serde(default = "unity")]
+    pub scale: f64,
+    /// Where the file's origin is put [x, y, z].
+    #[serde(default)]
+    pub offset_mm: [f64; 3],
 }
 
 /// The angles of a light.
@@ -342,8 +383,8 @@ fn kind(name: &str) -> Value {
     map.insert(name.to_owned(), Value::Object(Map::new()));
     Value::Object(map)
 }
-fn parallel() -> Value {
-    kind("parallel")
+fn unity() -> f64 {
+    1.0
 }
 fn identity() -> Value {
     kind("identity")
@@ -363,6 +404,7 @@ impl Default for ResinSpec {
             attenuation_per_mm: None,
             map: None,
             scattering_per_mm: 0.0,
+            phase: kind("rayleigh"),
             pure_radon: false,
             critical_dose_mj_per_mm3: None,
         }
@@ -607,19 +649,14 @@ impl JobSpec {
     /// but not built.
     pub fn from_document(document: &Document) -> Result<Self> {
         let root = document.root.as_object().cloned().unwrap_or_default();
-        for (key, missing, instead) in PLANNED {
-            let pointer = format!("/{}", key.replace('.', "/"));
-            if document.root.pointer(&pointer).is_some() {
-                let error = Error::config(
-                    key,
-                    format!("planned, but not built yet: {missing}"),
-                    format!("no such key; {instead}"),
-                );
-                return Err(document.locate(error));
+        let read = || {
+            let spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
+            for (i, light) in spec.light.iter().enumerate() {
+                light.projector.build(&format!("light[{i}].projector"))?;
             }
-        }
-        let spec = Section::new("", Value::Object(root)).parse::<JobSpec>();
-        spec.map_err(|e| document.locate(e))
+            Ok(spec)
+        };
+        read().map_err(|e| document.locate(e))
     }
 
     /// The objectives, one section each, with their key paths.

@@ -10,6 +10,9 @@ pub mod layout;
 pub mod matrix;
 pub mod parallel;
 pub mod planner;
+pub mod rays;
+pub mod scatter;
+pub mod selection;
 
 use crate::error::Result;
 use crate::field::Field;
@@ -19,25 +22,27 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 /// The dose model that a job asks for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub enum Choice {
+    /// The cheapest that is exact for the optics at hand.
+    #[default]
+    Cheapest,
     /// Collimated light through a z-invariant vial.
     Parallel(parallel::Params),
+    /// Rays of any direction through any vial.
+    Rays(rays::Params),
+    /// Rays in a resin that scatters.
+    Scatter(scatter::Params),
     /// A stored matrix.
     Matrix(matrix::Params),
-}
-
-impl Default for Choice {
-    fn default() -> Self {
-        Choice::Parallel(parallel::Params::default())
-    }
 }
 
 /// Reads the parameters of a model from its section.
 pub type ChooseModel = fn(&Section) -> Result<Choice>;
 
-/// Every dose model; the first is the default.
-pub static MODELS: &[Kind<ChooseModel>] = &[parallel::KIND, matrix::KIND];
+/// Every dose model; without one in the job the [`planner`] chooses.
+pub static MODELS: &[Kind<ChooseModel>] =
+    &[parallel::KIND, rays::KIND, scatter::KIND, matrix::KIND];
 
 /// What long work carries along: a way to be stopped.
 ///

@@ -1,12 +1,16 @@
 //! Chooses the dose model of a job, and says why.
 //!
-//! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. Today that
-//! is [`Parallel`], and what it does not cover is refused with the reason; a job may ask for a stored matrix instead.
+//! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
+//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`], or
+//! [`scatter`] where the resin scatters. A job may ask for one
+//! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::matrix::MatrixModel;
 use super::parallel::{Light, Parallel};
-use super::{Choice, DoseModel, Run};
-use crate::error::Result;
+use super::rays::{Optics, Rays};
+use super::selection::useful_rows;
+use super::{Choice, DoseModel, Run, scatter};
+use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
@@ -20,16 +24,55 @@ pub struct Plan {
     pub reason: String,
 }
 
-/// The model that a job asks for: collimated lights through a z-invariant vial, or a matrix for their pixels.
+/// What light passes from the projectors to the resin.
+#[derive(Clone, Copy)]
+pub struct Setup<'a> {
+    /// The vial.
+    pub vial: &'a dyn Vial,
+    /// What stands between each light's pixels and the vial.
+    pub optics: &'a [Optics],
+}
+
+impl Setup<'_> {
+    /// Whether light is scattered anywhere.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        self.optics.iter().any(|o| o.scattering.is_some())
+    }
+
+    /// Why [`Parallel`] does not cover it; None when it does.
+    #[must_use]
+    pub fn beyond_parallel(&self) -> Option<&'static str> {
+        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
+        if self.scatters() {
+            Some("the resin scatters")
+        } else if !self.vial.is_invariant() {
+            Some("the vial changes along z")
+        } else if any(&|o| !o.projector.is_collimated()) {
+            Some("light is not collimated")
+        } else if any(&|o| o.motion.tilt_rad != 0.0) {
+            Some("light is not normal to the axis")
+        } else if any(&|o| !o.motion.is_symmetric()) {
+            Some("the vial does not turn about its own axis")
+        } else if any(&|o| !o.obstacles.is_empty()) {
+            Some("bodies stand in the light")
+        } else {
+            None
+        }
+    }
+}
+
+/// The model that a job asks for.
 ///
 /// With `wanted` (file order `[z, y, x]`, not 0 where something is to be printed), only pixels whose light meets such a
 /// voxel become unknowns; the others stay dark.
 ///
 /// # Errors
-/// As [`Parallel::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Cancelled`](crate::Error::Cancelled).
+/// As [`Parallel::new`], [`Rays::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Unsupported`] for optics that the
+/// model asked for does not cover; [`Error::Cancelled`].
 pub fn plan(
     choice: &Choice,
-    vial: &dyn Vial,
+    setup: Setup<'_>,
     mut lights: Vec<Light>,
     grid: VolumeGrid,
     wanted: Option<&Volume<u8>>,
@@ -47,20 +90,58 @@ pub fn plan(
             model: Box::new(model),
         });
     }
-    let mut model = Parallel::new(vial, lights.clone(), grid.clone())?;
+    let mut model = optical(choice, setup, lights.clone(), grid.clone())?;
     if let Some(wanted) = wanted {
-        let rows = model.useful_rows(wanted, run)?;
+        let rows = useful_rows(model.as_ref(), wanted, run)?;
         for (light, rows) in lights.iter_mut().zip(rows) {
             light.active = Some(rows);
         }
-        model = Parallel::new(vial, lights, grid)?;
+        model = optical(choice, setup, lights, grid)?;
     }
-    let reason = format!(
-        "{}: collimated light and a vial that does not change along z, so one slice's geometry serves all heights",
-        DoseModel::describe(&model)
-    );
+    let why = match (choice, setup.beyond_parallel()) {
+        (Choice::Rays(_), None) => {
+            "as asked; [model.parallel] covers these optics too and is faster"
+        }
+        (_, Some(reason)) => reason,
+        (_, None) => {
+            "collimated light and a vial that does not change along z, so one slice's geometry serves all heights"
+        }
+    };
     Ok(Plan {
-        model: Box::new(model),
-        reason,
+        reason: format!("{}: {why}", model.describe()),
+        model,
     })
+}
+
+/// A model of the optics, not a stored one.
+fn optical(
+    choice: &Choice,
+    setup: Setup<'_>,
+    lights: Vec<Light>,
+    grid: VolumeGrid,
+) -> Result<Box<dyn DoseModel<Field = HostField>>> {
+    let rays = |params| {
+        Rays::new(
+            setup.vial,
+            lights.clone(),
+            setup.optics,
+            params,
+            grid.clone(),
+        )
+    };
+    let scatter = |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone());
+    match (choice, setup.beyond_parallel()) {
+        (Choice::Scatter(params), _) => Ok(Box::new(scatter(params)?)),
+        (Choice::Cheapest, _) if setup.scatters() => {
+            Ok(Box::new(scatter(&scatter::Params::default())?))
+        }
+        (Choice::Rays(params), _) => Ok(Box::new(rays(params)?)),
+        (Choice::Cheapest, Some(_)) => Ok(Box::new(rays(&super::rays::Params::default())?)),
+        (Choice::Parallel(_), Some(reason)) => Err(Error::Unsupported {
+            what: "model.parallel".into(),
+            reason: format!("{reason}; leave [model] out, or name another"),
+        }),
+        (_, None) => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
+        (Choice::Matrix(_), Some(_)) => unreachable!("a stored matrix needs no optics"),
+    }
 }

@@ -27,9 +27,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Largest response of void voxels without penalty, below `upper` (default 0.85)
+    /// Largest response of void voxels without penalty, below `upper` (default 0.7)
     pub lower: f64,
-    /// Smallest response of part voxels without penalty (default 0.95)
+    /// Smallest response of part voxels without penalty (default 0.9)
     pub upper: f64,
     /// Largest response of part voxels without penalty, at least `upper` (default 1)
     pub ceiling: f64,
@@ -46,8 +46,8 @@ pub struct Params {
 impl Default for Params {
     fn default() -> Self {
         Params {
-            lower: 0.85,
-            upper: 0.95,
+            lower: 0.7,
+            upper: 0.9,
             ceiling: 1.0,
             exponent: 2.0,
             part_weight: 1.0,
@@ -91,7 +91,7 @@ impl Params {
 pub const KIND: Kind<BuildObjective> = Kind {
     name: "threshold",
     summary: "part between an upper threshold and the ceiling, void below a lower threshold",
-    example: "[objective.threshold]\nlower = 0.85\nupper = 0.95",
+    example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
     schema: || schemars::schema_for!(Params),
     build: |section, input: &ObjectiveInput| {
         let params: Params = section.parse()?;

@@ -1,6 +1,13 @@
 //! Optics: what stands between a projector's pixel and the resin.
 
 pub mod interface;
+pub mod motion;
+pub mod obstacle;
+pub mod phase;
+pub mod projector;
+pub mod random;
 pub mod resin;
+pub mod space;
+pub mod surface;
 pub mod trace;
 pub mod vial;

@@ -261,7 +261,7 @@ fn tag(wall: usize, face: u8) -> u8 {
 const TOUCH: f64 = 1e-9;
 
 /// Distance to a convex curve from outside, normal against the ray, and face; None when it is missed.
-fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+pub(super) fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
     match curve {
         Curve::Circle(r) => {
             let b = p[0] * d[0] + p[1] * d[1];
@@ -302,7 +302,7 @@ fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> 
 }
 
 /// Distance to a convex curve from inside, normal against the ray, and face.
-fn leave(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+pub(super) fn leave(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
     match curve {
         Curve::Circle(r) => {
             let b = p[0] * d[0] + p[1] * d[1];

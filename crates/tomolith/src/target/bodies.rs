@@ -3,7 +3,7 @@
 //! | role | its voxels | light |
 //! |---|---|---|
 //! | `print` | part | as ever |
-//! | `insert` | no resin: they count nowhere | its shadow needs ray-traced optics; refused unless `insert_shadow = false` |
+//! | `insert` | no resin: they count nowhere | black, unless `insert_shadow = false`: rays end at it |
 //! | `keep-dark` | void | no pixel whose light passes the body is used |
 //! | `ignore` | as if it were not there | as ever |
 //!
@@ -103,7 +103,7 @@ impl Assembly {
     ///
     /// # Errors
     /// [`Error::Config`] with the key of the body: a file that cannot be used, components that do not match the file,
-    /// bodies that overlap, nothing to print, an insert whose shadow is asked for.
+    /// bodies that overlap, nothing to print.
     pub(super) fn build(
         spec: &TargetSpec,
         bodies: &[BodySpec],
@@ -112,15 +112,6 @@ impl Assembly {
         section: &str,
     ) -> Result<Self> {
         let key = |i: usize| format!("{section}.body[{i}]");
-        if spec.insert_shadow.unwrap_or(true)
-            && let Some(i) = bodies.iter().position(|b| b.role == Role::Insert)
-        {
-            return Err(Error::config(
-                format!("{}.role", key(i)),
-                "an insert, whose shadow no model of collimated light can cast yet",
-                "target.insert_shadow = false, which lets light pass the insert as if it were resin; or another role",
-            ));
-        }
         let meshes = meshes(spec, bodies, folder, section)?;
         let counts = |i: &usize| bodies[*i].role != Role::Ignore;
         let present: Vec<usize> = (0..bodies.len()).filter(counts).collect();
@@ -377,6 +368,10 @@ impl Shape for Group {
             values,
         })
     }
+
+    fn meshes(&self) -> Vec<&Mesh> {
+        self.0.iter().flat_map(Shape::meshes).collect()
+    }
 }
 
 impl Shape for Assembly {
@@ -534,15 +529,12 @@ mod tests {
     }
 
     #[test]
-    fn an_insert_is_refused_with_the_reason_unless_its_shadow_is_given_up() {
+    fn an_insert_is_a_body_of_its_own_with_its_surface() {
         let job = "body = [{ mesh = \"two.stl\" }, { mesh = \"beside.stl\", role = \"insert\" }]";
-        let text = refused(job);
-        assert!(
-            text.starts_with("target.body[1].role: an insert, whose shadow"),
-            "{text}"
-        );
-        assert!(text.contains("target.insert_shadow = false"), "{text}");
-        let shape = built(&format!("insert_shadow = false\n{job}")).unwrap();
-        assert!((volume(shape.body(Role::Insert).unwrap()) - 8.0).abs() < 1e-3);
+        let shape = built(job).unwrap();
+        let insert = shape.body(Role::Insert).unwrap();
+        assert!((volume(insert) - 8.0).abs() < 1e-3);
+        let surface: f64 = insert.meshes().iter().map(|m| m.signed_volume()).sum();
+        assert!((surface - 8.0).abs() < 1e-9);
     }
 }

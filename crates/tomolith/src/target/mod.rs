@@ -46,6 +46,7 @@ pub use spec::{TargetSpec, build, voxelise};
 
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
+use crate::io::mesh::Mesh;
 use rayon::prelude::*;
 
 /// Something with a shape that can be sampled on any grid.
@@ -69,6 +70,10 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     fn body(&self, role: Role) -> Option<&dyn Shape> {
         let _ = role;
         None
+    }
+    /// Its closed surfaces, mm, when it is made of meshes.
+    fn meshes(&self) -> Vec<&Mesh> {
+        Vec::new()
     }
     /// Things people should know (open edges, inverted shells, …), one sentence each.
     fn warnings(&self) -> Vec<String> {

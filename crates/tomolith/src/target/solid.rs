@@ -76,6 +76,10 @@ impl Shape for MeshShape {
             .then(|| self.diagnosis.signed_volume_mm3())
     }
 
+    fn meshes(&self) -> Vec<&Mesh> {
+        vec![&self.mesh]
+    }
+
     fn warnings(&self) -> Vec<String> {
         self.diagnosis.sentences()
     }

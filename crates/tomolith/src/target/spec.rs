@@ -38,7 +38,7 @@ pub struct TargetSpec {
     /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub body: Option<Vec<BodySpec>>,
-    /// Whether inserts cast shadows (default true, which no model of today can do); false lets light pass them
+    /// Whether inserts cast shadows (default true); false lets light pass them as if they were resin
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub insert_shadow: Option<bool>,
     /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is

@@ -246,7 +246,7 @@ impl Taps {
 }
 
 #[cfg(target_arch = "x86_64")]
-mod avx512 {
+pub(in crate::models) mod avx512 {
     use super::super::comb::{Integrals, Square};
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
@@ -287,7 +287,7 @@ mod avx512 {
 
     /// e^x for x ≤ 0 to 2e-7, sixteen at a time.
     #[target_feature(enable = "avx512f")]
-    fn exp16(x: __m512) -> __m512 {
+    pub(in crate::models) fn exp16(x: __m512) -> __m512 {
         let scaled = _mm512_mul_ps(x, _mm512_set1_ps(std::f32::consts::LOG2_E));
         let whole = _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEAREST_INT }>(scaled);
         let f = _mm512_fnmadd_ps(whole, _mm512_set1_ps(std::f32::consts::LN_2), x);

@@ -58,7 +58,7 @@
 //! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
 //! ```
 
-mod chains;
+pub(in crate::models) mod chains;
 mod comb;
 mod gather;
 mod heights;
@@ -73,9 +73,8 @@ mod views;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
-use crate::grid::{PatternGrid, Volume, VolumeGrid};
+use crate::grid::{PatternGrid, VolumeGrid};
 use crate::kind::Kind;
-use crate::models::layout::PixelRun;
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling,
 };
@@ -153,6 +152,34 @@ impl Light {
             active: None,
         }
     }
+
+    /// Refuses a light without pixels, or a resin in which nothing absorbs.
+    pub(in crate::models) fn check(&self) -> Result<()> {
+        if self.pixels.is_empty() {
+            return Err(Error::config(
+                "light",
+                format!("{:?} frames, rows, columns", self.pixels.shape()),
+                "at least one pixel",
+            ));
+        }
+        let resin = &self.resin;
+        let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
+        if !(resin.pure_radon || absorbs) {
+            return Err(Error::config(
+                "resin.absorption_per_mm",
+                format!("found {}", resin.absorption_per_mm),
+                "a finite number > 0 (or `pure_radon = true`)",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Where its active pixels lie in a field, from `offset` on.
+    pub(in crate::models) fn layout(&self, offset: usize) -> PatternLayout {
+        let all = vec![(0, self.pixels.rows as u32); self.pixels.frames() * self.pixels.columns];
+        let active = self.active.as_deref().unwrap_or(&all);
+        PatternLayout::new(self.pixels.clone(), Quantity::Energy, offset, active)
+    }
 }
 
 /// See the [module page](self).
@@ -191,13 +218,10 @@ impl Parallel {
         let (mut plans, mut patterns) = (Vec::new(), Vec::new());
         let (mut offset, mut first_frame) = (0, 0);
         for light in lights {
-            check(&light)?;
+            light.check()?;
             check_kernel(&light, vial)?;
             check_map(&light, vial)?;
-            let all =
-                vec![(0, light.pixels.rows as u32); light.pixels.frames() * light.pixels.columns];
-            let active = light.active.as_deref().unwrap_or(&all);
-            let layout = PatternLayout::new(light.pixels.clone(), Quantity::Energy, offset, active);
+            let layout = light.layout(offset);
             plans.push(LightPlan::new(
                 vial,
                 &light,
@@ -226,42 +250,6 @@ impl Parallel {
     pub fn with_isa(mut self, isa: Isa) -> Self {
         self.path = KernelPath::of(isa);
         self
-    }
-
-    /// For each light the rows, per (frame, column), whose light meets a voxel of `wanted` (file order `[z, y, x]`, any
-    /// value but 0): the run from the lowest to the highest such row. What lies outside cannot help to print the part.
-    ///
-    /// # Errors
-    /// [`Error::Cancelled`], [`Error::Shape`].
-    pub fn useful_rows(&self, wanted: &Volume<u8>, run: &Run) -> Result<Vec<Vec<(u32, u32)>>> {
-        let layout = &self.outputs[0];
-        if wanted.grid.shape != layout.grid.shape {
-            return Err(Error::Shape {
-                what: "wanted voxels".into(),
-                expected: layout.grid.shape.to_vec(),
-                found: wanted.grid.shape.to_vec(),
-            });
-        }
-        let mask: Vec<f32> = layout
-            .field_of(wanted)
-            .iter()
-            .map(|&w| f32::from(w != 0))
-            .collect();
-        let mut seen = LinearOperator::new_patterns(self)?;
-        self.adjoint(&HostField::from_slice(&mask), &mut seen, run)?;
-        let useful = |run: &PixelRun| {
-            let values = &seen.as_slice()[run.offset..][..run.count as usize];
-            let first = values.iter().position(|&v| v > 0.0);
-            let last = values.iter().rposition(|&v| v > 0.0);
-            first
-                .zip(last)
-                .map_or((0, 0), |(a, b)| (run.bottom + a as u32, (b - a + 1) as u32))
-        };
-        Ok(self
-            .patterns
-            .iter()
-            .map(|p| p.runs.iter().map(useful).collect())
-            .collect())
     }
 
     /// Whether there is a single slice, whose rows have no lanes.
@@ -417,26 +405,6 @@ impl Parallel {
             Ok(())
         }
     }
-}
-
-fn check(light: &Light) -> Result<()> {
-    if light.pixels.is_empty() {
-        return Err(Error::config(
-            "light",
-            format!("{:?} frames, rows, columns", light.pixels.shape()),
-            "at least one pixel",
-        ));
-    }
-    let resin = &light.resin;
-    let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
-    if !(resin.pure_radon || absorbs) {
-        return Err(Error::config(
-            "resin.absorption_per_mm",
-            format!("found {}", resin.absorption_per_mm),
-            "a finite number > 0 (or `pure_radon = true`)",
-        ));
-    }
-    Ok(())
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.

@@ -3,6 +3,7 @@
 use super::views::Views;
 use super::*;
 use crate::check;
+use crate::grid::Volume;
 use crate::optics::trace::Tracer;
 use crate::optics::vial::{
     cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
@@ -95,7 +96,7 @@ fn masked_pixels_leave_an_exact_pair() {
         Resin::absorbing(1.48, 0.2),
     );
     let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
-    let rows = all.useful_rows(&wanted, &Run::new()).unwrap();
+    let rows = crate::models::selection::useful_rows(&all, &wanted, &Run::new()).unwrap();
     light.active = Some(rows[0].clone());
     let masked = Parallel::new(vials()[1].as_ref(), vec![light], grid.clone()).unwrap();
     check::model::model(&masked, 5).unwrap();
@@ -247,7 +248,7 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
         let (x, y) = (grid.x(i % n), grid.y(i / n));
         [(-0.2, -0.2), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)]
             .iter()
-            .all(|(a, b)| vial.in_resin(x + a, y + b))
+            .all(|(a, b)| vial.in_resin([x + a, y + b, 0.0]))
     };
     let (mut error, mut size) = (0.0, 0.0);
     for (i, (&d, r)) in dose

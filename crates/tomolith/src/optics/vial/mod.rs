@@ -1,16 +1,18 @@
 //! Vials: what stands around the resin.
 //!
-//! *What must it do, and who does it.* A z-invariant vial is a nest of closed walls, from outside to inside; each wall
-//! says what lies within it. The tracer ([`crate::optics::trace`]) knows Snell and Fresnel, so a vial is its geometry and
-//! nothing else.
+//! *What must it do, and who does it.* A vial is a nest of closed walls, from outside to inside; each wall says what lies
+//! within it. The tracers ([`crate::optics::trace`] in the plane, [`crate::optics::space`] in space) know Snell and Fresnel, so a
+//! vial is its geometry and nothing else.
 
 pub mod cylinder;
 pub mod double_tube;
 pub mod index_matched;
+pub mod mesh;
 pub mod square;
 
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
+use crate::optics::surface::Surface;
 
 /// The curve of a wall in the plane z = const, centred on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,14 +60,33 @@ pub struct Wall {
     pub inside: Medium,
 }
 
-/// A vial whose cross-section is the same at all heights.
+/// A vial: most have the same cross-section at all heights.
 pub trait Vial: std::fmt::Debug + Send + Sync {
     /// Walls from outside to inside; exactly one of them encloses [`Medium::Resin`].
     fn walls(&self) -> Vec<Wall>;
 
+    /// The same walls in space.
+    fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        let in_space = |wall: Wall| (Surface::Prism(wall.curve), wall.inside);
+        self.walls().into_iter().map(in_space).collect()
+    }
+
+    /// No part of the vial is farther from the axis, mm.
+    fn outer_radius_mm(&self) -> f64 {
+        self.walls().first().map_or(0.0, |wall| match wall.curve {
+            Curve::Circle(r) => r,
+            Curve::Square(w) => w * std::f64::consts::SQRT_2,
+        })
+    }
+
     /// Index of what surrounds the vial, given the index asked for and the resin's.
     fn surrounding_index(&self, asked: f64, _resin: f64) -> f64 {
         asked
+    }
+
+    /// Whether it is the same at all heights.
+    fn is_invariant(&self) -> bool {
+        true
     }
 
     /// Whether the cross-section is the same from every azimuth.
@@ -76,7 +97,7 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
     }
 
     /// Whether a point (mm) is in the resin.
-    fn in_resin(&self, x: f64, y: f64) -> bool {
+    fn in_resin(&self, [x, y, _]: [f64; 3]) -> bool {
         let walls = self.walls();
         let inside = walls.iter().take_while(|w| w.curve.contains(x, y)).count();
         inside > 0 && walls[inside - 1].inside == Medium::Resin
@@ -104,12 +125,13 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
 /// Builds a vial from its section.
 pub type BuildVial = fn(&Section) -> Result<Box<dyn Vial>>;
 
-/// Every z-invariant vial.
+/// Every vial.
 pub static VIALS: &[Kind<BuildVial>] = &[
     index_matched::KIND,
     cylinder::KIND,
     square::KIND,
     double_tube::KIND,
+    mesh::KIND,
 ];
 
 /// Refuses anything but a finite number > 0.
@@ -143,18 +165,24 @@ pub(crate) fn inner_below_outer(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::mesh::samples::{cuboid, stl_binary};
 
     #[test]
     fn every_example_builds_and_holds_resin_on_its_resin_wall() {
         for kind in VIALS {
             let document: serde_json::Value = toml::from_str(kind.example).unwrap();
-            let section = Section::new("vial", document["vial"].clone());
+            let folder = tempfile::tempdir().unwrap();
+            for (file, half) in [("cuvette-outer.stl", 3.0), ("cuvette-inner.stl", 2.5)] {
+                let wall = cuboid([-half; 3], [half; 3]);
+                std::fs::write(folder.path().join(file), stl_binary(&wall)).unwrap();
+            }
+            let section = Section::new("vial", document["vial"].clone()).based(folder.path());
             let (row, inner) = section.kind(VIALS).unwrap();
             let vial = (row.build)(&inner).unwrap();
             assert_eq!(row.name, kind.name);
             let r = vial.resin_wall().inscribed_radius();
-            assert!(vial.in_resin(r * 0.999, 0.0), "{}", kind.name);
-            assert!(!vial.in_resin(r * 1.001, 0.0), "{}", kind.name);
+            assert!(vial.in_resin([r * 0.999, 0.0, 0.0]), "{}", kind.name);
+            assert!(!vial.in_resin([r * 1.001, 0.0, 0.0]), "{}", kind.name);
             let walls = vial.walls();
             assert_eq!(
                 walls.iter().filter(|w| w.inside == Medium::Resin).count(),

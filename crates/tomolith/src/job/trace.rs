@@ -1,0 +1,149 @@
+//! What becomes of the light of single pixels: numbers, and a picture of their dose.
+
+use super::read::Job;
+use super::scene::Scene;
+use crate::error::{Error, Result};
+use crate::grid::Volume;
+use crate::models::DoseModel;
+use crate::models::rays::{Params, Rays};
+use crate::models::{Choice, Run};
+use crate::optics::space::{Account, Leg};
+use serde::Serialize;
+
+/// A pixel of a job.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Pixel {
+    /// Light, counted from 0.
+    pub light: usize,
+    /// Frame.
+    pub frame: usize,
+    /// Column, from 0.
+    pub column: usize,
+    /// Row, 0 = top.
+    pub row: usize,
+}
+
+/// What became of a pixel's light.
+#[derive(Clone, Debug, Serialize)]
+pub struct Traced {
+    /// The pixel.
+    pub pixel: Pixel,
+    /// Pieces of its middle ray in the resin, in order.
+    pub legs: Vec<TracedLeg>,
+    /// Where its power went: mean of its rays, per emitted power.
+    pub account: TracedAccount,
+}
+
+/// A straight piece in the resin.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct TracedLeg {
+    /// Where it enters, mm.
+    pub from_mm: [f64; 3],
+    /// Where it ends, mm.
+    pub to_mm: [f64; 3],
+    /// Power at its beginning, per emitted power.
+    pub power: f64,
+}
+
+/// Shares of the emitted power; they add up to 1.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct TracedAccount {
+    /// Taken by the resin.
+    pub absorbed: f64,
+    /// Taken by a bath before the vial.
+    pub bath: f64,
+    /// Reflected at walls and not followed.
+    pub reflected: f64,
+    /// Left the vial after it had passed resin.
+    pub transmitted: f64,
+    /// Never met resin.
+    pub missed: f64,
+    /// Ended at a black body.
+    pub blocked: f64,
+    /// Given up as too weak, or after too many interfaces.
+    pub dropped: f64,
+}
+
+impl From<Account> for TracedAccount {
+    fn from(account: Account) -> Self {
+        TracedAccount {
+            absorbed: account.absorbed,
+            bath: account.bath,
+            reflected: account.reflected,
+            transmitted: account.transmitted,
+            missed: account.missed,
+            blocked: account.blocked,
+            dropped: account.dropped,
+        }
+    }
+}
+
+impl From<Leg> for TracedLeg {
+    fn from(leg: Leg) -> Self {
+        TracedLeg {
+            from_mm: leg.ray.from,
+            to_mm: leg.ray.at(leg.length),
+            power: leg.power,
+        }
+    }
+}
+
+/// Traces pixels of a job by the `rays` model, and gives the dose of all of them at a value of 1.
+///
+/// # Errors
+/// As a run, before any work; [`Error::Config`] for a pixel that is not there.
+pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
+    let scene = Scene::new(job)?;
+    let lights = scene.optics.lights.clone();
+    for pixel in pixels {
+        let grid = lights.get(pixel.light).map(|light| &light.pixels);
+        let shape = grid.map_or([0; 3], |grid| grid.shape());
+        let inside = pixel.frame < shape[0] && pixel.row < shape[1] && pixel.column < shape[2];
+        if !inside {
+            return Err(Error::config(
+                "--pixel",
+                format!(
+                    "light {}, frame {}, column {}, row {}",
+                    pixel.light, pixel.frame, pixel.column, pixel.row
+                ),
+                match grid {
+                    Some(_) => format!(
+                        "frames below {}, columns below {}, rows below {}",
+                        shape[0], shape[2], shape[1]
+                    ),
+                    None => format!("lights below {}", lights.len()),
+                },
+            ));
+        }
+    }
+    let params = match &scene.optics.model {
+        Choice::Rays(params) => params.clone(),
+        _ => Params::default(),
+    };
+    let setup = scene.optics.setup();
+    let model = Rays::new(
+        setup.vial,
+        lights,
+        setup.optics,
+        &params,
+        scene.grid.clone(),
+    )?;
+    let mut x = DoseModel::new_patterns(&model)?;
+    let mut traced = Vec::with_capacity(pixels.len());
+    for &pixel in pixels {
+        let layout = &DoseModel::patterns(&model)[pixel.light];
+        let run = layout.runs[pixel.frame * layout.grid.columns + pixel.column];
+        let from_below = layout.grid.rows - 1 - pixel.row;
+        x.as_mut_slice()[run.offset + from_below - run.bottom as usize] = 1.0;
+        let (legs, account) = model.trace(pixel.light, pixel.frame, pixel.column, from_below);
+        traced.push(Traced {
+            pixel,
+            legs: legs.into_iter().map(TracedLeg::from).collect(),
+            account: account.into(),
+        });
+    }
+    let mut dose = DoseModel::new_dose(&model)?;
+    model.dose(&x, &mut dose, cancel)?;
+    let volume = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+    Ok((traced, volume))
+}

@@ -1,0 +1,172 @@
+//! Scattered light on coarser voxels: it is smooth, so a few random legs say more about it there.
+//!
+//! A coarse cell has `factor` voxels along each edge; doses between the middles of cells are interpolated linearly along x,
+//! y and z. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose. One layer of cells lies outside of
+//! the grid on every side, so that every voxel lies between middles.
+
+use crate::grid::VolumeGrid;
+use crate::models::layout::DoseLayout;
+use rayon::prelude::*;
+
+/// The coarse cells of a grid of voxels.
+#[derive(Clone, Debug)]
+pub(super) struct Coarse {
+    pub(super) layout: DoseLayout,
+    fine: DoseLayout,
+    /// Along x, y, z: the cell below each voxel's middle, and the weight of the next one.
+    places: [Vec<(usize, f32)>; 3],
+}
+
+impl Coarse {
+    pub(super) fn new(fine: &DoseLayout, factor: usize) -> Self {
+        let [nz, ny, nx] = fine.grid.shape;
+        let cells = |n: usize| n.div_ceil(factor) + 2;
+        let shape = [cells(nz), cells(ny), cells(nx)];
+        let pitch_mm = fine.grid.pitch_mm * factor as f64;
+        let low = fine.grid.bounds_mm()[0];
+        let counts = [shape[2], shape[1], shape[0]];
+        let center_mm =
+            std::array::from_fn(|i| low[i] - pitch_mm + counts[i] as f64 * pitch_mm / 2.0);
+        let grid = VolumeGrid {
+            shape,
+            pitch_mm,
+            center_mm,
+        };
+        let place = |i: usize| {
+            let at = (i as f64 + 0.5) / factor as f64 + 0.5;
+            (at.floor() as usize, at.fract() as f32)
+        };
+        Coarse {
+            layout: DoseLayout::new("dose", grid, 0),
+            fine: fine.clone(),
+            places: [nx, ny, nz].map(|n| (0..n).map(place).collect()),
+        }
+    }
+
+    /// Floats of one y of cells: `[x][z]`.
+    fn plane(&self) -> usize {
+        self.layout.grid.shape[2] * self.layout.row
+    }
+
+    /// fine += interpolated cells
+    pub(super) fn spread(&self, cells: &[f32], fine: &mut [f32]) {
+        let (plane, row) = (self.plane(), self.layout.row);
+        let [of_x, of_y, of_z] = &self.places;
+        let fine_row = self.fine.row;
+        fine[self.fine.range()]
+            .par_chunks_mut(fine_row * self.fine.grid.shape[2])
+            .zip(of_y)
+            .for_each_init(
+                || vec![0.0; row],
+                |line, (voxels, &(y, next_y))| {
+                    let planes = [
+                        &cells[y * plane..][..plane],
+                        &cells[(y + 1) * plane..][..plane],
+                    ];
+                    for (voxels, &(x, next_x)) in voxels.chunks_exact_mut(fine_row).zip(of_x) {
+                        line.fill(0.0);
+                        for (plane, wy) in planes.iter().zip([1.0 - next_y, next_y]) {
+                            for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
+                                let cells = &plane[x * row..][..row];
+                                for (sum, cell) in line.iter_mut().zip(cells) {
+                                    *sum += wy * wx * cell;
+                                }
+                            }
+                        }
+                        for (voxel, &(z, next)) in voxels.iter_mut().zip(of_z) {
+                            *voxel += (1.0 - next) * line[z] + next * line[z + 1];
+                        }
+                    }
+                },
+            );
+    }
+
+    /// cells = transpose of [`spread`](Self::spread) on `fine`
+    pub(super) fn gather(&self, fine: &[f32], cells: &mut [f32]) {
+        let (plane, row) = (self.plane(), self.layout.row);
+        let [of_x, of_y, of_z] = &self.places;
+        let fine_row = self.fine.row;
+        // Along z and x within every y of voxels, then along y
+        let planes: Vec<Vec<f32>> = fine[self.fine.range()]
+            .par_chunks(fine_row * self.fine.grid.shape[2])
+            .map(|voxels| {
+                let (mut sums, mut line) = (vec![0.0; plane], vec![0.0; row]);
+                for (voxels, &(x, next_x)) in voxels.chunks_exact(fine_row).zip(of_x) {
+                    line.fill(0.0);
+                    for (&voxel, &(z, next)) in voxels.iter().zip(of_z) {
+                        line[z] += (1.0 - next) * voxel;
+                        line[z + 1] += next * voxel;
+                    }
+                    for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
+                        for (sum, value) in sums[x * row..][..row].iter_mut().zip(&line) {
+                            *sum += wx * value;
+                        }
+                    }
+                }
+                sums
+            })
+            .collect();
+        cells
+            .par_chunks_mut(plane)
+            .enumerate()
+            .for_each(|(y, cells)| {
+                cells.fill(0.0);
+                for (sums, &(below, next)) in planes.iter().zip(of_y) {
+                    let weight = match y.checked_sub(below) {
+                        Some(0) => 1.0 - next,
+                        Some(1) => next,
+                        _ => continue,
+                    };
+                    for (cell, sum) in cells.iter_mut().zip(sums) {
+                        *cell += weight * sum;
+                    }
+                }
+            });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::model::noise;
+
+    #[test]
+    fn a_dose_that_is_linear_in_space_is_interpolated_exactly_and_gather_is_the_transpose() {
+        let grid = VolumeGrid::centered([9, 11, 14], 0.1);
+        let fine = DoseLayout::new("dose", grid, 0);
+        let coarse = Coarse::new(&fine, 4);
+        let linear = |x: f64, y: f64, z: f64| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
+        let fill = |layout: &DoseLayout| {
+            let mut values = vec![0.0; layout.len()];
+            let [nz, ny, nx] = layout.grid.shape;
+            for iz in 0..nz {
+                for iy in 0..ny {
+                    for ix in 0..nx {
+                        let g = &layout.grid;
+                        values[layout.index(iz, iy, ix)] = linear(g.x(ix), g.y(iy), g.z(iz));
+                    }
+                }
+            }
+            values
+        };
+        let (cells, expected) = (fill(&coarse.layout), fill(&fine));
+        let mut found = vec![0.0; fine.len()];
+        coarse.spread(&cells, &mut found);
+        for (a, b) in expected.iter().zip(&found) {
+            assert!((a - b).abs() < 1e-5, "{a} {b}");
+        }
+        let (d, mut c) = (noise(1, coarse.layout.len()), noise(2, fine.len()));
+        // Padding holds no voxels
+        let holds: Vec<bool> = fill(&fine).iter().map(|&v| v != 0.0).collect();
+        c.iter_mut()
+            .zip(&holds)
+            .for_each(|(c, &holds)| *c *= f32::from(u8::from(holds)));
+        let mut forward = vec![0.0; fine.len()];
+        coarse.spread(&d, &mut forward);
+        let mut back = vec![0.0; coarse.layout.len()];
+        coarse.gather(&c, &mut back);
+        let dot =
+            |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum::<f64>();
+        assert!((dot(&forward, &c) - dot(&d, &back)).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,562 @@
+//! The `rays` dose model: light of any direction through any vial, as rays and exact line integrals.
+//!
+//! # Model
+//! Every pixel sends a fixed set of rays: points of its area and of the projector's aperture. Each is traced through walls
+//! and obstacles ([`SpaceTracer`]); what it leaves in a voxel is the integral of Beer–Lambert over the way through it. Vials,
+//! tilted axes, cones and obstacles differ only in the tracer; dose and adjoint are two visitors of the same walk.
+//!
+//! # Equation
+//! With n rays per pixel of area A, legs of power P (per emitted power) that enter the resin at 0:
+//!
+//! ```text
+//! forward   dose(v) = Σ_pixels x · A/(n·V) Σ_rays Σ_legs P · (μ_a/μ_t) · (e^(−μ_t·s_in) − e^(−μ_t·s_out))
+//! adjoint   grad(pixel) = Σ_v (∂dose(v)/∂x(pixel)) · c(v)
+//! ```
+//! s_in, s_out: way in the resin at which the leg enters and leaves voxel v. In pure Radon mode μ_a (1 − …)/μ_t is s_out − s_in.
+//!
+//! # Source
+//! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `walk.rs`.
+//!
+//! # Parameters
+//! | key | range | default | meaning |
+//! |---|---|---|---|
+//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame; squares lie on a lattice where there is no aperture |
+//! | `reflections` | bool | false | whether light reflected at walls is followed |
+//! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
+//!
+//! # Limits
+//! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
+//!
+//! # Cost
+//! About 1.7 voxels per ray and voxel plane; see docs/speed.md. Where a round vial turns about its own axis, rays are traced
+//! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number.
+//!
+//! # Example
+//! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
+//! ```
+//! use tomolith::field::{Field, HostField};
+//! use tomolith::grid::{PatternGrid, VolumeGrid};
+//! use tomolith::models::{DoseModel, Run, parallel::Light, rays::{Optics, Params, Rays}};
+//! use tomolith::optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);
+//! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
+//! let grid = VolumeGrid::centered([4, 50, 50], 0.1);
+//! let vial = IndexMatched { radius_mm: 2.0 };
+//! let model = Rays::new(&vial, vec![light], &[Optics::collimated(0.1)], &Params::default(), grid).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.fill(1.0);
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let absorbed: f32 = dose.as_slice().iter().sum::<f32>() * 0.1f32.powi(3); // mJ
+//! let sent = 3.0 * 0.1 * 0.1; // three frames of one pixel of 1 mJ/mm²
+//! assert!((absorbed / sent - (1.0 - (-0.4f32).exp())).abs() < 1e-4); // the rays at ±0.025 mm run 4 mm less 6e-4
+//! ```
+
+mod coarse;
+mod segment;
+mod source;
+mod walk;
+
+use crate::error::{Error, Result};
+use crate::field::HostField;
+use crate::grid::VolumeGrid;
+use crate::kind::Kind;
+use crate::models::parallel::{Kernel, Light};
+use crate::models::{
+    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling,
+};
+use crate::optics::motion::Motion;
+use crate::optics::obstacle::Obstacle;
+use crate::optics::phase::Scattering;
+use crate::optics::projector::Projector;
+use crate::optics::projector::collimated::Collimated;
+use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
+use crate::optics::vial::Vial;
+use coarse::Coarse;
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use segment::{Lattice, Segment, Uptake};
+use serde::{Deserialize, Serialize};
+use source::Source;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+use walk::{Gait, Ways};
+
+/// Keys of `[model.rays]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Rays of a pixel in a frame, 1 to 4096.
+    pub rays_per_pixel: usize,
+    /// Whether light reflected at walls is followed.
+    pub reflections: bool,
+    /// Reflected rays below this part of the emitted power are dropped, 0 to 0.1.
+    pub least_power: f64,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            rays_per_pixel: 4,
+            reflections: false,
+            least_power: Limits::default().least_power,
+        }
+    }
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "rays",
+    summary: "Rays of any direction through any vial: cones, tilted axes, meshes, obstacles, reflections.",
+    example: "[model.rays]\nrays_per_pixel = 4\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let params: Params = section.parse()?;
+        let range = |key: &str, found: String, accepted: &str| {
+            Err(Error::config(
+                format!("{}.{key}", section.path),
+                found,
+                accepted,
+            ))
+        };
+        if !(1..=4096).contains(&params.rays_per_pixel) {
+            let found = format!("found {}", params.rays_per_pixel);
+            return range("rays_per_pixel", found, "1 to 4096");
+        }
+        if !(0.0..=0.1).contains(&params.least_power) {
+            let found = format!("found {}", params.least_power);
+            return range("least_power", found, "0 to 0.1");
+        }
+        Ok(Choice::Rays(params))
+    },
+};
+
+/// What stands between a light's pixels and the vial.
+#[derive(Clone, Debug)]
+pub struct Optics {
+    /// Which rays a pixel sends.
+    pub projector: Arc<dyn Projector>,
+    /// How the vial moves before it.
+    pub motion: Motion,
+    /// What stands in the light.
+    pub obstacles: Vec<Obstacle>,
+    /// What scatters in the resin, at this light's wavelength.
+    pub scattering: Option<Scattering>,
+}
+
+impl Optics {
+    /// Parallel light on a vial that only turns.
+    #[must_use]
+    pub fn collimated(pixel_pitch_mm: f64) -> Self {
+        Optics {
+            projector: Arc::new(Collimated { pixel_pitch_mm }),
+            motion: Motion::default(),
+            obstacles: Vec::new(),
+            scattering: None,
+        }
+    }
+}
+
+/// How a pixel's light is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Emission {
+    pub(super) rays_per_pixel: usize,
+    pub(super) limits: Limits,
+    /// Seed of the paths of scattered light, and the voxels along an edge of the cells it is summed on; None: straight
+    /// light only.
+    pub(super) scattered: Option<(u64, usize)>,
+}
+
+/// See the [module page](self).
+pub struct Rays {
+    sources: Vec<Source>,
+    uptakes: Vec<Uptake>,
+    patterns: Vec<PatternLayout>,
+    outputs: Vec<DoseLayout>,
+    lattice: Lattice,
+    /// Where scattered light is summed.
+    coarse: Option<(Coarse, Lattice)>,
+    gait: Gait,
+    is_level: bool,
+    updates: OnceLock<u64>,
+}
+
+/// Rays whose segments are made and used together: they stay in the second-level cache.
+const CHUNK: usize = 1 << 14;
+
+/// Segments by major axis.
+type Bundles = [Vec<Segment>; 3];
+
+/// Segments of straight light on voxels, and of scattered light on coarse cells.
+#[derive(Default)]
+struct Lit {
+    straight: Bundles,
+    scattered: Bundles,
+}
+
+impl Rays {
+    /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is nothing to light or nothing that absorbs; [`Error::Unsupported`] for an absorption
+    /// map, a kernel of pure Radon or a resin that scatters.
+    pub fn new(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        optics: &[Optics],
+        params: &Params,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if optics.iter().any(|o| o.scattering.is_some()) {
+            return Err(Error::Unsupported {
+                what: "model.rays".into(),
+                reason: "the resin scatters; use [model.scatter], or leave [model] out".into(),
+            });
+        }
+        let emission = Emission {
+            rays_per_pixel: params.rays_per_pixel,
+            limits: Limits {
+                reflections: params.reflections,
+                least_power: params.least_power,
+                ..Limits::default()
+            },
+            scattered: None,
+        };
+        Self::build(vial, &lights, optics, &emission, grid)
+    }
+
+    /// The model of straight light, or of light and what is scattered out of it.
+    pub(super) fn build(
+        vial: &dyn Vial,
+        lights: &[Light],
+        optics: &[Optics],
+        emission: &Emission,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if grid.is_empty() {
+            return Err(Error::config(
+                "grid",
+                format!("shape {:?} [z, y, x]", grid.shape),
+                "at least one voxel",
+            ));
+        }
+        let outputs = vec![DoseLayout::new("dose", grid, 0)];
+        let (mut sources, mut uptakes, mut patterns) = (Vec::new(), Vec::new(), Vec::new());
+        let mut offset = 0;
+        for (light, optics) in lights.iter().zip(optics) {
+            light.check()?;
+            refuse(light)?;
+            let tracer = SpaceTracer::new(
+                vial,
+                light.resin,
+                light.surrounding_index,
+                light.polarisation,
+                emission.limits,
+            )
+            .in_bath(light.bath)
+            .in_scattering(optics.scattering.clone())
+            .with_obstacles(optics.obstacles.clone());
+            let is_round = vial.is_round() && optics.obstacles.is_empty();
+            let layout = light.layout(offset);
+            offset += layout.len();
+            sources.push(Source::new(
+                light,
+                Arc::clone(&optics.projector),
+                optics.motion,
+                emission,
+                tracer,
+                is_round,
+            ));
+            uptakes.push(Uptake {
+                attenuation: light.resin.attenuation_per_mm,
+                active: if light.resin.pure_radon {
+                    1.0
+                } else {
+                    light.resin.absorption_per_mm
+                },
+            });
+            patterns.push(layout);
+        }
+        if u32::try_from(offset).is_err() || i32::try_from(outputs[0].len()).is_err() {
+            return Err(Error::Unsupported {
+                what: "model.rays".into(),
+                reason: format!(
+                    "{offset} pixels and {} voxels; at most 2^32 active pixels and 2^31 voxels",
+                    outputs[0].grid.len()
+                ),
+            });
+        }
+        let coarse = emission.scattered.map(|(_, factor)| {
+            let coarse = Coarse::new(&outputs[0], factor);
+            let lattice = Lattice::new(&coarse.layout);
+            (coarse, lattice)
+        });
+        Ok(Rays {
+            lattice: Lattice::new(&outputs[0]),
+            coarse,
+            is_level: optics
+                .iter()
+                .all(|o| o.projector.is_collimated() && o.motion.tilt_rad == 0.0)
+                && !emission.limits.reflections
+                && emission.scattered.is_none(),
+            sources,
+            uptakes,
+            patterns,
+            outputs,
+            gait: Gait::best(),
+            updates: OnceLock::new(),
+        })
+    }
+
+    /// Uses the plain kernel; for tests and benches.
+    #[must_use]
+    pub fn plain(mut self) -> Self {
+        self.gait = Gait::Plain;
+        self
+    }
+
+    /// Where the power of a frame of a light goes, mean over its pixels.
+    #[must_use]
+    pub fn account(&self, light: usize, frame: usize) -> Account {
+        self.sources[light].account(frame)
+    }
+
+    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean account of its rays.
+    #[must_use]
+    pub fn trace(
+        &self,
+        light: usize,
+        frame: usize,
+        column: usize,
+        row: usize,
+    ) -> (Vec<Leg>, Account) {
+        self.sources[light].trace_pixel(frame, column, row)
+    }
+
+    /// (Frame, column) pairs of some frames of a light, in runs that send about [`CHUNK`] rays each.
+    fn chunks(&self, light: usize, frames: Range<usize>) -> Vec<Range<usize>> {
+        let layout = &self.patterns[light];
+        let columns = layout.grid.columns;
+        let rays = self.sources[light].rays();
+        let (mut chunks, mut first, mut sum) = (Vec::new(), frames.start * columns, 0);
+        for i in frames.start * columns..frames.end * columns {
+            sum += layout.runs[i].count as usize * rays;
+            if sum >= CHUNK {
+                chunks.push(first..i + 1);
+                (first, sum) = (i + 1, 0);
+            }
+        }
+        if sum > 0 {
+            chunks.push(first..frames.end * columns);
+        }
+        chunks
+    }
+
+    /// Segments of some (frame, column) pairs, of pixels that `wants` chooses; in the order of pixels and rays.
+    fn bundles(
+        &self,
+        light: usize,
+        pairs: Range<usize>,
+        wants: impl Fn(usize) -> bool + Sync,
+    ) -> Lit {
+        let (source, layout) = (&self.sources[light], &self.patterns[light]);
+        let columns = layout.grid.columns;
+        let pitch = layout.grid.pitch_mm;
+        let area = pitch * pitch / source.rays() as f64;
+        let of_pair = |pair: usize| {
+            let run = layout.runs[pair];
+            let mut found = Vec::new();
+            for i in 0..run.count as usize {
+                let pixel = run.offset + i;
+                if !wants(pixel) {
+                    continue;
+                }
+                let row = run.bottom as usize + i;
+                source.for_each_leg(pair / columns, pair % columns, row, |leg| {
+                    let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
+                    let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
+                    let segment = lattice.segment(&leg, self.uptakes[light], area, pixel as u32);
+                    found.extend(segment.map(|(axis, s)| (scattered.is_some(), axis, s)));
+                });
+            }
+            found
+        };
+        let by_pair: Vec<Vec<(bool, usize, Segment)>> =
+            pairs.into_par_iter().map(of_pair).collect();
+        let mut lit = Lit::default();
+        for (is_scattered, axis, segment) in by_pair.into_iter().flatten() {
+            let bundles = if is_scattered {
+                &mut lit.scattered
+            } else {
+                &mut lit.straight
+            };
+            bundles[axis].push(segment);
+        }
+        lit
+    }
+}
+
+impl Rays {
+    /// Dark coarse cells.
+    fn cells(&self) -> Vec<f32> {
+        vec![
+            0.0;
+            self.coarse
+                .as_ref()
+                .map_or(0, |(coarse, _)| coarse.layout.len())
+        ]
+    }
+
+    /// dose += what segments of pixels of these values leave
+    fn add(&self, lattice: &Lattice, bundles: &Bundles, x: &[f32], dose: &mut [f32]) {
+        for (axis, segments) in bundles.iter().enumerate() {
+            walk::add(self.gait, Ways::new(lattice, axis), segments, x, dose);
+        }
+    }
+
+    /// grad += what segments collect of a cotangent
+    fn collect(&self, lattice: &Lattice, bundles: &Bundles, c: &[f32], grad: &mut [f32]) {
+        for (axis, segments) in bundles.iter().enumerate() {
+            let ways = Ways::new(lattice, axis);
+            let sums: Vec<f32> = segments
+                .par_iter()
+                .with_min_len(64)
+                .map(|segment| walk::collect(self.gait, ways, segment, c))
+                .collect();
+            for (segment, sum) in segments.iter().zip(sums) {
+                grad[segment.pixel as usize] += sum;
+            }
+        }
+    }
+}
+
+/// What this model has no formula for.
+fn refuse(light: &Light) -> Result<()> {
+    let unsupported = |what: &str, reason: &str| {
+        Err(Error::Unsupported {
+            what: what.into(),
+            reason: reason.into(),
+        })
+    };
+    if light.map.is_some() {
+        return unsupported("resin.map", "rays know one absorption for all the resin");
+    }
+    if light.kernel != Kernel::DistanceDriven {
+        return unsupported("model.parallel.kernel", "rays have a kernel of their own");
+    }
+    Ok(())
+}
+
+impl LinearOperator for Rays {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(HostField::zeros(
+            self.patterns.iter().map(PatternLayout::len).sum(),
+        ))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(HostField::zeros(self.outputs[0].len()))
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let x = x.as_slice();
+        let dose = dose.as_mut_slice();
+        let mut cells = self.cells();
+        let mut first = 0;
+        for (light, layout) in self.patterns.iter().enumerate() {
+            let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
+            let own = own.start - first..own.end.max(own.start) - first;
+            first += layout.grid.frames();
+            for pairs in self.chunks(light, own) {
+                if run.is_cancelled() {
+                    return Err(Error::Cancelled);
+                }
+                let lit = self.bundles(light, pairs, |pixel| x[pixel] != 0.0);
+                self.add(&self.lattice, &lit.straight, x, dose);
+                if let Some((_, lattice)) = &self.coarse {
+                    self.add(lattice, &lit.scattered, x, &mut cells);
+                }
+            }
+        }
+        if let Some((coarse, _)) = &self.coarse {
+            coarse.spread(&cells, dose);
+        }
+        Ok(())
+    }
+
+    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
+        grad.fill(0.0);
+        let mut cells = self.cells();
+        if let Some((coarse, _)) = &self.coarse {
+            coarse.gather(c, &mut cells);
+        }
+        for (light, layout) in self.patterns.iter().enumerate() {
+            for pairs in self.chunks(light, 0..layout.grid.frames()) {
+                if run.is_cancelled() {
+                    return Err(Error::Cancelled);
+                }
+                let lit = self.bundles(light, pairs, |_| true);
+                self.collect(&self.lattice, &lit.straight, c, grad);
+                if let Some((_, lattice)) = &self.coarse {
+                    self.collect(lattice, &lit.scattered, &cells, grad);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn frames(&self) -> usize {
+        self.patterns.iter().map(|p| p.grid.frames()).sum()
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        if self.is_level {
+            ZCoupling::None
+        } else {
+            ZCoupling::Full
+        }
+    }
+
+    /// Voxels that all segments pass: planes of each axis they cross, summed.
+    fn updates(&self) -> u64 {
+        *self.updates.get_or_init(|| {
+            let of = |s: &Segment| {
+                f64::from(s.high - s.low) * f64::from(1.0 + s.slope[0].abs() + s.slope[1].abs())
+            };
+            let mut total = 0.0;
+            for (light, layout) in self.patterns.iter().enumerate() {
+                for pairs in self.chunks(light, 0..layout.grid.frames()) {
+                    let lit = self.bundles(light, pairs, |_| true);
+                    let bundles = lit.straight.iter().chain(&lit.scattered);
+                    total += bundles.flatten().map(of).sum::<f64>();
+                }
+            }
+            total as u64
+        })
+    }
+
+    fn describe(&self) -> String {
+        let rays = self.sources.first().map_or(0, Source::rays);
+        format!("rays, {rays} per pixel and frame, exact line integrals")
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,39 @@
+//! What stands in the light: bodies that take it away, bend it or send it elsewhere.
+//!
+//! # Model
+//! | kind | what it does to a ray that meets it |
+//! |---|---|
+//! | black | ends it |
+//! | dielectric (index) | refracts it, in and out; nothing absorbs inside |
+//! | mirror | reflects it without loss |
+//!
+//! A body lies wholly in one medium, in the resin or outside of the vial.
+
+use super::surface::Surface;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What a body does to light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Material {
+    /// Ends every ray.
+    #[default]
+    Black,
+    /// Reflects everything.
+    Mirror,
+    /// Refracts; clear.
+    Dielectric {
+        /// Refractive index, > 0.
+        refractive_index: f64,
+    },
+}
+
+/// A body in the light.
+#[derive(Clone, Debug)]
+pub struct Obstacle {
+    /// Its shape, in the frame of the vial.
+    pub surface: Surface,
+    /// What it is made of.
+    pub material: Material,
+}

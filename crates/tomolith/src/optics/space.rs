@@ -1,0 +1,822 @@
+//! One ray through any vial, in space.
+//!
+//! # Model
+//! A vial is a nest of closed surfaces, from outside to inside. At each the ray is bent (Snell) and split (Fresnel); in
+//! the resin it leaves [`Leg`]s along which Beer–Lambert holds. Rays that are not normal to the axis meet walls whose
+//! planes of incidence differ, so polarisation is followed as a field vector: at an interface its component along
+//! ŝ = d×n and the one along p̂ = d×ŝ pass with √T_s and √T_p. Unpolarised light is two such fields of half the power.
+//!
+//! With [`Limits::reflections`] the reflected part is followed too, through all orders down to `Limits::least_power` of
+//! what was emitted; else it is lost. Total reflection keeps all power; the phase between s and p that it adds is not followed.
+//!
+//! # Scattering
+//! With [`SpaceTracer::in_scattering`] and a stream of random numbers, a leg of length L leaves its expected absorption all
+//! along, and what it loses to scattering goes on from one point of it: the distance is drawn from the free paths below
+//! L, the direction from the phase function, the power is (μ_s/μ_t)·(1 − e^(−μ_t·L)) of the leg's. So the straight light
+//! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
+//! power/least_power (Russian roulette). Scattered light is unpolarised.
+//!
+//! # Equation
+//! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped = 1.
+//!
+//! # Source
+//! Born & Wolf, *Principles of Optics*, § 1.5; Nicolet et al. 2024, § 4.1.
+//!
+//! # Example
+//! Perpendicular light through a cylinder of glass in air, resin of 16 mm at μ = 0.1: 1 − e^−1.6 of what passes two walls.
+//! ```
+//! use tomolith::optics::interface::Polarisation;
+//! use tomolith::optics::projector::Ray;
+//! use tomolith::optics::resin::Resin;
+//! use tomolith::optics::space::{Limits, SpaceTracer};
+//! use tomolith::optics::vial::cylinder::Cylinder;
+//! let vial = Cylinder { inner_radius_mm: 8.0, outer_radius_mm: 8.7, refractive_index: 1.5 };
+//! let tracer = SpaceTracer::new(&vial, Resin::absorbing(1.5, 0.1), 1.0, Polarisation::Unpolarised, Limits::default());
+//! let path = tracer.trace(Ray { from: [0.0; 3], direction: [-1.0, 0.0, 0.0] });
+//! let expected = 0.96 * (1.0 - (-1.6f64).exp()); // 4 % is lost at the first wall, nothing where the indices are equal
+//! assert!((path.account.absorbed - expected).abs() < 1e-12);
+//! ```
+
+use super::interface::Polarisation;
+use super::obstacle::{Material, Obstacle};
+use super::phase::Scattering;
+use super::projector::Ray;
+use super::random::Stream;
+use super::resin::Resin;
+use super::surface::{Crossing, Surface, cross, dot, unit};
+use super::trace::Bath;
+use super::vial::{Curve, Medium, Vial};
+use std::f64::consts::TAU;
+
+/// A straight piece of a ray through resin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Where it enters the resin, and its direction, mm.
+    pub ray: Ray,
+    /// Length, mm.
+    pub length: f64,
+    /// Power where it enters, per emitted power.
+    pub power: f64,
+    /// How often its light was scattered before.
+    pub order: usize,
+}
+
+/// How far light is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Whether light reflected at walls is followed.
+    pub reflections: bool,
+    /// Rays below this part of the emitted power are dropped (and counted).
+    pub least_power: f64,
+    /// Interfaces that one ray passes at most.
+    pub interfaces: usize,
+    /// How often light is scattered at most.
+    pub orders: usize,
+}
+
+impl Default for Limits {
+    /// No reflections; 64 interfaces.
+    fn default() -> Self {
+        Limits {
+            reflections: false,
+            least_power: 1e-4,
+            interfaces: 64,
+            orders: 64,
+        }
+    }
+}
+
+/// Where the power of a ray went; all add up to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Account {
+    /// Taken by the resin, active or not.
+    pub absorbed: f64,
+    /// Taken by a bath before the vial.
+    pub bath: f64,
+    /// Reflected at walls and not followed.
+    pub reflected: f64,
+    /// Left the vial after it had passed resin.
+    pub transmitted: f64,
+    /// Never met resin.
+    pub missed: f64,
+    /// Ended at a black body.
+    pub blocked: f64,
+    /// Given up: too weak, or too many interfaces.
+    pub dropped: f64,
+}
+
+impl Account {
+    /// Sum of all entries.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.absorbed
+            + self.bath
+            + self.reflected
+            + self.transmitted
+            + self.missed
+            + self.blocked
+            + self.dropped
+    }
+
+    /// Adds another account, `share` times.
+    pub fn add(&mut self, other: &Account, share: f64) {
+        self.absorbed += share * other.absorbed;
+        self.bath += share * other.bath;
+        self.reflected += share * other.reflected;
+        self.transmitted += share * other.transmitted;
+        self.missed += share * other.missed;
+        self.blocked += share * other.blocked;
+        self.dropped += share * other.dropped;
+    }
+}
+
+/// What became of one ray.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// Pieces in resin.
+    pub legs: Vec<Leg>,
+    /// Power balance.
+    pub account: Account,
+}
+
+/// Traces rays in space through one vial.
+#[derive(Clone, Debug)]
+pub struct SpaceTracer {
+    walls: Vec<Surface>,
+    /// Index outside of all walls, then inside of each.
+    indices: Vec<f64>,
+    /// Number of walls around the resin.
+    resin_depth: usize,
+    obstacles: Vec<Obstacle>,
+    resin: Resin,
+    polarisation: Polarisation,
+    bath: Option<Bath>,
+    scattering: Option<Scattering>,
+    limits: Limits,
+    /// Rays begin this far before the axis, mm.
+    far: f64,
+}
+
+/// A ray on its way.
+#[derive(Clone, Copy)]
+struct State {
+    ray: Ray,
+    fields: Fields,
+    depth: usize,
+    /// Within this obstacle.
+    within: Option<usize>,
+    crossed: usize,
+    /// How often it was scattered.
+    order: usize,
+    met_resin: bool,
+}
+
+/// Field vectors of two incoherent parts of the light; their squares add up to the power.
+#[derive(Clone, Copy)]
+struct Fields([[f64; 3]; 2]);
+
+impl Fields {
+    fn power(&self) -> f64 {
+        self.0.iter().map(|&e| dot(e, e)).sum()
+    }
+
+    fn scale(&mut self, power: f64) {
+        let factor = power.max(0.0).sqrt();
+        self.0 = self.0.map(|e| e.map(|v| v * factor));
+    }
+
+    fn new(polarisation: Polarisation, direction: [f64; 3]) -> Self {
+        let axis = [0.0, 0.0, 1.0];
+        let across = cross(direction, axis);
+        // Light along the axis has no field along it; any pair of normals serves
+        let p = if dot(across, across) > 1e-12 {
+            unit(across)
+        } else {
+            [1.0, 0.0, 0.0]
+        };
+        let s = cross(p, direction);
+        let parts = polarisation.split();
+        Fields([s.map(|v| v * parts.s.sqrt()), p.map(|v| v * parts.p.sqrt())])
+    }
+
+    /// The fields behind an interface: components along ŝ and p̂ weakened and turned.
+    fn through(&self, s: [f64; 3], [p_in, p_out]: [[f64; 3]; 2], [of_s, of_p]: [f64; 2]) -> Self {
+        Fields(self.0.map(|e| {
+            let (along_s, along_p) = (of_s * dot(e, s), of_p * dot(e, p_in));
+            std::array::from_fn(|i| along_s * s[i] + along_p * p_out[i])
+        }))
+    }
+}
+
+/// What lies ahead of a ray.
+enum Ahead {
+    Wall { crossing: Crossing, depth: usize },
+    Obstacle { crossing: Crossing, index: usize },
+}
+
+impl Ahead {
+    fn crossing(&self) -> &Crossing {
+        match self {
+            Ahead::Wall { crossing, .. } | Ahead::Obstacle { crossing, .. } => crossing,
+        }
+    }
+}
+
+impl SpaceTracer {
+    /// A tracer for a vial with this resin in surroundings of index `surrounding`.
+    #[must_use]
+    pub fn new(
+        vial: &dyn Vial,
+        resin: Resin,
+        surrounding: f64,
+        polarisation: Polarisation,
+        limits: Limits,
+    ) -> Self {
+        let walls = vial.surfaces();
+        let outside = vial.surrounding_index(surrounding, resin.refractive_index);
+        let index = |medium: &Medium| match *medium {
+            Medium::Resin => resin.refractive_index,
+            Medium::Clear(n) => n,
+        };
+        let depth = walls
+            .iter()
+            .position(|(_, inside)| *inside == Medium::Resin);
+        SpaceTracer {
+            indices: std::iter::once(outside)
+                .chain(walls.iter().map(|(_, inside)| index(inside)))
+                .collect(),
+            resin_depth: depth.map_or(usize::MAX, |d| d + 1),
+            far: 4.0 * vial.outer_radius_mm(),
+            walls: walls.into_iter().map(|(surface, _)| surface).collect(),
+            obstacles: Vec::new(),
+            resin,
+            polarisation,
+            bath: None,
+            scattering: None,
+            limits,
+        }
+    }
+
+    /// The same vial with a resin that scatters too; its total attenuation holds the scattering.
+    #[must_use]
+    pub fn in_scattering(mut self, scattering: Option<Scattering>) -> Self {
+        self.scattering = scattering;
+        self
+    }
+
+    /// The same vial in an absorbing bath.
+    #[must_use]
+    pub fn in_bath(mut self, bath: Option<Bath>) -> Self {
+        self.bath = bath;
+        let reach = bath.map_or(0.0, |bath| 4.0 * bath.radius_mm);
+        self.far = self.far.max(reach);
+        self
+    }
+
+    /// The same vial with bodies in the light.
+    #[must_use]
+    pub fn with_obstacles(mut self, obstacles: Vec<Obstacle>) -> Self {
+        self.obstacles = obstacles;
+        self
+    }
+
+    /// What resin takes along `length` mm of light of power 1: 1 − e^(−μ_t·length).
+    fn loss(&self, length: f64) -> f64 {
+        -(-self.resin.attenuation_per_mm * length).exp_m1()
+    }
+
+    /// Follows one ray, straight light only; where it begins along its line does not matter.
+    #[must_use]
+    pub fn trace(&self, ray: Ray) -> Path {
+        self.trace_with(ray, None)
+    }
+
+    /// Follows one ray and what is scattered out of it.
+    #[must_use]
+    pub fn trace_scattered(&self, ray: Ray, random: &mut Stream) -> Path {
+        self.trace_with(ray, Some(random))
+    }
+
+    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>) -> Path {
+        let mut path = Path::default();
+        // Back to where no wall has been met
+        let back = dot(ray.from, ray.direction) + self.far;
+        let ray = Ray {
+            from: ray.at(-back),
+            direction: ray.direction,
+        };
+        let mut waiting = vec![State {
+            ray,
+            fields: Fields::new(self.polarisation, ray.direction),
+            depth: 0,
+            within: None,
+            crossed: 0,
+            order: 0,
+            met_resin: false,
+        }];
+        while let Some(state) = waiting.pop() {
+            self.follow(state, &mut waiting, &mut path, random.as_deref_mut());
+        }
+        path
+    }
+
+    /// Follows a ray to its end; what is reflected and to be followed is left in `waiting`.
+    fn follow(
+        &self,
+        mut state: State,
+        waiting: &mut Vec<State>,
+        path: &mut Path,
+        mut random: Option<&mut Stream>,
+    ) {
+        loop {
+            let Some(ahead) = self.ahead(&state) else {
+                break;
+            };
+            let distance = ahead.crossing().distance;
+            let before = state;
+            let lost = self.cross_medium(&mut state, distance, path);
+            if let (Some(random), Some(scattering)) = (random.as_deref_mut(), &self.scattering)
+                && lost > 0.0
+            {
+                self.scatter(&before, scattering, distance, lost, random, waiting, path);
+            }
+            state.ray.from = state.ray.at(distance);
+            state.crossed += 1;
+            let power = state.fields.power();
+            if state.crossed > self.limits.interfaces || power < self.least_power() {
+                path.account.dropped += power;
+                return;
+            }
+            if !self.pass(&mut state, &ahead, waiting, path) {
+                return;
+            }
+        }
+        let left = state.fields.power();
+        if state.met_resin {
+            path.account.transmitted += left;
+        } else {
+            path.account.missed += left;
+        }
+    }
+
+    fn least_power(&self) -> f64 {
+        if self.limits.reflections {
+            self.limits.least_power
+        } else {
+            0.0
+        }
+    }
+
+    /// What goes on from a point of a leg that lost `lost` of its power: its share moves from absorbed to scattered.
+    #[expect(clippy::too_many_arguments, reason = "one event of a path")]
+    fn scatter(
+        &self,
+        leg: &State,
+        scattering: &Scattering,
+        length: f64,
+        lost: f64,
+        random: &mut Stream,
+        waiting: &mut Vec<State>,
+        path: &mut Path,
+    ) {
+        let mu = self.resin.attenuation_per_mm;
+        let mut power = lost * scattering.per_mm / mu;
+        path.account.absorbed -= power;
+        if leg.order >= self.limits.orders {
+            path.account.dropped += power;
+            return;
+        }
+        let least = self.limits.least_power;
+        if power < least {
+            let survives = random.uniform() * least < power;
+            let after = if survives { least } else { 0.0 };
+            path.account.dropped += power - after;
+            power = after;
+        }
+        if power == 0.0 {
+            return;
+        }
+        let reach = -(-mu * length).exp_m1();
+        let distance = -(-random.uniform() * reach).ln_1p() / mu;
+        let cosine = scattering.phase.draw(random);
+        let direction = deflected(leg.ray.direction, cosine, TAU * random.uniform());
+        let mut fields = Fields::new(Polarisation::Unpolarised, direction);
+        fields.scale(power);
+        waiting.push(State {
+            ray: Ray {
+                from: leg.ray.at(distance.min(length)),
+                direction,
+            },
+            fields,
+            order: leg.order + 1,
+            ..*leg
+        });
+    }
+
+    /// What the medium takes on the way to the next surface; returns what resin took.
+    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) -> f64 {
+        let power = state.fields.power();
+        if state.depth == self.resin_depth && state.within.is_none() {
+            state.met_resin = true;
+            path.legs.push(Leg {
+                ray: state.ray,
+                length,
+                power,
+                order: state.order,
+            });
+            let loss = self.loss(length);
+            path.account.absorbed += loss * power;
+            state.fields.scale(1.0 - loss);
+            return loss * power;
+        } else if let (Some(bath), 0, None) = (self.bath, state.depth, state.within) {
+            let way = bath_way(bath, &state.ray, length);
+            let loss = -(-bath.absorption_per_mm * way).exp_m1();
+            path.account.bath += loss * power;
+            state.fields.scale(1.0 - loss);
+        }
+        0.0
+    }
+
+    /// The next surface of a ray: the wall around it, the one it encloses, or an obstacle.
+    fn ahead(&self, state: &State) -> Option<Ahead> {
+        if let Some(index) = state.within {
+            let crossing = self.obstacles[index].surface.leave(&state.ray)?;
+            return Some(Ahead::Obstacle { crossing, index });
+        }
+        let inward = self.walls.get(state.depth).and_then(|wall| {
+            let crossing = wall.enter(&state.ray)?;
+            let depth = state.depth + 1;
+            Some(Ahead::Wall { crossing, depth })
+        });
+        let outward = || {
+            let depth = state.depth.checked_sub(1)?;
+            let crossing = self.walls[depth].leave(&state.ray)?;
+            Some(Ahead::Wall { crossing, depth })
+        };
+        let walls = inward.into_iter().chain(outward());
+        let bodies = self
+            .obstacles
+            .iter()
+            .enumerate()
+            .filter_map(|(index, body)| {
+                let crossing = body.surface.enter(&state.ray)?;
+                Some(Ahead::Obstacle { crossing, index })
+            });
+        walls
+            .chain(bodies)
+            .min_by(|a, b| a.crossing().distance.total_cmp(&b.crossing().distance))
+    }
+
+    /// Passes a surface; false where the ray ends.
+    fn pass(
+        &self,
+        state: &mut State,
+        ahead: &Ahead,
+        waiting: &mut Vec<State>,
+        path: &mut Path,
+    ) -> bool {
+        let mut behind = *state;
+        let n1 = self.index_of(state);
+        match *ahead {
+            Ahead::Wall { depth, .. } => behind.depth = depth,
+            Ahead::Obstacle { index, crossing } => match self.obstacles[index].material {
+                Material::Black => {
+                    path.account.blocked += state.fields.power();
+                    return false;
+                }
+                Material::Mirror => {
+                    let normal = crossing.normal;
+                    state.fields = mirrored(&state.fields, normal);
+                    state.ray.direction = reflected(state.ray.direction, normal);
+                    return true;
+                }
+                Material::Dielectric { .. } => {
+                    behind.within = if state.within.is_some() {
+                        None
+                    } else {
+                        Some(index)
+                    };
+                }
+            },
+        }
+        let n2 = self.index_of(&behind);
+        let split = split(state, ahead.crossing().normal, n1, n2);
+        let reflected_power = split.reflected.fields.power();
+        if reflected_power > 0.0 {
+            if self.limits.reflections && reflected_power >= self.limits.least_power {
+                waiting.push(State {
+                    ray: split.reflected.ray,
+                    fields: split.reflected.fields,
+                    ..*state
+                });
+            } else if self.limits.reflections {
+                path.account.dropped += reflected_power;
+            } else {
+                path.account.reflected += reflected_power;
+            }
+        }
+        let Some(transmitted) = split.transmitted else {
+            return false;
+        };
+        *state = State {
+            ray: transmitted.ray,
+            fields: transmitted.fields,
+            ..behind
+        };
+        true
+    }
+
+    fn index_of(&self, state: &State) -> f64 {
+        match state.within.map(|i| self.obstacles[i].material) {
+            Some(Material::Dielectric { refractive_index }) => refractive_index,
+            _ => self.indices[state.depth],
+        }
+    }
+}
+
+/// Way of a ray through a bath around the axis before it meets something at `distance`.
+fn bath_way(bath: Bath, ray: &Ray, distance: f64) -> f64 {
+    let wall = Surface::Prism(Curve::Circle(bath.radius_mm));
+    if wall.contains(ray.from) {
+        let end = wall.leave(ray).map_or(f64::INFINITY, |c| c.distance);
+        return end.min(distance);
+    }
+    wall.enter(ray)
+        .map_or(0.0, |c| (distance - c.distance).max(0.0))
+}
+
+struct Part {
+    ray: Ray,
+    fields: Fields,
+}
+
+struct Split {
+    transmitted: Option<Part>,
+    reflected: Part,
+}
+
+/// Snell and Fresnel in space.
+fn split(state: &State, normal: [f64; 3], n1: f64, n2: f64) -> Split {
+    let d = state.ray.direction;
+    let from = state.ray.from;
+    let cos1 = -dot(d, normal);
+    let across = cross(d, normal);
+    // Along the normal every direction across is as good
+    let s = if dot(across, across) > 1e-24 {
+        unit(across)
+    } else {
+        unit(cross(d, least_axis(d)))
+    };
+    let p = cross(d, s);
+    let ratio = n1 / n2;
+    let sin2_squared = ratio * ratio * (1.0 - cos1 * cos1).max(0.0);
+    let back = reflected(d, normal);
+    let bounced = |of_s: f64, of_p: f64| Part {
+        ray: Ray {
+            from,
+            direction: back,
+        },
+        fields: state.fields.through(s, [p, cross(back, s)], [of_s, of_p]),
+    };
+    if sin2_squared >= 1.0 {
+        return Split {
+            transmitted: None,
+            reflected: bounced(1.0, 1.0),
+        };
+    }
+    let cos2 = (1.0 - sin2_squared).sqrt();
+    let bend = ratio * cos1 - cos2;
+    let on = unit(std::array::from_fn(|i| ratio * d[i] + bend * normal[i]));
+    let r_s = (n1 * cos1 - n2 * cos2) / (n1 * cos1 + n2 * cos2);
+    let r_p = (n2 * cos1 - n1 * cos2) / (n2 * cos1 + n1 * cos2);
+    let passed = [r_s, r_p].map(|r| (1.0 - r * r).sqrt());
+    Split {
+        transmitted: Some(Part {
+            ray: Ray {
+                from,
+                direction: on,
+            },
+            fields: state.fields.through(s, [p, cross(on, s)], passed),
+        }),
+        reflected: bounced(r_s, r_p),
+    }
+}
+
+fn reflected(d: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
+    let along = dot(d, normal);
+    unit(std::array::from_fn(|i| d[i] - 2.0 * along * normal[i]))
+}
+
+/// Fields at a perfect mirror: the part along its surface turns over.
+fn mirrored(fields: &Fields, normal: [f64; 3]) -> Fields {
+    Fields(fields.0.map(|e| {
+        let along = dot(e, normal);
+        std::array::from_fn(|i| 2.0 * along * normal[i] - e[i])
+    }))
+}
+
+/// A direction at this angle (its cosine) and azimuth from another.
+fn deflected(d: [f64; 3], cosine: f64, azimuth: f64) -> [f64; 3] {
+    let a = unit(cross(d, least_axis(d)));
+    let b = cross(d, a);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let (sin, cos) = azimuth.sin_cos();
+    unit(std::array::from_fn(|i| {
+        cosine * d[i] + sine * (cos * a[i] + sin * b[i])
+    }))
+}
+
+fn least_axis(d: [f64; 3]) -> [f64; 3] {
+    let least = (0..3).min_by(|&a, &b| d[a].abs().total_cmp(&d[b].abs()));
+    std::array::from_fn(|i| f64::from(u8::from(Some(i) == least)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::surface::Net;
+    use super::super::trace::Tracer;
+    use super::super::vial::cylinder::Cylinder;
+    use super::super::vial::double_tube::DoubleTube;
+    use super::super::vial::square::Square;
+    use super::*;
+    use crate::io::mesh::samples::cuboid;
+    use std::sync::Arc;
+
+    const GLASS: Cylinder = Cylinder {
+        inner_radius_mm: 7.5,
+        outer_radius_mm: 8.0,
+        refractive_index: 1.54,
+    };
+
+    fn resin() -> Resin {
+        Resin::absorbing(1.49, 0.1)
+    }
+
+    fn tracer(vial: &dyn Vial, polarisation: Polarisation, limits: Limits) -> SpaceTracer {
+        SpaceTracer::new(vial, resin(), 1.0, polarisation, limits)
+    }
+
+    fn level(u: f64, azimuth: f64) -> Ray {
+        let (sin, cos) = azimuth.sin_cos();
+        Ray {
+            from: [-u * sin, u * cos, 0.4],
+            direction: [-cos, -sin, 0.0],
+        }
+    }
+
+    #[test]
+    fn level_rays_do_what_the_tracer_of_the_plane_says() {
+        let square = Square {
+            inner_width_mm: 10.0,
+            outer_width_mm: 12.4,
+            refractive_index: 1.54,
+        };
+        let double = DoubleTube {
+            radii_mm: [9.0, 8.0, 3.0, 2.5],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.52,
+            core_refractive_index: 1.0,
+        };
+        for vial in [&GLASS as &dyn Vial, &square, &double] {
+            for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
+                let plane = Tracer::new(vial, resin(), 1.0, polarisation);
+                let space = tracer(vial, polarisation, Limits::default());
+                for i in 0..60 {
+                    let (u, azimuth) = (0.13 * f64::from(i) - 3.9, 0.21 * f64::from(i));
+                    let (a, b) = (plane.trace(u, azimuth), space.trace(level(u, azimuth)));
+                    assert_eq!(a.legs.len(), b.legs.len(), "{vial:?} {u}");
+                    for (a, b) in a.legs.iter().zip(&b.legs) {
+                        assert!((a.length - b.length).abs() < 1e-9, "{vial:?} {u}");
+                        assert!((a.power - b.power).abs() < 1e-9, "{vial:?} {u}");
+                        assert!((a.from[0] - b.ray.from[0]).abs() < 1e-9);
+                        assert!((a.direction[1] - b.ray.direction[1]).abs() < 1e-9);
+                    }
+                    assert!((b.account.total() - 1.0).abs() < 1e-12);
+                    assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-9);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_the_axis() {
+        // n·(component along z) and n·(moment about z) are invariants of a round vial
+        let space = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+        let direction = unit([-1.0, 0.1, -0.25]);
+        let ray = Ray {
+            from: [0.0, 3.1, 0.2],
+            direction,
+        };
+        let moment = |ray: &Ray| ray.from[0] * ray.direction[1] - ray.from[1] * ray.direction[0];
+        let leg = space.trace(ray).legs[0];
+        assert!((leg.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
+        assert!((moment(&leg.ray) - moment(&ray) / 1.49).abs() < 1e-12);
+    }
+
+    #[test]
+    fn with_reflections_all_light_is_found_again() {
+        let limits = Limits {
+            reflections: true,
+            least_power: 1e-7,
+            interfaces: 200,
+            ..Limits::default()
+        };
+        let mut clear = resin();
+        clear.absorption_per_mm = 0.0;
+        clear.attenuation_per_mm = 0.0;
+        // Through the axis of a clear vial all interfaces are plain: their incoherent sum has a closed form
+        let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarisation::S, limits);
+        let path = space.trace(level(0.0, 0.3));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!(path.account.dropped < 1e-4, "{:?}", path.account);
+        let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
+        // Two walls of two interfaces each, then the pair of them; R/T adds up along incoherent interfaces
+        let ratios =
+            2.0 * (r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49)));
+        let transmitted: f64 = 1.0 / (1.0 + ratios);
+        // The last ray of every order leaves the vial after resin, forwards or backwards: only the first reflections miss it
+        let sum: f64 = path.legs.iter().map(|leg| leg.power).sum();
+        assert!(sum > transmitted);
+        let without_resin = path.account.missed;
+        assert!(
+            (path.account.transmitted + without_resin + path.account.dropped - 1.0).abs() < 1e-12
+        );
+        // What leaves backwards before any resin: the first two interfaces alone
+        let two = r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49));
+        assert!((without_resin - two / (1.0 + two)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts_it() {
+        use super::super::phase::isotropic::Isotropic;
+        let per_mm = 0.5;
+        let mut dull = resin();
+        dull.attenuation_per_mm = 0.1 + per_mm;
+        let scattering = Scattering {
+            per_mm,
+            phase: Arc::new(Isotropic {}),
+        };
+        let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+        let run = |orders: usize| {
+            let limits = Limits {
+                orders,
+                least_power: 0.0,
+                ..Limits::default()
+            };
+            SpaceTracer::new(&vial, dull, 1.0, Polarisation::Unpolarised, limits)
+                .in_scattering(Some(scattering.clone()))
+        };
+        // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
+        let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
+        let ray = level(0.0, 0.0);
+        let (mut depth, mut cosine) = (0.0, 0.0);
+        let paths: u32 = 20_000;
+        for i in 0..paths {
+            let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
+            assert!((path.account.total() - 1.0).abs() < 1e-12);
+            assert!((path.legs[1].power - expected).abs() < 1e-12);
+            depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
+            cosine += path.legs[1].ray.direction[2] / f64::from(paths);
+        }
+        // Mean free path below 4 mm: 1/μ − 4/(e^(4μ) − 1), and no direction is preferred
+        let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
+        assert!((depth - mean).abs() < 0.04, "{depth} {mean}");
+        assert!(cosine.abs() < 0.02);
+        // With all orders the power that is dropped is small, and the account is whole
+        let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
+    }
+
+    #[test]
+    fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_do_nothing() {
+        let body = Surface::Net(Arc::new(
+            Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
+        ));
+        let with = |material| {
+            tracer(&GLASS, Polarisation::Unpolarised, Limits::default()).with_obstacles(vec![
+                Obstacle {
+                    surface: body.clone(),
+                    material,
+                },
+            ])
+        };
+        let plain = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+        let ray = level(0.3, 0.0);
+        let whole = plain.trace(ray);
+        let shadow = with(Material::Black).trace(ray);
+        assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
+        assert!((shadow.account.total() - 1.0).abs() < 1e-12);
+        assert!(shadow.account.blocked > 0.1 && shadow.legs.len() == 1);
+        let matched = with(Material::Dielectric {
+            refractive_index: 1.49,
+        })
+        .trace(ray);
+        let gap = 2.0 / -matched.legs[0].ray.direction[0];
+        let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
+        assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);
+        let mirror = with(Material::Mirror).trace(ray);
+        assert_eq!(mirror.legs.len(), 2);
+        assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
+        assert!((mirror.account.total() - 1.0).abs() < 1e-12);
+    }
+}

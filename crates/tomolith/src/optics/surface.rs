@@ -1,0 +1,287 @@
+//! Surfaces in space: the walls of a vial and what stands in the light.
+//!
+//! # Model
+//! A [`Surface`] is closed and has an inside. A prism is a curve of the plane, the same at all heights and without end; a
+//! net is a closed mesh of triangles. [`Surface::enter`] and [`Surface::leave`] give the next crossing of a ray.
+//!
+//! # Limits
+//! A tree of boxes (f32, widened by its rounding) finds the triangles; where a ray meets one is computed in f64.
+//!
+//! # Cost
+//! A prism some ten operations; a net about 0.25 µs a ray at half a million triangles.
+
+use super::projector::Ray;
+use super::trace;
+use super::vial::Curve;
+use crate::error::{Error, Result};
+use crate::io::mesh::Mesh;
+use glam::Vec3A;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::builder::build_bvh2;
+use obvhs::ray::{Ray as BoxRay, RayHit};
+use obvhs::{Boundable, BvhBuildParams};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// A closed surface.
+#[derive(Clone, Debug)]
+pub enum Surface {
+    /// A curve of the plane, at all heights.
+    Prism(Curve),
+    /// Triangles.
+    Net(Arc<Net>),
+}
+
+/// Where a ray crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Way to it, mm.
+    pub distance: f64,
+    /// Unit normal, against the ray.
+    pub normal: [f64; 3],
+    /// Which face of the surface: rays of one bundle share it (0 for nets and circles).
+    pub face: u8,
+}
+
+impl Surface {
+    /// The next crossing of a ray that is outside.
+    #[must_use]
+    pub fn enter(&self, ray: &Ray) -> Option<Crossing> {
+        match self {
+            Surface::Prism(curve) => across(*curve, ray, trace::enter),
+            Surface::Net(net) => net.first_hit(ray),
+        }
+    }
+
+    /// The next crossing of a ray that is inside; None for one that runs along a prism for ever.
+    #[must_use]
+    pub fn leave(&self, ray: &Ray) -> Option<Crossing> {
+        match self {
+            Surface::Prism(curve) => across(*curve, ray, trace::leave),
+            Surface::Net(net) => net.first_hit(ray),
+        }
+    }
+
+    /// Whether a point is inside.
+    #[must_use]
+    pub fn contains(&self, point: [f64; 3]) -> bool {
+        match self {
+            Surface::Prism(curve) => curve.contains(point[0], point[1]),
+            Surface::Net(net) => {
+                let mut crossings = 0;
+                // A direction that no ordinary mesh has an edge along
+                let ray =
+                    Ray::through(point, [point[0] + 0.91, point[1] + 0.267, point[2] + 0.319]);
+                net.for_each_hit(&ray, |_, _| crossings += 1);
+                crossings % 2 == 1
+            }
+        }
+    }
+}
+
+/// A crossing of the plane's curve: distance, normal against the ray, face.
+type PlaneCrossing = Option<(f64, [f64; 2], u8)>;
+
+fn across(
+    curve: Curve,
+    ray: &Ray,
+    cross: impl Fn(Curve, [f64; 2], [f64; 2]) -> PlaneCrossing,
+) -> Option<Crossing> {
+    let [dx, dy, _] = ray.direction;
+    let flat = dx.hypot(dy);
+    if flat < LEAST_SLANT {
+        return None;
+    }
+    let (distance, normal, face) =
+        cross(curve, [ray.from[0], ray.from[1]], [dx / flat, dy / flat])?;
+    Some(Crossing {
+        distance: distance / flat,
+        normal: [normal[0], normal[1], 0.0],
+        face,
+    })
+}
+
+/// Rays nearer to the axis than this slope never leave a prism within any vial.
+const LEAST_SLANT: f64 = 1e-9;
+/// Distances below this (mm) are the triangle that the ray has just passed.
+const TOUCH: f64 = 1e-9;
+/// Part of a coordinate by which boxes are widened: several roundings of f32.
+const WIDER: f32 = 1e-6;
+
+/// A closed mesh of triangles, and the tree that finds them.
+pub struct Net {
+    triangles: Vec<Corners>,
+    tree: Bvh2,
+}
+
+impl std::fmt::Debug for Net {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Net of {} triangles", self.triangles.len())
+    }
+}
+
+/// The corners of a triangle, mm.
+#[derive(Clone, Copy, Debug)]
+struct Corners([[f64; 3]; 3]);
+
+impl Boundable for Corners {
+    fn aabb(&self) -> Aabb {
+        let points = self.0.map(|p| Vec3A::from(p.map(|v| v as f32)));
+        let tight = Aabb::from_points(&points);
+        let margin = Vec3A::splat(WIDER) * (tight.min.abs().max(tight.max.abs()) + Vec3A::ONE);
+        Aabb::new(tight.min - margin, tight.max + margin)
+    }
+}
+
+impl Net {
+    /// Prepares a mesh.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a mesh without triangles; `key` names where it comes from.
+    pub fn new(mesh: &Mesh, key: &str) -> Result<Self> {
+        if mesh.triangles.is_empty() {
+            return Err(Error::config(key, "no triangles", "a closed mesh"));
+        }
+        let triangles: Vec<Corners> = (0..mesh.triangles.len())
+            .map(|i| Corners(mesh.corners(i)))
+            .collect();
+        let tree = build_bvh2(
+            &triangles,
+            BvhBuildParams::medium_build(),
+            &mut Duration::default(),
+        );
+        // The tree's own order, so that a leaf's triangles lie side by side
+        let triangles = tree
+            .primitive_indices
+            .iter()
+            .map(|&i| triangles[i as usize])
+            .collect();
+        Ok(Net { triangles, tree })
+    }
+
+    fn first_hit(&self, ray: &Ray) -> Option<Crossing> {
+        let mut nearest: Option<(f64, usize)> = None;
+        let mut hit = RayHit::none();
+        self.tree.ray_traverse(box_ray(ray), &mut hit, |_, id| {
+            let Some(distance) = self.triangles[id].distance(ray) else {
+                return f32::INFINITY;
+            };
+            if nearest.is_none_or(|(best, _)| distance < best) {
+                nearest = Some((distance, id));
+            }
+            // Never short of the true distance: the next triangle may be nearer by less than a rounding
+            (distance as f32) * (1.0 + WIDER)
+        });
+        nearest.map(|(distance, id)| Crossing {
+            distance,
+            normal: self.triangles[id].normal_against(ray.direction),
+            face: 0,
+        })
+    }
+
+    /// Calls `f(distance, entering)` for every crossing in front of the ray, in no order.
+    pub fn for_each_hit(&self, ray: &Ray, mut f: impl FnMut(f64, bool)) {
+        self.tree.ray_traverse_anyhit(box_ray(ray), |_, id| {
+            if let Some(distance) = self.triangles[id].distance(ray) {
+                f(
+                    distance,
+                    dot(self.triangles[id].normal(), ray.direction) < 0.0,
+                );
+            }
+        });
+    }
+}
+
+fn box_ray(ray: &Ray) -> BoxRay {
+    let single = |v: [f64; 3]| Vec3A::from(v.map(|v| v as f32));
+    BoxRay::new(single(ray.from), single(ray.direction), 0.0, f32::INFINITY)
+}
+
+impl Corners {
+    /// Möller and Trumbore, J. Graphics Tools 2, 21 (1997).
+    fn distance(&self, ray: &Ray) -> Option<f64> {
+        let [a, b, c] = self.0;
+        let (e1, e2) = (minus(b, a), minus(c, a));
+        let p = cross(ray.direction, e2);
+        let determinant = dot(e1, p);
+        if determinant == 0.0 {
+            return None;
+        }
+        let s = minus(ray.from, a);
+        let u = dot(s, p) / determinant;
+        let q = cross(s, e1);
+        let v = dot(ray.direction, q) / determinant;
+        let distance = dot(e2, q) / determinant;
+        let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
+        (inside && distance > TOUCH).then_some(distance)
+    }
+
+    fn normal(&self) -> [f64; 3] {
+        let [a, b, c] = self.0;
+        unit(cross(minus(b, a), minus(c, a)))
+    }
+
+    fn normal_against(&self, direction: [f64; 3]) -> [f64; 3] {
+        let normal = self.normal();
+        if dot(normal, direction) > 0.0 {
+            normal.map(|v| -v)
+        } else {
+            normal
+        }
+    }
+}
+
+pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|c| c / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::mesh::samples::cuboid;
+
+    #[test]
+    fn a_box_of_triangles_is_met_where_a_square_prism_is() {
+        let mesh = cuboid([-2.0, -2.0, -50.0], [2.0, 2.0, 50.0]);
+        assert!(mesh.signed_volume() > 0.0);
+        let net = Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()));
+        let prism = Surface::Prism(Curve::Square(2.0));
+        for i in 0..200 {
+            let angle = 0.1 + f64::from(i) * 0.0314;
+            let ray = Ray::through(
+                [9.0 * angle.cos(), 9.0 * angle.sin(), 0.3],
+                [0.01 * f64::from(i) - 1.0, 0.7, -0.4],
+            );
+            let (a, b) = (prism.enter(&ray), net.enter(&ray));
+            assert_eq!(a.is_some(), b.is_some(), "{i}");
+            let (Some(a), Some(b)) = (a, b) else { continue };
+            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
+            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
+            let within = Ray {
+                from: ray.at(a.distance + 1e-3),
+                ..ray
+            };
+            let (a, b) = (prism.leave(&within).unwrap(), net.leave(&within).unwrap());
+            assert!((a.distance - b.distance).abs() < 1e-12);
+            assert!(net.contains(within.from) && !net.contains(ray.from));
+        }
+    }
+}
