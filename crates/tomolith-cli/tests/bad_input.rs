@@ -552,18 +552,42 @@ const WRONG: &[Wrong] = &[
         "copies_px",
         &["printer.copies_px", "copies 1 and 2 overlap"],
     ),
-    // What is planned
+    // What scatters, and what is beyond parallel light
     (
         "0.05",
-        "0.05\nscattering_per_mm = 1.0",
+        "0.05\nscattering_per_mm = -1.0",
         "scatt",
-        &["resin.scattering_per_mm", "not built yet"],
+        &["resin.scattering_per_mm", "1/mm"],
     ),
     (
         "0.05",
-        "0.05\nphase.rayleigh = {}",
+        "0.05\nattenuation_per_mm = 0.1\nscattering_per_mm = 0.2",
+        "atten",
+        &["resin.attenuation_per_mm", "resin.scattering_per_mm"],
+    ),
+    (
+        "0.05",
+        "0.05\nphase.raleigh = {}",
         "phase",
-        &["resin.phase", "scattering is not in this version"],
+        &["resin.phase.raleigh", "did you mean `rayleigh`?"],
+    ),
+    (
+        "[stop]",
+        "[motion]\ntilt_deg = 95\n[stop]",
+        "tilt",
+        &["motion.tilt_deg", "-80 to 80"],
+    ),
+    (
+        "[stop]",
+        "[[obstacles]]\nmesh = \"none.stl\"\n[stop]",
+        "mesh",
+        &["obstacles[0].mesh", "none.stl"],
+    ),
+    (
+        "[stop]",
+        "[model.rays]\nrays_per_pixel = 0\n[stop]",
+        "rays_per",
+        &["model.rays.rays_per_pixel", "1 to 4096"],
     ),
     // Syntax
     (
@@ -851,7 +875,10 @@ fn what_an_option_set_is_not_blamed_on_the_file() {
         ("light.angles={list_deg=[]}", "light[0].angles.list_deg"),
         ("light.pixels=[12, 24]", "light[0].pixels"),
         ("target.size_mm=9", "target"),
-        ("resin.phase.rayleigh={}", "resin.phase"),
+        (
+            "resin.phase.henyey_greenstein.g=2",
+            "resin.phase.henyey_greenstein.g",
+        ),
     ] {
         let output = bench.tomolith(JOB, &["--set", option]);
         let message = String::from_utf8_lossy(&output.stderr);
