@@ -328,10 +328,7 @@ impl SpaceTracer {
         path: &mut Path,
         mut random: Option<&mut Stream>,
     ) {
-        loop {
-            let Some(ahead) = self.ahead(&state) else {
-                break;
-            };
+        while let Some(ahead) = self.ahead(&state) {
             let distance = ahead.crossing().distance;
             let before = state;
             let lost = self.cross_medium(&mut state, distance, path);

@@ -95,7 +95,7 @@ impl Lattice {
             low = low.max(at0.min(at1));
             high = high.min(at0.max(at1));
         }
-        if !(low < high) {
+        if low >= high {
             return None;
         }
         // Way through one cell of a, mm

@@ -56,7 +56,7 @@ pub struct Part {
     pub phase: Value,
 }
 
-/// Row of [`PHASES`](super::PHASES).
+/// Row of [`PHASES`].
 pub const KIND: Kind<BuildPhase> = Kind {
     name: "mixture",
     summary: "Several phase functions, each with its share.",

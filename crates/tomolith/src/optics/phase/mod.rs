@@ -102,7 +102,7 @@ mod tests {
                 }
             }
             assert!(
-                chi < bins + 4.0 * (2.0 * bins as f64).sqrt(),
+                chi < bins + 4.0 * (2.0f64 * bins).sqrt(),
                 "{}: {chi} of {bins}",
                 kind.name
             );

@@ -27,7 +27,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// See the [module page](self).
@@ -200,7 +200,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     build: |section| {
         let params: Params = section.parse()?;
         let scale = positive(section, "scale", params.scale)?;
-        let wall = |file: &PathBuf, key: &str| read(section, file, key, scale);
+        let wall = |file: &Path, key: &str| read(section, file, key, scale);
         Ok(Box::new(MeshVial::new(
             &wall(&params.outer, "outer")?,
             &wall(&params.inner, "inner")?,
@@ -210,7 +210,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     },
 };
 
-fn read(section: &Section, file: &PathBuf, key: &str, scale: f64) -> Result<Mesh> {
+fn read(section: &Section, file: &Path, key: &str, scale: f64) -> Result<Mesh> {
     let mesh = read_mesh(section.file(file)).map_err(|error| {
         Error::config(
             format!("{}.{key}", section.path),
