@@ -28,8 +28,8 @@
 //!     inner_refractive_index: 1.5,
 //!     core_refractive_index: 1.33,
 //! };
-//! assert!(vial.in_resin(5.0, 0.0)); // between the tubes
-//! assert!(!vial.in_resin(3.0, 0.0) && !vial.in_resin(1.0, 0.0)); // inner glass, core
+//! assert!(vial.in_resin([5.0, 0.0, 0.0])); // between the tubes
+//! assert!(!vial.in_resin([3.0, 0.0, 0.0]) && !vial.in_resin([1.0, 0.0, 0.0])); // inner glass, core
 //! ```
 
 use super::{BuildVial, Curve, Medium, Vial, Wall, inner_below_outer, positive};

@@ -16,7 +16,7 @@
 //! ```
 //! use tomolith::optics::vial::{Vial, index_matched::IndexMatched};
 //! let vial = IndexMatched { radius_mm: 6.0 };
-//! assert!(vial.in_resin(5.9, 0.0) && !vial.in_resin(6.1, 0.0));
+//! assert!(vial.in_resin([5.9, 0.0, 0.0]) && !vial.in_resin([6.1, 0.0, 0.0]));
 //! assert_eq!(vial.reach_mm(5.0, 1.0, 1.0), 5.0); // a projector that covers ±5 mm lights 5 mm from all sides
 //! ```
 

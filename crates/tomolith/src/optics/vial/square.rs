@@ -21,7 +21,7 @@
 //! ```
 //! use tomolith::optics::vial::{Vial, square::Square};
 //! let vial = Square { inner_width_mm: 10.0, outer_width_mm: 12.4, refractive_index: 1.54 };
-//! assert!(vial.in_resin(4.9, -4.9) && !vial.in_resin(5.1, 0.0));
+//! assert!(vial.in_resin([4.9, -4.9, 0.0]) && !vial.in_resin([5.1, 0.0, 0.0]));
 //! assert!(!vial.is_round());
 //! ```
 
