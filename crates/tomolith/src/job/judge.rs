@@ -268,7 +268,7 @@ fn dose(
     }
     let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let model = planner::plan(
-        &scene.optics.model_for(refine),
+        &scene.optics.model_for(refine, grid),
         scene.optics.setup(),
         lights,
         grid.clone(),
