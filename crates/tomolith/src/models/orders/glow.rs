@@ -1,6 +1,7 @@
 //! The scattered part of one light: straight light on cells, and what becomes of it.
 
 use super::Params;
+use super::bins::Bins;
 use super::convolver::{Convolver, Kernel};
 use super::far::Far;
 use super::flight::{Flight, Pattern};
@@ -9,7 +10,7 @@ use crate::error::Result;
 use crate::grid::VolumeGrid;
 use crate::models::coarse::Coarse;
 use crate::models::parallel::{Light, Parallel};
-use crate::models::{DoseLayout, LinearOperator, PatternLayout, Run};
+use crate::models::{DoseLayout, LinearOperator, Run};
 use crate::optics::phase::Scattering;
 use crate::optics::trace::Tracer;
 use crate::optics::vial::Vial;
@@ -75,6 +76,8 @@ pub(super) struct Glow {
     /// Where this light's pixels lie in a pattern field, and its frames among all.
     pixels: Range<usize>,
     frames: Range<usize>,
+    bins: Bins,
+    /// Straight light of bins on cells.
     straight: Parallel,
     channels: Vec<Channel>,
     convolver: Convolver,
@@ -92,11 +95,13 @@ impl Glow {
         fine: &DoseLayout,
         (offset, first_frame): (usize, usize),
     ) -> Result<Self> {
-        let cells = Cells::new(vial, &light, folded, params, &fine.grid);
+        let edge = cell_edge(vial, folded, params);
+        let (bins, binned) = Bins::new(&light, edge);
+        let mu = light.resin.attenuation_per_mm;
+        let cells = Cells::new(vial, (edge, mu), bins.heights_mm(), &fine.grid);
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
         let convolver = Convolver::new([nx, ny, nz], layout.row);
-        let mu = light.resin.attenuation_per_mm;
         let flight = Flight {
             mu,
             edge: cells.grid.pitch_mm,
@@ -120,7 +125,8 @@ impl Glow {
         Ok(Glow {
             pixels: offset..offset + len,
             frames,
-            straight: Parallel::new(vial, vec![light], cells.grid.clone())?,
+            straight: Parallel::new(vial, vec![binned], cells.grid.clone())?,
+            bins,
             channels,
             convolver,
             coarse: Coarse::of_grid(cells.grid, fine),
@@ -139,17 +145,6 @@ impl Glow {
             self.far.edge_mm(),
             self.far.orders()
         )
-    }
-
-    fn layout(&self) -> &PatternLayout {
-        &LinearOperator::patterns(&self.straight)[0]
-    }
-
-    /// Calls `visit(pixels of a run, weight)` for every (frame, column).
-    fn for_each_run(&self, channel: &Channel, mut visit: impl FnMut(Range<usize>, f32)) {
-        for (run, &weight) in self.layout().runs.iter().zip(&channel.weights) {
-            visit(run.offset..run.offset + run.count as usize, weight);
-        }
     }
 
     /// dose += scattered light of these frames
@@ -171,12 +166,7 @@ impl Glow {
         let mut sources = Vec::new();
         let mut weighted = LinearOperator::new_patterns(&self.straight)?;
         for channel in &self.channels {
-            let out = weighted.as_mut_slice();
-            self.for_each_run(channel, |pixels, weight| {
-                for (out, x) in out[pixels.clone()].iter_mut().zip(&x[pixels]) {
-                    *out = weight * x;
-                }
-            });
+            self.bins.fill(x, &channel.weights, weighted.as_mut_slice());
             let mut source = LinearOperator::new_dose(&self.straight)?;
             self.straight
                 .add_forward(own.clone(), &weighted, &mut source, run)?;
@@ -206,12 +196,7 @@ impl Glow {
             self.convolver.add_field(sum, 1.0, source.as_mut_slice());
             far.add_to(channel.m, source.as_mut_slice());
             self.straight.adjoint(&source, &mut own, run)?;
-            let own = own.as_slice();
-            self.for_each_run(channel, |pixels, weight| {
-                for (grad, own) in grad[pixels.clone()].iter_mut().zip(&own[pixels]) {
-                    *grad += weight * own;
-                }
-            });
+            self.bins.add_back(own.as_slice(), &channel.weights, grad);
         }
         Ok(())
     }
@@ -283,6 +268,15 @@ fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
         .collect()
 }
 
+/// Edge of the cells of order 1, mm.
+fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
+    let radius = vial.resin_wall().inscribed_radius();
+    params.cell_mm.map_or_else(
+        || (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0),
+        |edge| edge.min(radius / 4.0),
+    )
+}
+
 /// The cells of order 1, and how many of them make one of the later orders.
 struct Cells {
     grid: VolumeGrid,
@@ -290,28 +284,20 @@ struct Cells {
 }
 
 impl Cells {
+    /// Cells over the resin, from below to above what is lit or wanted.
     fn new(
         vial: &dyn Vial,
-        light: &Light,
-        folded: &Folded,
-        params: &Params,
+        (edge, mu): (f64, f64),
+        [lit_low, lit_high]: [f64; 2],
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
-        let mu = light.resin.attenuation_per_mm;
-        let edge = params.cell_mm.map_or_else(
-            || (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0),
-            |edge| edge.min(radius / 4.0),
-        );
         // Later orders: a quarter of a millimetre at μ = 1, and 16 cells across
         let factor = ((0.25 / mu).min(radius / 8.0) / edge).floor().max(1.0) as usize;
-        // Light that leaves the lit heights and comes back has flown at most this far
-        let margin = radius.min(2.0 / mu);
-        let rows = light.pixels.rows;
-        let half = light.pixels.pitch_mm / 2.0;
-        let [fine_low, fine_high] = fine.bounds_mm();
-        let low = fine_low[2].min(light.pixels.row_z(rows - 1) - half) - margin;
-        let high = fine_high[2].max(light.pixels.row_z(0) + half) + margin;
+        // Light that leaves the lit heights and comes back has rarely flown farther
+        let margin = radius.min(1.0 / mu);
+        let [low, high] = fine.bounds_mm();
+        let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
         let count =
             |length: f64| (length / (edge * factor as f64)).ceil().max(2.0) as usize * factor;
         let across = count(2.0 * radius);

@@ -52,6 +52,7 @@
 //! assert!(dark > 0.005 * lit && dark < 0.05 * lit);
 //! ```
 
+mod bins;
 mod convolver;
 mod far;
 mod flight;
