@@ -7,15 +7,15 @@ use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::Result;
-use crate::field::BLOCK;
+use crate::field::{BLOCK, Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::metrics::print::{PatternStats, Print};
-use crate::metrics::published::slices::{Slice, slices};
+use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
-use crate::models::{Run, planner};
+use crate::models::{DoseLayout, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -113,13 +113,15 @@ pub(crate) fn judge(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Judged> {
+    let mut room = Room::default();
     let optimisation = match raw {
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
-            let dose = dose(scene, lights, &scene.grid, raw, cancel)?;
+            let dose = dose(scene, lights, &scene.grid, raw, &mut room, cancel)?;
             let response = scene.responses(dose)?;
             let evaluation = measure(scene, voxels, &response, raw)?;
+            room.values = response.values;
             Some(evaluation.with_sub_angles(scene.spec.light[0].sub_angles))
         }
     };
@@ -127,7 +129,8 @@ pub(crate) fn judge(
         None => None,
         Some(_) => {
             let lights = scene.optics.lights.clone();
-            let response = scene.responses(dose(scene, lights, &scene.grid, shown, cancel)?)?;
+            let response =
+                scene.responses(dose(scene, lights, &scene.grid, shown, &mut room, cancel)?)?;
             headline(voxels)
                 .metric
                 .measure(&print(scene, voxels, &response)?)
@@ -140,23 +143,27 @@ pub(crate) fn judge(
         "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
     );
     progress.event(&Event::Note { text });
+    room = Room::default();
     let fine = scene.voxels(&grid)?;
     let response = scene.responses(dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
         shown,
+        &mut room,
         cancel,
     )?)?;
     let standing = measure(scene, &fine, &response, shown)?;
-    drop(response);
+    room.values = response.values;
     let turning = dose(
         scene,
         scene.optics.lights_turning(sub_angles),
         &grid,
         shown,
+        &mut room,
         cancel,
     )?;
+    drop(room);
     let mean = averaged(&turning, &scene.grid);
     let material = scene.response()?;
     let options = published::Options {
@@ -166,10 +173,22 @@ pub(crate) fn judge(
         trim_percent: scene.spec.evaluate.trim_percent,
         epsilon: scene.band_half_width(),
     };
-    let published = published::published(&turning, &fine.target.inside, &fine.labels, &options)?;
-    let slices = slices(&turning, &fine.labels, options.trim_percent);
-    let response = scene.responses(turning)?;
-    let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
+    let stats = PatternStats::of(shown);
+    let (published, slices, response, evaluation) = if material.is_identity() {
+        // The dose is the response: what was counted of one serves the other
+        let print = print(scene, &fine, &turning)?.with_patterns(stats);
+        let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
+        let evaluation = evaluate(&print);
+        drop(print);
+        (published, slices, turning, evaluation)
+    } else {
+        let (published, slices) =
+            published::by_slices(&turning, &fine.target.inside, &fine.labels, &options)?;
+        let response = scene.responses(turning)?;
+        let evaluation = measure(scene, &fine, &response, shown)?;
+        (published, slices, response, evaluation)
+    };
+    let evaluation = evaluation.with_sub_angles(sub_angles);
     let keep_dark = scene
         .keep_dark(&grid)?
         .map(|shares| KeepDark::of(&shares, &fine.labels, &response));
@@ -255,12 +274,20 @@ impl Steps<'_> {
     }
 }
 
+/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
+#[derive(Default)]
+struct Room {
+    field: HostField,
+    values: Vec<f32>,
+}
+
 /// Dose of patterns on a grid.
 fn dose(
     scene: &Scene,
     mut lights: Vec<Light>,
     grid: &VolumeGrid,
     patterns: &[Patterns],
+    room: &mut Room,
     cancel: &Run,
 ) -> Result<Volume<f32>> {
     for (light, patterns) in lights.iter_mut().zip(patterns) {
@@ -280,10 +307,14 @@ fn dose(
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
     }
-    let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, cancel)?;
+    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
+    if room.field.len() != wanted {
+        room.field = model.new_dose()?;
+    }
+    model.dose(&x, &mut room.field, cancel)?;
     drop(x);
-    Ok(model.outputs()[0].volume_of(dose.as_slice()))
+    let values = std::mem::take(&mut room.values);
+    Ok(model.outputs()[0].volume_in(room.field.as_slice(), values))
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.

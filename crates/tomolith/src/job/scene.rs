@@ -20,7 +20,9 @@ use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{Needs, OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response, dose_for};
-use crate::target::{self, Resolution, Role, Shape, Target, default_grid, label, label_voxels};
+use crate::target::{
+    self, Resolution, Role, Shape, Target, default_grid, label, label_columns, label_voxels,
+};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -224,10 +226,12 @@ impl Scene {
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
         let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
             .map_err(|e| at_grid(&self.spec, e))?;
-        let mut labels = label_voxels(
-            &target,
-            self.optics.counts(self.spec.grid.region, &self.grid),
-        );
+        let counts = self.optics.counts(self.spec.grid.region, &self.grid);
+        let mut labels = if self.optics.vial.is_invariant() {
+            label_columns(&target, |[x, y]| counts([x, y, 0.0]))
+        } else {
+            label_voxels(&target, counts)
+        };
         // There is no resin in an insert
         if let Some(insert) = self.shape.body(Role::Insert) {
             let inside = insert.sample(grid)?.values;

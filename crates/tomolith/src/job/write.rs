@@ -19,6 +19,7 @@ use crate::metrics::published::unit_systems::UnitSystem;
 use crate::metrics::published::value_of;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
+use std::panic::resume_unwind;
 use std::path::Path;
 
 /// Everything there is at the end of a run.
@@ -61,7 +62,6 @@ pub(crate) fn all(
             raw: patterns.raw.as_ref().map(|raw| &raw[i]),
         })
         .collect();
-    write_patterns(&new.join("patterns.npz"), &pairs)?;
     let frames = patterns.frames(scene)?;
     let sets: Vec<FrameSet<'_>> = frames
         .iter()
@@ -77,18 +77,31 @@ pub(crate) fn all(
         &frames,
         gel_dose,
     );
-    let movies = shown.write(&new, &scene.name, &sets, progress)?;
-    write_volume(&new.join("dose.npy"), &judged.dose)?;
-    write_vti(
-        &new.join("dose.vti"),
-        &scene.grid,
-        &[
-            ("dose", VtiValues::F32(&judged.dose.values)),
-            ("target", VtiValues::F32(&voxels.target.inside.values)),
-            ("label", VtiValues::U8(&voxels.labels.values)),
-        ],
-    )?;
-    print(scene, judged, &new.join("print.stl"))?;
+    let arrays = || -> Result<()> {
+        write_patterns(&new.join("patterns.npz"), &pairs)?;
+        write_volume(&new.join("dose.npy"), &judged.dose)?;
+        write_vti(
+            &new.join("dose.vti"),
+            &judged.dose.grid,
+            &[
+                ("dose", VtiValues::F32(&judged.dose.values)),
+                ("target", VtiValues::F32(&voxels.target.inside.values)),
+                ("label", VtiValues::U8(&voxels.labels.values)),
+            ],
+        )
+    };
+    // The large arrays go to the disk while frames, movies and the surface are made
+    let (arrays, movies) = std::thread::scope(|scope| {
+        let arrays = scope.spawn(arrays);
+        let movies = shown.write(&new, &scene.name, &sets, progress);
+        let movies = movies.and_then(|movies| {
+            print(scene, judged, &new.join("print.stl"))?;
+            Ok(movies)
+        });
+        (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
+    });
+    arrays?;
+    let movies = movies?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -214,7 +227,7 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
         facts.push(("Model", optimised.model.clone()));
         facts.push((
             "Speed",
-            format!("{speed:.1} G voxel-angle updates per second"),
+            format!("{speed}voxel-angle updates per second"),
         ));
     }
     if let Some(dark) = &judged.keep_dark {

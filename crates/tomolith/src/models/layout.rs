@@ -107,9 +107,26 @@ impl DoseLayout {
     /// When the field is shorter than the layout.
     #[must_use]
     pub fn volume_of<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Volume<T> {
+        self.volume_in(field, Vec::new())
+    }
+
+    /// As [`volume_of`](Self::volume_of), in memory that is used again when it is large enough.
+    ///
+    /// # Panics
+    /// When the field is shorter than the layout.
+    #[must_use]
+    pub fn volume_in<T: Copy + Default + Send + Sync>(
+        &self,
+        field: &[T],
+        mut values: Vec<T>,
+    ) -> Volume<T> {
         let [nz, ny, nx] = self.grid.shape;
         let field = &field[self.range()];
-        let mut values = vec![T::default(); nz * ny * nx];
+        if values.capacity() < nz * ny * nx {
+            // Zeroed memory comes from the system page by page, in the threads that fill it
+            values = vec![T::default(); nz * ny * nx];
+        }
+        values.resize(nz * ny * nx, T::default());
         if values.is_empty() {
             return Volume {
                 grid: self.grid.clone(),
