@@ -20,6 +20,7 @@ pub mod folder;
 pub mod import;
 mod judge;
 pub mod kinds;
+mod noise;
 mod optimise;
 pub mod outcome;
 pub mod progress;
