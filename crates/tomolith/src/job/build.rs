@@ -96,6 +96,7 @@ impl Optics {
         Setup {
             vial: self.vial.as_ref(),
             optics: &self.paths,
+            solid: None,
         }
     }
 

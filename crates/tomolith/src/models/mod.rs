@@ -5,6 +5,7 @@
 //! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
 //! back-projection).
 
+pub mod cells;
 pub mod darkened;
 pub mod layout;
 pub mod matrix;
