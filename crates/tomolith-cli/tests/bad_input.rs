@@ -552,6 +552,33 @@ const WRONG: &[Wrong] = &[
         "copies_px",
         &["printer.copies_px", "copies 1 and 2 overlap"],
     ),
+    // Cells that the surface cuts, beside what knows whole voxels only
+    (
+        "upper = 0.95",
+        "upper = 0.95\nsurface = \"cells\"\n\n[optimizer.osmo]",
+        "surface",
+        &[
+            "objective.threshold.surface",
+            "[optimizer.osmo]",
+            "whole voxels",
+        ],
+    ),
+    (
+        "upper = 0.95",
+        "upper = 0.95\nsurface = \"cells\"\n\n[model.parallel]",
+        "surface",
+        &[
+            "objective.threshold.surface",
+            "[model.parallel]",
+            "whole voxels",
+        ],
+    ),
+    (
+        "[objective.threshold]\nlower = 0.85\nupper = 0.95",
+        "[[objectives]]\nthreshold = { surface = \"cells\" }\n\n[[objectives]]\nl2 = {}",
+        "l2",
+        &["objectives[1].l2", "another objective has cells"],
+    ),
     // What scatters, and what is beyond parallel light
     (
         "0.05",
@@ -588,6 +615,19 @@ const WRONG: &[Wrong] = &[
         "[model.rays]\nrays_per_pixel = 0\n[stop]",
         "rays_per",
         &["model.rays.rays_per_pixel", "1 to 4096"],
+    ),
+    // A model that does not cover the optics
+    (
+        "[stop]",
+        "[model.parallel]\n[motion]\ntilt_deg = 5\n[stop]",
+        "[model.parallel]",
+        &["model.parallel", "light is not normal to the axis"],
+    ),
+    (
+        "0.05\n",
+        "0.05\nscattering_per_mm = 0.2\n\n[model.rays]\n",
+        "[model.rays]",
+        &["model.rays", "the resin scatters", "[model.scatter]"],
     ),
     // Syntax
     (

@@ -92,6 +92,7 @@ impl Case {
         let setup = Setup {
             vial: &vial,
             optics: &[Optics::collimated(light.pixels.pitch_mm)],
+            solid: None,
         };
         let plan = planner::plan(
             &Choice::default(),

@@ -116,6 +116,9 @@ fn adjoint<M: DoseModel + ?Sized>(
         volume.values = noise(seed + 1, volume.values.len());
         let mut host = c.to_host();
         host[layout.range()].copy_from_slice(&layout.field_of(&volume));
+        let cells = layout.offset + layout.voxels()..layout.range().end;
+        let own = noise(seed + 2, cells.len());
+        host[cells].copy_from_slice(&own);
         c.copy_from_host(&host);
     }
     let scale = (1.0 / c.norm()) as f32;

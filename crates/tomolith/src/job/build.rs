@@ -97,6 +97,7 @@ impl Optics {
         Setup {
             vial: self.vial.as_ref(),
             optics: &self.paths,
+            solid: None,
         }
     }
 

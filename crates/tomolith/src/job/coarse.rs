@@ -74,7 +74,7 @@ fn solve_level(
     let voxels = scene.voxels(grid)?;
     let plan = planner::plan(
         &scene.optics.model,
-        scene.optics.setup(),
+        scene.setup(),
         lights,
         grid.clone(),
         Some(&voxels.wanted()),

@@ -262,7 +262,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     };
     let plan = planner::plan(
         &choice,
-        scene.optics.setup(),
+        scene.setup(),
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),

@@ -11,6 +11,7 @@
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
+mod cells;
 mod coarse;
 mod device;
 pub mod document;

@@ -13,7 +13,7 @@ use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::darkened::{Darkened, darken, pixels_through};
-use crate::models::{DoseModel, Run, planner};
+use crate::models::{DoseLayout, DoseModel, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, Row, StepReport, Stop, StopReason,
@@ -75,7 +75,7 @@ pub(crate) fn optimise(
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
         &scene.optics.model,
-        scene.optics.setup(),
+        scene.setup(),
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),
@@ -129,10 +129,14 @@ pub(crate) fn optimise(
         seconds: spec.stop.wall_s,
     };
     let updates = model.updates();
+    let layout = model.outputs()[0].clone();
+    let mut labels = layout.field_of(&voxels.labels);
+    labels.truncate(layout.voxels());
     let mut watch = Watch {
         scene,
         updates,
-        labels: model.outputs()[0].field_of(&voxels.labels),
+        labels,
+        layout,
         is_grey: voxels.target.grey,
         qualities: Vec::new(),
         progress,
@@ -369,8 +373,10 @@ fn is_measured(iteration: usize) -> bool {
 struct Watch<'a> {
     scene: &'a Scene,
     updates: u64,
-    /// Labels in the order of the dose field; the padding is outside.
+    /// Labels in the order of the dose field's voxels; the padding is outside.
     labels: Vec<u8>,
+    /// Where those lie.
+    layout: DoseLayout,
     /// A grey target has no IoU worth following.
     is_grey: bool,
     qualities: Vec<Quality>,
@@ -396,9 +402,9 @@ impl Watch<'_> {
             return None;
         }
         let response = self.scene.response().ok()?;
-        let dose = report.dose.as_slice();
+        let dose = self.layout.voxels_of(report.dose.as_slice());
         let values: Cow<'_, [f32]> = if response.is_identity() {
-            Cow::Borrowed(dose)
+            dose
         } else {
             Cow::Owned(dose.par_iter().map(|&d| response.value(d)).collect())
         };

@@ -1,6 +1,7 @@
 //! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
 
 use super::build::Optics;
+use super::cells;
 use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
@@ -13,6 +14,8 @@ use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::kind::Section;
+use crate::models::cells::Cells;
+use crate::models::planner::Setup;
 use crate::models::{DoseLayout, PatternLayout};
 use crate::objective::emphasis::{Common, Ground};
 use crate::objective::penalty::{PENALTIES, Penalties};
@@ -43,7 +46,9 @@ pub(crate) struct Scene {
     /// Name of the part.
     pub(crate) name: String,
     /// The shape.
-    pub(crate) shape: Box<dyn Shape>,
+    pub(crate) shape: Arc<dyn Shape>,
+    /// Whether its surface cuts voxels of the optimisation into cells.
+    pub(crate) has_cells: bool,
     /// Vial and lights.
     pub(crate) optics: Optics,
     /// The machine, one per light.
@@ -84,13 +89,19 @@ impl Scene {
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        let has_cells = cells::key(&spec)?.is_some();
         try_kinds(&spec, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
+        cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
+        optics
+            .setup()
+            .must_be_covered(&optics.model, &optics.lights, &grid)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
             let (common, _) = Common::split(section)?;
@@ -101,7 +112,8 @@ impl Scene {
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let extent = Extent {
-            fields: with_fields(&spec, shape.is_grey())?,
+            fields: with_fields(&spec, shape.is_grey())?
+                + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
             ..Extent::new(
@@ -119,6 +131,7 @@ impl Scene {
             notes: Vec::new(),
             spec,
             shape,
+            has_cells,
             optics,
             printers,
             grid,
@@ -217,6 +230,14 @@ impl Scene {
     /// The finer grid of the evaluation.
     pub(crate) fn fine_grid(&self) -> VolumeGrid {
         self.grid.refined(self.extent.refine)
+    }
+
+    /// What light passes in the optimisation, and the surface where an objective has cells.
+    pub(crate) fn setup(&self) -> Setup<'_> {
+        Setup {
+            solid: self.has_cells.then_some(&self.shape),
+            ..self.optics.setup()
+        }
     }
 
     /// The target on a grid.
@@ -519,7 +540,12 @@ fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Penalties<HostF
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
 fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
-    let layout = DoseLayout::new("dose", grid.clone(), 0);
+    let mut layout = DoseLayout::new("dose", grid.clone(), 0);
+    if cells::key(spec)?.is_some() {
+        let halves = Volume::filled(grid.clone(), 0.5);
+        let cells = Cells::new(&layout, &halves);
+        layout = layout.with_cells(Arc::new(cells));
+    }
     let target = Target {
         name: String::new(),
         // Part and void, so that the bands of both are tried

@@ -19,8 +19,11 @@
 
 use crate::field::LANES;
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
+use crate::models::cells::Cells;
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// What a pattern value means to a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +65,8 @@ pub struct DoseLayout {
     pub offset: usize,
     /// Floats per (y, x) row: [`row_of`] nz; the padding stays zero.
     pub row: usize,
+    /// Voxels with two doses: behind the voxels lie the inside cells of those.
+    pub cells: Option<Arc<Cells>>,
 }
 
 impl DoseLayout {
@@ -74,13 +79,27 @@ impl DoseLayout {
             grid,
             offset,
             row,
+            cells: None,
         }
     }
 
-    /// Elements in the field, padding included.
+    /// The same with two doses in some voxels.
+    #[must_use]
+    pub fn with_cells(mut self, cells: Arc<Cells>) -> Self {
+        self.cells = Some(cells);
+        self
+    }
+
+    /// Elements of voxels, padding included: what a field has before its inside cells.
+    #[must_use]
+    pub fn voxels(&self) -> usize {
+        self.row * self.grid.shape[1] * self.grid.shape[2]
+    }
+
+    /// Elements in the field, padding and cells included.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.row * self.grid.shape[1] * self.grid.shape[2]
+        self.voxels() + self.cells.as_ref().map_or(0, |cells| cells.len())
     }
 
     /// Whether there is no element.
@@ -95,18 +114,44 @@ impl DoseLayout {
         self.offset..self.offset + self.len()
     }
 
+    /// Indices of cut voxels in arrays in file order, in the order of their inside cells.
+    #[must_use]
+    pub fn cut_voxels(&self) -> Vec<usize> {
+        let [_, ny, nx] = self.grid.shape;
+        let cells = self.cells.iter().flat_map(|cells| cells.iter());
+        let place = |(element, _)| (element % self.row) * ny * nx + element / self.row;
+        cells.map(place).collect()
+    }
+
     /// Element of voxel `[iz, iy, ix]`.
     #[must_use]
     pub fn index(&self, iz: usize, iy: usize, ix: usize) -> usize {
         self.offset + (iy * self.grid.shape[2] + ix) * self.row + iz
     }
 
-    /// This species as an array in file order `[z, y, x]`; `field` is the whole field of the model.
+    /// The voxels of this species, of cut ones the mean of both cells, in the order of the field without its cells; `field` is
+    /// the whole field of the model.
     ///
     /// # Panics
     /// When the field is shorter than the layout.
     #[must_use]
-    pub fn volume_of<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Volume<T> {
+    pub fn voxels_of<'a>(&self, field: &'a [f32]) -> Cow<'a, [f32]> {
+        let (voxels, inside) = field[self.range()].split_at(self.voxels());
+        let Some(cells) = &self.cells else {
+            return Cow::Borrowed(voxels);
+        };
+        let mut voxels = voxels.to_vec();
+        cells.average(inside, &mut voxels);
+        Cow::Owned(voxels)
+    }
+
+    /// This species as an array in file order `[z, y, x]`, of cut voxels the mean of both cells; `field` is the whole field of
+    /// the model.
+    ///
+    /// # Panics
+    /// When the field is shorter than the layout.
+    #[must_use]
+    pub fn volume_of(&self, field: &[f32]) -> Volume<f32> {
         self.volume_in(field, Vec::new())
     }
 
@@ -115,18 +160,14 @@ impl DoseLayout {
     /// # Panics
     /// When the field is shorter than the layout.
     #[must_use]
-    pub fn volume_in<T: Copy + Default + Send + Sync>(
-        &self,
-        field: &[T],
-        mut values: Vec<T>,
-    ) -> Volume<T> {
+    pub fn volume_in(&self, field: &[f32], mut values: Vec<f32>) -> Volume<f32> {
         let [nz, ny, nx] = self.grid.shape;
-        let field = &field[self.range()];
+        let field = self.voxels_of(field);
         if values.capacity() < nz * ny * nx {
             // Zeroed memory comes from the system page by page, in the threads that fill it
-            values = vec![T::default(); nz * ny * nx];
+            values = vec![0.0; nz * ny * nx];
         }
-        values.resize(nz * ny * nx, T::default());
+        values.resize(nz * ny * nx, 0.0);
         if values.is_empty() {
             return Volume {
                 grid: self.grid.clone(),
@@ -152,7 +193,8 @@ impl DoseLayout {
         }
     }
 
-    /// An array in file order as the elements of this species (length [`len`](Self::len), padding = default).
+    /// An array in file order as the elements of this species (length [`len`](Self::len), padding = default); both cells of a
+    /// cut voxel get its value.
     ///
     /// # Panics
     /// When the volume has another shape.
@@ -163,7 +205,7 @@ impl DoseLayout {
             "volume of another shape"
         );
         let [nz, ny, nx] = self.grid.shape;
-        let mut field = vec![T::default(); self.len()];
+        let mut field = vec![T::default(); self.voxels()];
         if field.is_empty() {
             return field;
         }
@@ -178,6 +220,9 @@ impl DoseLayout {
                     }
                 }
             });
+        if let Some(cells) = &self.cells {
+            cells.append(&mut field);
+        }
         field
     }
 }

@@ -5,6 +5,7 @@
 //! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
 //! back-projection).
 
+pub mod cells;
 mod coarse;
 pub mod darkened;
 pub mod layout;

@@ -5,9 +5,10 @@
 //! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
-use super::matrix::MatrixModel;
+use super::matrix::{self, MatrixModel};
 use super::parallel::{Light, Parallel};
-use super::rays::{Optics, Rays};
+use super::rays::solid::Solid;
+use super::rays::{self, Optics, Rays};
 use super::selection::useful_rows;
 use super::{Choice, DoseModel, Run, orders, scatter};
 use crate::error::{Error, Result};
@@ -16,6 +17,9 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
 use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
+use crate::target::Shape;
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// A dose model, and why it was chosen.
 pub struct Plan {
@@ -32,9 +36,79 @@ pub struct Setup<'a> {
     pub vial: &'a dyn Vial,
     /// What stands between each light's pixels and the vial.
     pub optics: &'a [Optics],
+    /// The shape whose surface cuts voxels into cells; None: whole voxels.
+    pub solid: Option<&'a Arc<dyn Shape>>,
+}
+
+/// How light becomes dose: what was asked for, or the cheapest that is exact.
+enum Way<'a> {
+    Stored(&'a matrix::Params),
+    Optical(Optical<'a>),
+}
+
+/// Of the models that follow light through optics.
+enum Optical<'a> {
+    Parallel,
+    Rays(Cow<'a, rays::Params>),
+    Scatter(Cow<'a, scatter::Params>),
+    Orders(Cow<'a, orders::Params>),
 }
 
 impl Setup<'_> {
+    /// Refuses a model that does not cover these optics; to be called before any work.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of the model, or of the absorption map that rays do not know.
+    pub fn must_be_covered(
+        &self,
+        choice: &Choice,
+        lights: &[Light],
+        grid: &VolumeGrid,
+    ) -> Result<()> {
+        self.way(choice, lights, grid).map(drop)
+    }
+
+    fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
+        let refused =
+            |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
+        let other = "another model, or no [model] for the cheapest that is exact";
+        let way = match (choice, self.beyond_parallel()) {
+            (Choice::Matrix(_), _) if self.solid.is_some() => {
+                return refused("model.matrix", "a stored matrix knows whole voxels", other);
+            }
+            (Choice::Matrix(params), _) => return Ok(Way::Stored(params)),
+            (Choice::Parallel(_), Some(reason)) => return refused("model.parallel", reason, other),
+            (Choice::Rays(_), _) if self.scatters() => {
+                let accepted = "[model.scatter], or no [model]";
+                return refused("model.rays", "the resin scatters", accepted);
+            }
+            (Choice::Rays(params), _) => Optical::Rays(Cow::Borrowed(params)),
+            (Choice::Scatter(params), _) => Optical::Scatter(Cow::Borrowed(params)),
+            (Choice::Orders(params), _) => match self.beyond_orders(lights, grid) {
+                Some(reason) => return refused("model.orders", reason, other),
+                None => Optical::Orders(Cow::Borrowed(params)),
+            },
+            (Choice::Cheapest, _) if self.scatters() => {
+                if self.beyond_orders(lights, grid).is_none() {
+                    Optical::Orders(Cow::default())
+                } else {
+                    Optical::Scatter(Cow::default())
+                }
+            }
+            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
+            (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
+        };
+        let is_traced = !matches!(way, Optical::Parallel);
+        if is_traced && lights.iter().any(|light| light.map.is_some()) {
+            return refused(
+                "resin.map",
+                "rays know one absorption for all the resin",
+                "resin.absorption_per_mm, or optics that [model.parallel] covers",
+            );
+        }
+        Ok(Way::Optical(way))
+    }
+
     /// Whether light is scattered anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {
@@ -76,6 +150,8 @@ impl Setup<'_> {
             Some("the vial does not turn about its own axis")
         } else if any(&|o| !o.obstacles.is_empty()) {
             Some("bodies stand in the light")
+        } else if self.solid.is_some() {
+            Some("the target's surface cuts voxels into cells")
         } else {
             None
         }
@@ -88,8 +164,8 @@ impl Setup<'_> {
 /// voxel become unknowns; the others stay dark.
 ///
 /// # Errors
-/// As [`Parallel::new`], [`Rays::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Unsupported`] for optics that the
-/// model asked for does not cover; [`Error::Cancelled`].
+/// As [`Parallel::new`], [`Rays::new`], [`orders::model`], [`Solid::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Config`] for
+/// optics that the model asked for does not cover; [`Error::Cancelled`].
 pub fn plan(
     choice: &Choice,
     setup: Setup<'_>,
@@ -98,25 +174,19 @@ pub fn plan(
     wanted: Option<&Volume<u8>>,
     run: &Run,
 ) -> Result<Plan> {
-    if let Choice::Matrix(matrix) = choice {
-        let pixels = lights.into_iter().map(|light| light.pixels).collect();
-        let model = MatrixModel::new(&Csr::read(&matrix.file)?, pixels, grid)?;
-        return Ok(Plan {
-            reason: format!(
-                "{} from {}",
-                DoseModel::describe(&model),
-                matrix.file.display()
-            ),
-            model: Box::new(model),
-        });
-    }
-    let mut model = optical(choice, setup, lights.clone(), grid.clone())?;
+    let way = match setup.way(choice, &lights, &grid)? {
+        Way::Stored(params) => return stored(params, lights, grid),
+        Way::Optical(way) => way,
+    };
+    let solid = setup.solid.map(|shape| Solid::new(shape, &grid));
+    let solid = solid.transpose()?.map(Arc::new);
+    let mut model = optical(&way, setup, lights.clone(), grid.clone(), solid.as_ref())?;
     if let Some(wanted) = wanted {
         let rows = useful_rows(model.as_ref(), wanted, run)?;
         for (light, rows) in lights.iter_mut().zip(rows) {
             light.active = Some(rows);
         }
-        model = optical(choice, setup, lights, grid)?;
+        model = optical(&way, setup, lights, grid, solid.as_ref())?;
     }
     let why = match (choice, setup.beyond_parallel()) {
         (Choice::Rays(_), None) => {
@@ -133,56 +203,48 @@ pub fn plan(
     })
 }
 
+/// A stored matrix as a model.
+fn stored(matrix: &matrix::Params, lights: Vec<Light>, grid: VolumeGrid) -> Result<Plan> {
+    let pixels = lights.into_iter().map(|light| light.pixels).collect();
+    let model = MatrixModel::new(&Csr::read(&matrix.file)?, pixels, grid)?;
+    Ok(Plan {
+        reason: format!(
+            "{} from {}",
+            DoseModel::describe(&model),
+            matrix.file.display()
+        ),
+        model: Box::new(model),
+    })
+}
+
 /// A model of the optics, not a stored one.
 fn optical(
-    choice: &Choice,
+    way: &Optical<'_>,
     setup: Setup<'_>,
     lights: Vec<Light>,
     grid: VolumeGrid,
+    solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-    let rays = |params| {
-        Rays::new(
-            setup.vial,
-            lights.clone(),
-            setup.optics,
-            params,
-            grid.clone(),
-        )
-    };
-    let scatter = |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone());
-    let orders = |params| {
-        let scattering = setup.scattering();
-        orders::model(
-            setup.vial,
-            lights.clone(),
-            &scattering,
-            params,
-            grid.clone(),
-        )
-    };
-    match (choice, setup.beyond_parallel()) {
-        (Choice::Scatter(params), _) => Ok(Box::new(scatter(params)?)),
-        (Choice::Orders(params), _) => match setup.beyond_straight() {
-            Some(reason) => Err(Error::Unsupported {
-                what: "model.orders".into(),
-                reason: format!("{reason}; use [model.scatter], or leave [model] out"),
-            }),
-            None => Ok(Box::new(orders(params)?)),
-        },
-        (Choice::Cheapest, _) if setup.scatters() => {
-            if setup.beyond_orders(&lights, &grid).is_none() {
-                Ok(Box::new(orders(&orders::Params::default())?))
-            } else {
-                Ok(Box::new(scatter(&scatter::Params::default())?))
-            }
+    let boxed = |model: Rays| -> Box<dyn DoseModel<Field = HostField>> {
+        match solid {
+            Some(solid) => Box::new(model.with_cells(Arc::clone(solid))),
+            None => Box::new(model),
         }
-        (Choice::Rays(params), _) => Ok(Box::new(rays(params)?)),
-        (Choice::Cheapest, Some(_)) => Ok(Box::new(rays(&super::rays::Params::default())?)),
-        (Choice::Parallel(_), Some(reason)) => Err(Error::Unsupported {
-            what: "model.parallel".into(),
-            reason: format!("{reason}; leave [model] out, or name another"),
-        }),
-        (_, None) => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
-        (Choice::Matrix(_), Some(_)) => unreachable!("a stored matrix needs no optics"),
+    };
+    let rays = |params: &_| {
+        let (vial, optics) = (setup.vial, setup.optics);
+        Rays::new(vial, lights.clone(), optics, params, grid.clone()).map(boxed)
+    };
+    let scatter =
+        |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone()).map(boxed);
+    match way {
+        Optical::Scatter(params) => scatter(params),
+        Optical::Orders(params) => {
+            let scattering = setup.scattering();
+            let model = orders::model(setup.vial, lights, &scattering, params, grid)?;
+            Ok(Box::new(model))
+        }
+        Optical::Rays(params) => rays(params),
+        Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
     }
 }

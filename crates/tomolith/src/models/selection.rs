@@ -10,7 +10,7 @@ use crate::field::{Field, HostField};
 use crate::grid::Volume;
 
 /// For each light the rows `(bottom, count)`, per (frame, column), whose light meets a voxel of `wanted` (file order
-/// `[z, y, x]`, any value but 0): the run from the lowest to the highest such row.
+/// `[z, y, x]`, any value but 0): the run from the lowest to the highest such row. Of cut voxels the inside cells are wanted.
 ///
 /// # Errors
 /// [`Error::Cancelled`], [`Error::Shape`].
@@ -27,11 +27,14 @@ pub fn useful_rows(
             found: wanted.grid.shape.to_vec(),
         });
     }
-    let mask: Vec<f32> = layout
+    let mut mask: Vec<f32> = layout
         .field_of(wanted)
         .iter()
         .map(|&w| f32::from(w != 0))
         .collect();
+    if let Some(cells) = &layout.cells {
+        cells.fill([0.0, 1.0], &mut mask);
+    }
     let mut seen = model.new_patterns()?;
     let dark = seen.zeros_like();
     model.pullback(&dark, &HostField::from_slice(&mask), &mut seen, run)?;

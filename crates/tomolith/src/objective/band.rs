@@ -255,12 +255,20 @@ impl Bands {
         };
         match self {
             Bands::Shared {
-                inside, part, void, ..
-            } => Bands::Shared {
                 inside,
                 part,
                 void,
-                scale: scale.to_vec(),
+                scale: own,
+                ..
+            } => Bands::Shared {
+                scale: match (own.is_empty(), scale.is_empty()) {
+                    (true, _) => scale.to_vec(),
+                    (_, true) => own,
+                    _ => own.iter().zip(scale).map(|(a, b)| a * b).collect(),
+                },
+                inside,
+                part,
+                void,
                 widen: widen.to_vec(),
             },
             Bands::Labels { labels, table } => {

@@ -288,6 +288,45 @@ impl Common {
     /// # Errors
     /// [`Error::Config`] for a file that cannot be used, or an edge weight for a target that is not grey.
     pub fn emphasis(&self, ground: &Ground<'_>) -> Result<Emphasis> {
+        let cut = ground.layout.cut_voxels();
+        if cut.is_empty() {
+            return self.on(ground);
+        }
+        // Outside cells are void and inside cells, which lie behind the voxels, are part
+        let labelled = |role: u8| {
+            let mut labels = ground.labels.clone();
+            for &voxel in &cut {
+                let label = &mut labels.values[voxel];
+                *label = if *label == label::OUTSIDE {
+                    *label
+                } else {
+                    role
+                };
+            }
+            labels
+        };
+        let (void, part) = (labelled(label::VOID), labelled(label::PART));
+        let mut emphasis = self.on(&Ground {
+            labels: &void,
+            ..*ground
+        })?;
+        let inside = self.on(&Ground {
+            labels: &part,
+            ..*ground
+        })?;
+        for (field, inside) in [
+            (&mut emphasis.weight, inside.weight),
+            (&mut emphasis.tolerance, inside.tolerance),
+        ] {
+            let voxels = field.len().min(ground.layout.voxels());
+            field.truncate(voxels);
+            field.extend(&inside[voxels..]);
+        }
+        Ok(emphasis)
+    }
+
+    /// As [`emphasis`](Self::emphasis), both cells of a voxel alike.
+    fn on(&self, ground: &Ground<'_>) -> Result<Emphasis> {
         let mut weight = match &self.weights {
             None => None,
             Some(weights) => Some(weights.field(ground)?),
@@ -580,6 +619,32 @@ mod tests {
                 .unwrap(),
             Emphasis::default()
         );
+    }
+
+    #[test]
+    fn cells_are_weighed_by_what_they_are() {
+        let mut room = row(&[0.0, 0.4, 1.0], false);
+        let cells = crate::models::cells::Cells::new(&room.layout, &room.target.inside);
+        room.layout = room.layout.with_cells(Arc::new(cells));
+        let json =
+            serde_json::json!({"weights": {"part": 3.0, "void": 2.0}, "tolerance": {"part": 0.5}});
+        let emphasis = common(json).emphasis(&room.ground(Path::new(""))).unwrap();
+        // Three voxels, the middle one with its outside cell, and the inside cell behind them
+        assert_eq!(emphasis.weight, [2.0, 2.0, 3.0, 3.0]);
+        assert_eq!(emphasis.tolerance, [0.0, 0.0, 0.5, 0.5]);
+        let json = serde_json::json!({"region": "part"});
+        let emphasis = common(json).emphasis(&room.ground(Path::new(""))).unwrap();
+        assert_eq!(emphasis.weight, [0.0, 0.0, 1.0, 1.0]);
+        // On top of the shares: L = 3·0.4·(1 − 0.25)² inside and 2·0.6·0.25² outside
+        let mut l2 = build("l2", serde_json::json!({"surface": "cells"}), &room);
+        let weights = serde_json::json!({"weights": {"part": 3.0, "void": 2.0}});
+        let emphasis = common(weights)
+            .emphasis(&room.ground(Path::new("")))
+            .unwrap();
+        l2.emphasise(&emphasis).unwrap();
+        let dose = HostField::from_slice(&[0.0, 0.25, 1.0, 0.25]);
+        let expected = 3.0 * 0.4 * 0.75f64.powi(2) + 2.0 * 0.6 * 0.25f64.powi(2);
+        assert!((l2.value(&dose) - expected).abs() < 1e-6);
     }
 
     #[test]

@@ -108,6 +108,7 @@ mod tests {
     use crate::check::small::SmallModel;
     use crate::grid::VolumeGrid;
     use crate::kind::tests_of_rows::example;
+    use crate::models::cells::Cells;
     use crate::response::{Identity, Logistic};
     use crate::target::label;
 
@@ -152,19 +153,26 @@ mod tests {
         {
             *s = (*s + 0.37 * (i % 3) as f32).min(1.0);
         }
-        let dose = some_dose(model.layout());
+        let cells = Cells::new(model.layout(), &target.inside);
+        assert!(cells.len() > 5);
+        let cut = model.layout().clone().with_cells(Arc::new(cells));
         let responses: [Arc<dyn Response>; 2] = [
             Arc::new(Identity),
             Arc::new(Logistic::new(Default::default()).unwrap()),
         ];
         for row in OBJECTIVES {
             for response in &responses {
-                for surface in ["voxel", "fraction"] {
-                    let input = input(model.layout(), &labels, &target, response.clone());
+                for surface in ["voxel", "fraction", "cells"] {
+                    let layout = if surface == "cells" {
+                        &cut
+                    } else {
+                        model.layout()
+                    };
+                    let input = input(layout, &labels, &target, response.clone());
                     let mut section = example(row);
                     section.value["surface"] = surface.into();
                     let objective = (row.build)(&section, &input).unwrap();
-                    check::objective(&*objective, &dose)
+                    check::objective(&*objective, &some_dose(layout))
                         .unwrap_or_else(|e| panic!("{} ({response:?}, {surface}): {e}", row.name));
                 }
             }
@@ -367,6 +375,89 @@ mod tests {
         let (loss, gradient) = loss_of("threshold", json, &[0.8], &[0.2]);
         assert!((loss - 0.8 * 0.75f64.powi(2)).abs() < 1e-6);
         assert!((gradient[0] + 0.8 * 1.5).abs() < 1e-6);
+    }
+
+    /// Voxels of these inside shares with doses [inside, outside]: the loss, and its gradients likewise.
+    fn loss_of_cells(
+        kind: &str,
+        json: serde_json::Value,
+        inside: &[f32],
+        doses: &[[f32; 2]],
+    ) -> (f64, Vec<[f32; 2]>) {
+        let grid = VolumeGrid::centered([1, 1, inside.len()], 1.0);
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let target = Target {
+            name: "row".into(),
+            inside: Volume {
+                grid,
+                values: inside.to_vec(),
+            },
+            grey: false,
+        };
+        let cells = Cells::new(&layout, &target.inside);
+        let layout = layout.with_cells(Arc::new(cells));
+        let labels = crate::target::label_voxels(&target, |_| true);
+        let input = input(&layout, &labels, &target, Arc::new(Identity));
+        let objective = (row(kind).build)(&Section::new("objective", json), &input).unwrap();
+        let field = [1, 0].map(|i| doses.iter().map(move |d| d[i]));
+        let field: Vec<f32> = field.into_iter().flatten().collect();
+        let dose = HostField::from_slice(&field);
+        let mut gradient = dose.zeros_like();
+        let loss = objective.value_and_gradient(&dose, &mut gradient);
+        let (outside, inside) = gradient.as_slice().split_at(doses.len());
+        let pairs = inside.iter().zip(outside).map(|(&i, &o)| [i, o]);
+        (loss, pairs.collect())
+    }
+
+    #[test]
+    fn published_values_of_surface_aware_cells() {
+        // Inside volumes 0.2 and 2, outside 0.8 and 2: shares 0.2 and 0.5
+        let threshold = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "cells"});
+        let doses = [[0.2, 0.1], [0.96, 0.92]];
+        for (kind, json, inside, doses, loss, gradient) in [
+            (
+                "threshold",
+                threshold,
+                &[0.2, 0.5][..],
+                &doses[..],
+                0.2 * 0.75 * 0.75 + 0.5 * 0.02 * 0.02,
+                vec![[-0.3, 0.0], [0.0, 0.02]],
+            ),
+            (
+                "l2",
+                serde_json::json!({"surface": "cells"}),
+                &[0.2][..],
+                &[[0.4, 0.3]][..],
+                0.144,
+                vec![[-0.24, 0.48]],
+            ),
+        ] {
+            let (found, slopes) = loss_of_cells(kind, json, inside, doses);
+            assert!((found - loss).abs() < 1e-6, "{kind}: {found}");
+            for (a, b) in slopes.iter().flatten().zip(gradient.iter().flatten()) {
+                assert!((a - b).abs() < 1e-6, "{kind}: {slopes:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn cells_are_no_voxels_and_voxels_no_cells() {
+        let model = SmallModel::new(10, 2, 5);
+        let (target, labels) = model.ring();
+        let halves = Volume::filled(labels.grid.clone(), 0.5);
+        let plain = model.layout().clone();
+        let cut = plain
+            .clone()
+            .with_cells(Arc::new(Cells::new(&plain, &halves)));
+        for (layout, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
+            let input = input(layout, &labels, &target, Arc::new(Identity));
+            let section = Section::new("objective", serde_json::json!({ "surface": surface }));
+            let Err(Error::Unsupported { what, .. }) = (row("threshold").build)(&section, &input)
+            else {
+                panic!("{surface} was accepted");
+            };
+            assert!(what.contains(surface), "{what}");
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::{BoxedObjective, ObjectiveInput};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::Volume;
+use crate::models::DoseLayout;
 use crate::target::label;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -20,6 +21,38 @@ pub enum Surface {
     Voxel,
     /// A voxel is part with its inside fraction s and void with 1 − s.
     Fraction,
+    /// A voxel that the surface cuts has two doses: the inside one is part with weight s, the outside one void with 1 − s.
+    Cells,
+}
+
+impl Surface {
+    /// Its name in a job.
+    fn name(self) -> &'static str {
+        match self {
+            Surface::Voxel => "voxel",
+            Surface::Fraction => "fraction",
+            Surface::Cells => "cells",
+        }
+    }
+
+    fn refused(self, reason: &str) -> Error {
+        Error::Unsupported {
+            what: format!("surface = \"{}\"", self.name()),
+            reason: reason.to_owned(),
+        }
+    }
+
+    /// Refuses bands of voxels on a field of cells, and the other way round.
+    fn must_fit(self, layout: &DoseLayout) -> Result<()> {
+        match (self, &layout.cells) {
+            (Surface::Cells, None) => Err(self.refused("the model has whole voxels; [model.rays]")),
+            (Surface::Voxel | Surface::Fraction, Some(_)) => {
+                Err(self
+                    .refused("another objective has cells; surface = \"cells\" in every objective"))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// The powers of a band objective and the bands of part and void.
@@ -62,6 +95,7 @@ impl PartAndVoid {
         labels: &Volume<u8>,
     ) -> BoxedObjective<HostField> {
         check_shape("labels", &labels.grid.shape, input)?;
+        surface.must_fit(input.layout)?;
         let bands = match surface {
             Surface::Voxel => Bands::labels(
                 input.layout.field_of(labels),
@@ -74,8 +108,31 @@ impl PartAndVoid {
                 scale: Vec::new(),
                 widen: Vec::new(),
             },
+            Surface::Cells => self.cells(input, labels),
         };
         finish(bands, self.p, self.q, input)
+    }
+
+    /// Inside cells are part and outside ones void, each weighed by its share of the voxel.
+    fn cells(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Bands {
+        let mut labels = input.layout.field_of(labels);
+        let mut scale = Vec::new();
+        if let Some(cells) = &input.layout.cells {
+            cells.label(&mut labels);
+            scale = cells.shares(labels.len());
+        }
+        let inside = |&label: &u8| match label {
+            label::PART => 1.0,
+            label::VOID => 0.0,
+            _ => -1.0,
+        };
+        Bands::Shared {
+            inside: labels.par_iter().map(inside).collect(),
+            part: self.part,
+            void: self.void,
+            scale,
+            widen: Vec::new(),
+        }
     }
 
     /// s per element of the dose field, −1 where a voxel does not count.
@@ -123,11 +180,8 @@ impl AroundTarget {
             };
             return bands.build(surface, input);
         }
-        if surface == Surface::Fraction {
-            return Err(Error::Unsupported {
-                what: "surface = \"fraction\"".to_owned(),
-                reason: "the target is grey: its values are no inside fractions".to_owned(),
-            });
+        if surface != Surface::Voxel {
+            return Err(surface.refused("the target is grey: its values are no inside fractions"));
         }
         check_shape("labels", &input.labels.grid.shape, input)?;
         finish(self.grey(input), self.p, self.q, input)

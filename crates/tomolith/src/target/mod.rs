@@ -75,6 +75,15 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     fn meshes(&self) -> Vec<&Mesh> {
         Vec::new()
     }
+    /// Of a shape by formula: distance to its surface, mm, or less; negative inside, growing by at most 1 per mm.
+    fn distance_mm(&self, point: [f64; 3]) -> Option<f64> {
+        let _ = point;
+        None
+    }
+    /// Of an upright prism: the heights between which every level cut is the same, mm.
+    fn upright_mm(&self) -> Option<[f64; 2]> {
+        None
+    }
     /// Things people should know (open edges, inverted shells, …), one sentence each.
     fn warnings(&self) -> Vec<String> {
         Vec::new()

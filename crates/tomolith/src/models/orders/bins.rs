@@ -186,7 +186,7 @@ mod tests {
         let len = light.layout(0).len();
         let (x, weights) = (noise(1, len), noise(2, 22));
         let mut found = vec![f32::NAN; larger.layout(0).len()];
-        bins.fill(&x, &vec![1.0; 22], &mut found);
+        bins.fill(&x, &[1.0; 22], &mut found);
         let (energy, binned): (f32, f32) = (x.iter().sum(), found.iter().sum());
         assert!((energy - 9.0 * binned).abs() < 1e-5, "{energy} {binned}");
         bins.fill(&x, &weights, &mut found);

@@ -53,6 +53,7 @@
 //! ```
 
 mod segment;
+pub mod solid;
 mod source;
 mod walk;
 
@@ -76,6 +77,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment, Uptake};
 use serde::{Deserialize, Serialize};
+use solid::{Pieces, Solid};
 use source::Source;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -175,6 +177,8 @@ pub struct Rays {
     lattice: Lattice,
     /// Where scattered light is summed.
     coarse: Option<(Coarse, Lattice)>,
+    /// What cuts voxels into cells.
+    solid: Option<Arc<Solid>>,
     gait: Gait,
     is_level: bool,
     updates: OnceLock<u64>,
@@ -186,11 +190,20 @@ const CHUNK: usize = 1 << 14;
 /// Segments by major axis.
 type Bundles = [Vec<Segment>; 3];
 
-/// Segments of straight light on voxels, and of scattered light on coarse cells.
+/// Segments of straight light on voxels, of its pieces inside a solid apart, and of scattered light on coarse cells.
 #[derive(Default)]
 struct Lit {
     straight: Bundles,
+    inside: Bundles,
     scattered: Bundles,
+}
+
+/// What a segment is one of in [`Lit`].
+#[derive(Clone, Copy)]
+enum Place {
+    Straight,
+    Inside,
+    Scattered,
 }
 
 impl Rays {
@@ -293,6 +306,7 @@ impl Rays {
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),
             coarse,
+            solid: None,
             is_level: optics
                 .iter()
                 .all(|o| o.projector.is_collimated() && o.motion.tilt_rad == 0.0)
@@ -305,6 +319,19 @@ impl Rays {
             gait: Gait::best(),
             updates: OnceLock::new(),
         })
+    }
+
+    /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
+    ///
+    /// # Panics
+    /// When the solid was made for another grid.
+    #[must_use]
+    pub fn with_cells(mut self, solid: Arc<Solid>) -> Self {
+        let layout = DoseLayout::new("dose", self.outputs[0].grid.clone(), 0);
+        assert!(solid.fits(&layout.grid), "a solid on another grid");
+        self.outputs[0] = layout.with_cells(Arc::clone(solid.cells()));
+        self.solid = Some(solid);
+        self
     }
 
     /// Uses the plain kernel; for tests and benches.
@@ -364,7 +391,7 @@ impl Rays {
         let area = pitch * pitch / source.rays() as f64;
         let of_pair = |pair: usize| {
             let run = layout.runs[pair];
-            let mut found = Vec::new();
+            let (mut found, mut pieces) = (Vec::new(), Pieces::default());
             for i in 0..run.count as usize {
                 let pixel = run.offset + i;
                 if !wants(pixel) {
@@ -375,19 +402,38 @@ impl Rays {
                     let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
                     let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
                     let segment = lattice.segment(&leg, self.uptakes[light], area, pixel as u32);
-                    found.extend(segment.map(|(axis, s)| (scattered.is_some(), axis, s)));
+                    let Some((axis, segment)) = segment else {
+                        return;
+                    };
+                    let mut push = |place, piece| found.push((place, axis, piece));
+                    match &self.solid {
+                        _ if scattered.is_some() => push(Place::Scattered, segment),
+                        None => push(Place::Straight, segment),
+                        Some(solid) => {
+                            solid.inside(&leg.ray, leg.length, &mut pieces);
+                            let step = leg.ray.direction[axis] / lattice.pitch();
+                            segment.cut(step, pieces.found(), |is_inside, piece| {
+                                let place = if is_inside {
+                                    Place::Inside
+                                } else {
+                                    Place::Straight
+                                };
+                                push(place, piece);
+                            });
+                        }
+                    }
                 });
             }
             found
         };
-        let by_pair: Vec<Vec<(bool, usize, Segment)>> =
+        let by_pair: Vec<Vec<(Place, usize, Segment)>> =
             pairs.into_par_iter().map(of_pair).collect();
         let mut lit = Lit::default();
-        for (is_scattered, axis, segment) in by_pair.into_iter().flatten() {
-            let bundles = if is_scattered {
-                &mut lit.scattered
-            } else {
-                &mut lit.straight
+        for (place, axis, segment) in by_pair.into_iter().flatten() {
+            let bundles = match place {
+                Place::Straight => &mut lit.straight,
+                Place::Inside => &mut lit.inside,
+                Place::Scattered => &mut lit.scattered,
             };
             bundles[axis].push(segment);
         }
@@ -404,6 +450,32 @@ impl Rays {
                 .as_ref()
                 .map_or(0, |(coarse, _)| coarse.layout.len())
         ]
+    }
+
+    /// dose += scattered light, which both cells of a voxel get alike
+    fn add_smooth(&self, smooth: &[f32], dose: &mut [f32]) {
+        match (&self.coarse, &self.solid) {
+            (None, _) => {}
+            (Some((coarse, _)), None) => coarse.spread(smooth, dose),
+            (Some((coarse, _)), Some(solid)) => {
+                let mut voxels = vec![0.0; self.outputs[0].voxels()];
+                coarse.spread(smooth, &mut voxels);
+                solid.cells().add_even(&voxels, dose);
+            }
+        }
+    }
+
+    /// The transpose of [`add_smooth`](Self::add_smooth).
+    fn collect_smooth(&self, c: &[f32]) -> Vec<f32> {
+        let mut smooth = self.cells();
+        match (&self.coarse, &self.solid) {
+            (None, _) => {}
+            (Some((coarse, _)), None) => coarse.gather(c, &mut smooth),
+            (Some((coarse, _)), Some(solid)) => {
+                coarse.gather(&solid.cells().collect_even(c), &mut smooth);
+            }
+        }
+        smooth
     }
 
     /// dose += what segments of pixels of these values leave
@@ -476,7 +548,13 @@ impl LinearOperator for Rays {
     ) -> Result<()> {
         let x = x.as_slice();
         let dose = dose.as_mut_slice();
-        let mut cells = self.cells();
+        let mut smooth = self.cells();
+        // Energies outside and inside of the solid, where there is one
+        let voxels = self.outputs[0].voxels();
+        let mut split = self
+            .solid
+            .as_ref()
+            .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
         let mut first = 0;
         for (light, layout) in self.patterns.iter().enumerate() {
             let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
@@ -487,34 +565,45 @@ impl LinearOperator for Rays {
                     return Err(Error::Cancelled);
                 }
                 let lit = self.bundles(light, pairs, |pixel| x[pixel] != 0.0);
-                self.add(&self.lattice, &lit.straight, x, dose);
+                match &mut split {
+                    None => self.add(&self.lattice, &lit.straight, x, dose),
+                    Some([outside, inside]) => {
+                        self.add(&self.lattice, &lit.straight, x, outside);
+                        self.add(&self.lattice, &lit.inside, x, inside);
+                    }
+                }
                 if let Some((_, lattice)) = &self.coarse {
-                    self.add(lattice, &lit.scattered, x, &mut cells);
+                    self.add(lattice, &lit.scattered, x, &mut smooth);
                 }
             }
         }
-        if let Some((coarse, _)) = &self.coarse {
-            coarse.spread(&cells, dose);
+        if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
+            solid.cells().add([outside, inside], dose);
         }
+        self.add_smooth(&smooth, dose);
         Ok(())
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         grad.fill(0.0);
-        let mut cells = self.cells();
-        if let Some((coarse, _)) = &self.coarse {
-            coarse.gather(c, &mut cells);
-        }
+        let smooth = self.collect_smooth(c);
+        let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
         for (light, layout) in self.patterns.iter().enumerate() {
             for pairs in self.chunks(light, 0..layout.grid.frames()) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
                 let lit = self.bundles(light, pairs, |_| true);
-                self.collect(&self.lattice, &lit.straight, c, grad);
+                match &split {
+                    None => self.collect(&self.lattice, &lit.straight, c, grad),
+                    Some([outside, inside]) => {
+                        self.collect(&self.lattice, &lit.straight, outside, grad);
+                        self.collect(&self.lattice, &lit.inside, inside, grad);
+                    }
+                }
                 if let Some((_, lattice)) = &self.coarse {
-                    self.collect(lattice, &lit.scattered, &cells, grad);
+                    self.collect(lattice, &lit.scattered, &smooth, grad);
                 }
             }
         }
@@ -543,7 +632,7 @@ impl LinearOperator for Rays {
             for (light, layout) in self.patterns.iter().enumerate() {
                 for pairs in self.chunks(light, 0..layout.grid.frames()) {
                     let lit = self.bundles(light, pairs, |_| true);
-                    let bundles = lit.straight.iter().chain(&lit.scattered);
+                    let bundles = lit.straight.iter().chain(&lit.inside).chain(&lit.scattered);
                     total += bundles.flatten().map(of).sum::<f64>();
                 }
             }
@@ -553,7 +642,10 @@ impl LinearOperator for Rays {
 
     fn describe(&self) -> String {
         let rays = self.sources.first().map_or(0, Source::rays);
-        format!("rays, {rays} per pixel and frame, exact line integrals")
+        let cells = self.solid.as_ref().map_or(String::new(), |solid| {
+            format!(", {} voxels cut by the surface", solid.cells().len())
+        });
+        format!("rays, {rays} per pixel and frame, exact line integrals{cells}")
     }
 }
 

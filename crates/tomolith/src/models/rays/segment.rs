@@ -61,6 +61,11 @@ impl Lattice {
         }
     }
 
+    /// Voxel pitch, mm.
+    pub(super) fn pitch(&self) -> f64 {
+        self.pitch
+    }
+
     /// The part of a leg that lies in the grid, and its major axis; None when it passes beside.
     ///
     /// `energy_mm2`: what a pixel of value 1 sends along this leg's ray, in mm² of area times its power.
@@ -113,6 +118,36 @@ impl Lattice {
                 pixel,
             },
         ))
+    }
+}
+
+impl Segment {
+    /// Cuts a segment into its pieces inside and outside, in the order of travel: `visit(is_inside, piece)`. `inside` are the
+    /// pieces `[from, to]` of the leg, mm; `step`: cells of the major axis per mm of the leg, with its sign.
+    pub(super) fn cut(self, step: f64, inside: &[[f64; 2]], mut visit: impl FnMut(bool, Segment)) {
+        let place = |t: f64| {
+            let a = (f64::from(self.enter) + t * step) as f32;
+            a.clamp(self.low, self.high)
+        };
+        let mut piece = |is_inside: bool, [from, to]: [f32; 2]| {
+            if from != to {
+                let (low, high) = (from.min(to), from.max(to));
+                visit(is_inside, Segment { low, high, ..self });
+            }
+        };
+        let [begin, end] = if step > 0.0 {
+            [self.low, self.high]
+        } else {
+            [self.high, self.low]
+        };
+        let mut at = begin;
+        for span in inside {
+            let [from, to] = span.map(place);
+            piece(false, [at, from]);
+            piece(true, [from, to]);
+            at = to;
+        }
+        piece(false, [at, end]);
     }
 }
 

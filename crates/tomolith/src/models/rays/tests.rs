@@ -2,7 +2,8 @@ use super::*;
 use crate::check;
 use crate::field::Field;
 use crate::grid::{PatternGrid, Volume};
-use crate::io::mesh::samples::cuboid;
+use crate::io::mesh::samples::{ball, cuboid};
+use crate::kind::Section;
 use crate::models::DoseModel;
 use crate::models::parallel::Parallel;
 use crate::optics::obstacle::Material;
@@ -14,6 +15,8 @@ use crate::optics::vial::cylinder::Cylinder;
 use crate::optics::vial::double_tube::DoubleTube;
 use crate::optics::vial::index_matched::IndexMatched;
 use crate::optics::vial::square::Square;
+use crate::target::phantom::Phantom;
+use crate::target::{MeshShape, Placement, Repair, Shape};
 
 const GLASS: Cylinder = Cylinder {
     inner_radius_mm: 1.6,
@@ -157,6 +160,11 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
 
 /// Every cell of every ray by an independent walk in f64: sorted crossings of all planes.
 fn brute_force(model: &Rays, x: &[f32]) -> Vec<f64> {
+    brute_force_where(model, x, |_, _| true)
+}
+
+/// The same of those pieces of legs whose middle (mm along the leg) counts; legs are cut where they cross the ball, too.
+fn brute_force_where(model: &Rays, x: &[f32], counts: impl Fn(&Leg, f64) -> bool) -> Vec<f64> {
     let layout = &model.outputs[0];
     let grid = &layout.grid;
     let low = grid.bounds_mm()[0];
@@ -181,16 +189,20 @@ fn brute_force(model: &Rays, x: &[f32]) -> Vec<f64> {
                         }
                     }
                 }
+                let ball = chord(leg.ray.from, leg.ray.direction);
+                let within = ball.into_iter().flatten();
+                cuts.extend(within.filter(|t| (0.0..leg.length).contains(t)));
                 cuts.sort_by(f64::total_cmp);
                 for cut in cuts.windows(2) {
-                    let middle = leg.ray.at((cut[0] + cut[1]) / 2.0);
+                    let at = (cut[0] + cut[1]) / 2.0;
+                    let middle = leg.ray.at(at);
                     let cell: [f64; 3] =
                         std::array::from_fn(|i| ((middle[i] - low[i]) / h).floor());
                     let inside = (0..3).all(|i| {
                         let n = [grid.shape[2], grid.shape[1], grid.shape[0]][i];
                         (0.0..n as f64).contains(&cell[i])
                     });
-                    if inside {
+                    if inside && counts(&leg, at) {
                         let left = |t: f64| (-uptake.attenuation * t).exp();
                         let [x, y, z] = cell.map(|c| c as usize);
                         dose[grid.index(z, y, x)] += value * area * leg.power * uptake.active
@@ -396,4 +408,186 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         (active / account.absorbed - 1.0).abs() < 2e-3,
         "{active} {account:?}"
     );
+}
+
+/// A ball beside the middle, and a mesh of it.
+fn solids(grid: &VolumeGrid) -> [Arc<Solid>; 2] {
+    let placement = Placement {
+        offset_mm: BALL,
+        ..Placement::default()
+    };
+    let section = Section::new(
+        "target.phantom",
+        serde_json::json!({"sphere": {"size_mm": 1.0}}),
+    );
+    let form: Arc<dyn Shape> = Arc::new(Phantom::build(&section, &placement, "target").unwrap());
+    let net = MeshShape::new(
+        ball([0.0; 3], 0.5, 3),
+        &placement,
+        std::path::Path::new("ball"),
+        "target",
+        Repair::Safe,
+    );
+    let net: Arc<dyn Shape> = Arc::new(net.unwrap());
+    [form, net].map(|shape| Arc::new(Solid::new(&shape, grid).unwrap()))
+}
+
+const BALL: [f64; 3] = [0.12, -0.07, 0.04];
+
+#[test]
+fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    for solid in solids(&grid) {
+        assert!(solid.cells().len() > 50);
+        for vial in vials() {
+            for (name, optics) in optics() {
+                let params = Params {
+                    rays_per_pixel: 3,
+                    reflections: true,
+                    least_power: 0.02,
+                };
+                let light = light(5, 7, 11, 0.2);
+                let model = rays(vial.as_ref(), light, &optics, &params, grid.clone())
+                    .with_cells(Arc::clone(&solid));
+                let found = check::model::model(&model, 3)
+                    .unwrap_or_else(|e| panic!("{vial:?} {name}: {e}"));
+                assert!(found.adjoint_error < 1e-6, "{vial:?} {name}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Where a ray enters and leaves the ball, by its equation.
+fn chord(from: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
+    let p: [f64; 3] = std::array::from_fn(|i| from[i] - BALL[i]);
+    let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
+    let (half, rest) = (dot(p, direction), dot(p, p) - 0.25);
+    let root = (half * half - rest).sqrt();
+    root.is_finite().then_some([-half - root, -half + root])
+}
+
+#[test]
+fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
+    let grid = VolumeGrid {
+        center_mm: [0.03, -0.02, 0.05],
+        ..VolumeGrid::centered([11, 13, 12], 0.17)
+    };
+    let [solid, _] = solids(&grid);
+    for attenuation in [0.3, 9.0] {
+        for (name, optics) in optics() {
+            let mut light = light(7, 9, 15, 0.13);
+            light.resin.attenuation_per_mm = attenuation;
+            for is_plain in [false, true] {
+                let params = Params::default();
+                let mut whole = rays(&GLASS, light.clone(), &optics, &params, grid.clone());
+                if is_plain {
+                    whole = whole.plain();
+                }
+                let mut x = LinearOperator::new_patterns(&whole).unwrap();
+                let values = check::model::noise(1, x.len());
+                x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
+                let expected = dose(&whole, &x);
+                let inside = brute_force_where(&whole, x.as_slice(), |leg, t| {
+                    chord(leg.ray.from, leg.ray.direction).is_some_and(|[a, b]| a < t && t < b)
+                });
+                let model = whole.with_cells(Arc::clone(&solid));
+                let mut field = LinearOperator::new_dose(&model).unwrap();
+                DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
+                let layout = &model.outputs[0];
+                let mean = layout.volume_of(field.as_slice());
+                let largest = f64::from(expected.values.iter().copied().fold(0.0, f32::max));
+                for (a, b) in expected.values.iter().zip(&mean.values) {
+                    let error = f64::from((a - b).abs()) / largest;
+                    assert!(error < 1e-6, "{name}, plain {is_plain}: {error:e}");
+                }
+                let cells = &field.as_slice()[layout.voxels()..];
+                for ((voxel, (_, s)), cell) in layout
+                    .cut_voxels()
+                    .into_iter()
+                    .zip(solid.cells().iter())
+                    .zip(cells)
+                {
+                    let error = (inside[voxel] - f64::from(s * cell)).abs() / largest;
+                    assert!(error < 2e-5, "{name}, plain {is_plain}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
+    let grid = VolumeGrid::centered([6, 7, 7], 0.2);
+    let mut light = light(40, 24, 32, 0.1);
+    light.resin = Resin::pure_radon(1.48);
+    let vial = IndexMatched { radius_mm: 1.7 };
+    let params = Params {
+        rays_per_pixel: 100,
+        ..Params::default()
+    };
+    for solid in solids(&grid) {
+        let model = rays(
+            &vial,
+            light.clone(),
+            &Optics::collimated(0.1),
+            &params,
+            grid.clone(),
+        )
+        .with_cells(Arc::clone(&solid));
+        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        x.fill(1.0);
+        let mut field = LinearOperator::new_dose(&model).unwrap();
+        DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
+        let (voxels, cells) = field.as_slice().split_at(model.outputs[0].voxels());
+        // Forty frames of fluence 1
+        let mut worst = 0.0f32;
+        for ((voxel, s), inside) in solid.cells().iter().zip(cells) {
+            for (share, dose) in [(1.0 - s, voxels[voxel]), (s, *inside)] {
+                worst = worst.max((dose / 40.0 - 1.0).abs() * share);
+            }
+        }
+        assert!(worst < 4e-3, "{worst}");
+    }
+}
+
+#[test]
+fn scattered_light_is_an_exact_pair_with_cells_too() {
+    use crate::models::scatter;
+    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let [solid, _] = solids(&grid);
+    let mut light = light(4, 7, 11, 0.2);
+    light.resin.attenuation_per_mm = 0.6;
+    let mut optics = Optics::collimated(0.2);
+    optics.scattering = Some(Scattering {
+        phase: Arc::new(Rayleigh {}),
+        per_mm: 0.3,
+    });
+    let whole = |smooth| {
+        let params = scatter::Params {
+            smooth,
+            ..scatter::Params::default()
+        };
+        scatter::model(
+            &GLASS,
+            &[light.clone()],
+            &[optics.clone()],
+            &params,
+            grid.clone(),
+        )
+        .unwrap()
+    };
+    for smooth in [1, 3] {
+        let mut x = LinearOperator::new_patterns(&whole(smooth)).unwrap();
+        x.fill(1.0);
+        let expected = dose(&whole(smooth), &x);
+        let model = whole(smooth).with_cells(Arc::clone(&solid));
+        let found = check::model::model(&model, 3).unwrap();
+        assert!(found.adjoint_error < 1e-6, "{found:?}");
+        let mean = dose(&model, &x);
+        let largest = expected.values.iter().copied().fold(0.0, f32::max);
+        for (a, b) in expected.values.iter().zip(&mean.values) {
+            assert!((a - b).abs() < 1e-6 * largest);
+        }
+    }
 }

@@ -22,6 +22,8 @@ use rayon::prelude::*;
 
 /// Cells of the major axis that one vector holds: the width of a slab.
 pub(super) const SLAB: usize = 16;
+/// Segments over less cells than this are walked cell by cell: most of sixteen lanes would be idle.
+const SHORT: f32 = 2.5;
 /// Above this attenuation per cell, differences of exponentials are exact enough and φ's series is not.
 const OPAQUE: f32 = 0.5;
 
@@ -72,6 +74,17 @@ impl Gait {
     }
 }
 
+impl Gait {
+    /// The walk for a segment.
+    fn over(self, segment: &Segment) -> Self {
+        if segment.high - segment.low < SHORT {
+            Gait::Plain
+        } else {
+            self
+        }
+    }
+}
+
 /// Adds what segments of one major axis leave in the dose: their energy times the pixel's value in `x`. In every voxel
 /// segments are summed in their order, on any number of threads.
 pub(super) fn add(gait: Gait, ways: Ways, segments: &[Segment], x: &[f32], dose: &mut [f32]) {
@@ -101,7 +114,7 @@ unsafe fn add_slab(
         if value == 0.0 {
             continue;
         }
-        match gait {
+        match gait.over(segment) {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: AVX-512F was detected; the rest is the caller's promise.
             Gait::Wide => unsafe { wide::add(ways, first, segment, value, dose.0) },
@@ -119,7 +132,7 @@ pub(super) fn collect(gait: Gait, ways: Ways, segment: &Segment, dose: &[f32]) -
     let first = (segment.low.max(0.0) as usize) / SLAB;
     let end = (segment.high as usize / SLAB + 1).min(ways.slabs());
     let mut sum = 0.0f32;
-    match gait {
+    match gait.over(segment) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: AVX-512F was detected; pieces lie in the dose, as asserted.
         Gait::Wide => unsafe { sum += wide::collect(ways, first..end, segment, dose) },

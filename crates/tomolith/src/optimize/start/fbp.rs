@@ -86,7 +86,7 @@ impl Start for Fbp {
         let mut x = input.model.new_patterns()?;
         input
             .model
-            .pullback(&x.zeros_like(), &wanted, &mut x, run)?;
+            .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
         let lights = input.model.patterns();
         let projection = Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter)?;
         if run.is_cancelled() {

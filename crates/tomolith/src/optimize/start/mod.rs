@@ -99,9 +99,29 @@ impl StartInput<'_> {
                     _ => 0.0,
                 };
             });
+        let mut field = layout.field_of(&wanted);
+        if let Some(cells) = &layout.cells {
+            let mut labels = layout.field_of(self.labels);
+            cells.label(&mut labels);
+            let of = |&label: &u8| if label == label::PART { part } else { 0.0 };
+            field = labels.iter().map(of).collect();
+        }
         let mut dose = self.model.new_dose()?;
-        dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
+        dose.as_mut_slice()[layout.range()].copy_from_slice(&field);
         Ok(dose)
+    }
+
+    /// A dose times the part of its voxel that each element has: what stands for integrals over the resin.
+    fn weighed(&self, dose: &HostField) -> HostField {
+        let mut dose = dose.clone();
+        for layout in self.model.outputs() {
+            if let Some(cells) = &layout.cells {
+                let shares = cells.shares(layout.len());
+                let own = dose.as_mut_slice()[layout.range()].iter_mut();
+                own.zip(shares).for_each(|(dose, share)| *dose *= share);
+            }
+        }
+        dose
     }
 
     /// Brings patterns into the bounds and scales them: least squares between their dose and the wanted one, over the voxels

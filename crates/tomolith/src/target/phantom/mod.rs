@@ -175,6 +175,21 @@ impl Shape for Phantom {
     fn volume_mm3(&self) -> Option<f64> {
         self.form.volume_mm3.map(|v| v * self.map.scale.powi(3))
     }
+
+    fn upright_mm(&self) -> Option<[f64; 2]> {
+        match &self.form.body {
+            Body::Prisms(prisms) if self.map.rotation[2] == [0.0, 0.0, 1.0] => match &prisms[..] {
+                [only] => Some(only.z.map(|z| self.map.apply([0.0, 0.0, z])[2])),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn distance_mm(&self, point: [f64; 3]) -> Option<f64> {
+        let distance = self.form.body.distance(self.map.undo(point))?;
+        Some(self.map.scale * distance)
+    }
 }
 
 /// Refuses lengths that are not positive.

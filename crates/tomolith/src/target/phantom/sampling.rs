@@ -43,15 +43,7 @@ pub fn inside_fractions(body: &Body, map: &Map, grid: &VolumeGrid) -> Result<Vol
             Body::Prisms(prisms) if map.rotation[2] == [0.0, 0.0, 1.0] => {
                 fill_upright(prisms, map, grid, &mut values);
             }
-            Body::Prisms(prisms) => fill_solid(
-                &|p| {
-                    let each = prisms.iter().map(|prism| prism.distance(p));
-                    each.fold(f64::INFINITY, f64::min)
-                },
-                map,
-                grid,
-                &mut values,
-            ),
+            Body::Prisms(prisms) => fill_solid(&|p| nearest(prisms, p), map, grid, &mut values),
             Body::Solid(surface) => fill_solid(surface, map, grid, &mut values),
             Body::Grey(form) => fill_grey(form, map, grid, &mut values),
         }
@@ -60,6 +52,23 @@ pub fn inside_fractions(body: &Body, map: &Map, grid: &VolumeGrid) -> Result<Vol
         grid: grid.clone(),
         values,
     })
+}
+
+impl Body {
+    /// Signed distance to the surface, or less; None for grey values.
+    pub(super) fn distance(&self, p: [f64; 3]) -> Option<f64> {
+        match self {
+            Body::Prisms(prisms) => Some(nearest(prisms, p)),
+            Body::Solid(surface) => Some(surface(p)),
+            Body::Grey(_) => None,
+        }
+    }
+}
+
+/// Signed distance to a union of prisms.
+fn nearest(prisms: &[Prism], p: [f64; 3]) -> f64 {
+    let each = prisms.iter().map(|prism| prism.distance(p));
+    each.fold(f64::INFINITY, f64::min)
 }
 
 impl Prism {
