@@ -128,6 +128,14 @@ impl DoseModel for Darkened {
         self.model.z_coupling()
     }
 
+    fn renew(&self, iteration: usize) -> bool {
+        self.model.renew(iteration)
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.model.is_renewed()
+    }
+
     fn is_linear(&self) -> bool {
         self.model.is_linear()
     }

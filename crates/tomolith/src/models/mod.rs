@@ -173,6 +173,15 @@ pub trait DoseModel: Send + Sync {
     fn z_coupling(&self) -> ZCoupling;
     /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
     fn is_linear(&self) -> bool;
+    /// Before the step of an iteration (the first is 1): draws other random paths where the model's schedule wants them, and says
+    /// whether it did. It is another map then.
+    fn renew(&self, _iteration: usize) -> bool {
+        false
+    }
+    /// Whether [`renew`](Self::renew) ever does.
+    fn is_renewed(&self) -> bool {
+        false
+    }
     /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
     fn updates(&self) -> u64;
     /// One line for people: which model, which kernel.
@@ -218,6 +227,14 @@ pub trait LinearOperator: Send + Sync {
     fn frames(&self) -> usize;
     /// How far a row reaches along z.
     fn z_coupling(&self) -> ZCoupling;
+    /// As [`DoseModel::renew`].
+    fn renew(&self, _iteration: usize) -> bool {
+        false
+    }
+    /// As [`DoseModel::is_renewed`].
+    fn is_renewed(&self) -> bool {
+        false
+    }
     /// Voxel-angle updates of one forward call after all masks.
     fn updates(&self) -> u64;
     /// One line for people.
@@ -289,6 +306,14 @@ impl<A: LinearOperator> DoseModel for A {
 
     fn is_linear(&self) -> bool {
         true
+    }
+
+    fn renew(&self, iteration: usize) -> bool {
+        LinearOperator::renew(self, iteration)
+    }
+
+    fn is_renewed(&self) -> bool {
+        LinearOperator::is_renewed(self)
     }
 
     fn updates(&self) -> u64 {

@@ -18,13 +18,15 @@
 //! |---|---|---|---|
 //! | `paths_per_pixel` | 1 to 4096 | 4 | paths of a pixel in a frame |
 //! | `seed` | – | 1 | which paths |
+//! | `renew` | 0 to 10000 | RENEW | iterations of an optimisation after which other paths are drawn; 0: never |
 //! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
+//! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
 //! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them |
 //!
 //! # Limits
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed and sixteen times
-//! as many paths, so that a pattern that fits its own noise shows. No reflections at walls.
+//! as many paths, so that a pattern that fits its own noise shows.
 //!
 //! Scattered light is smoothed over `smooth` voxels: near a wall some of it lies beyond the resin (1 % of the absorbed energy in a
 //! vial of 32 voxels across), where it counts nowhere.
@@ -53,7 +55,7 @@
 //! ```
 
 use super::parallel::Light;
-use super::rays::{Emission, Optics, Rays};
+use super::rays::{Emission, Optics, Rays, Scattered};
 use super::{Choice, ChooseModel};
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
@@ -71,8 +73,12 @@ pub struct Params {
     pub paths_per_pixel: usize,
     /// Which paths.
     pub seed: u64,
+    /// Iterations of an optimisation after which other paths are drawn, 0 to 10000; 0: never.
+    pub renew: usize,
     /// Below this part of the emitted power a path lives on by chance only, 1e-6 to 0.5.
     pub least_power: f64,
+    /// Whether light reflected at walls is followed.
+    pub reflections: bool,
     /// How often light is scattered at most, 0 to 1000.
     pub orders: usize,
     /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32.
@@ -84,7 +90,9 @@ impl Default for Params {
         Params {
             paths_per_pixel: 4,
             seed: 1,
+            renew: 0,
             least_power: 0.05,
+            reflections: false,
             orders: 64,
             smooth: 4,
         }
@@ -126,6 +134,9 @@ pub const KIND: Kind<ChooseModel> = Kind {
             let found = format!("found {}", params.least_power);
             return refuse("least_power", found, "1e-6 to 0.5");
         }
+        if params.renew > 10_000 {
+            return refuse("renew", format!("found {}", params.renew), "0 to 10000");
+        }
         if params.orders > 1000 {
             return refuse("orders", format!("found {}", params.orders), "0 to 1000");
         }
@@ -150,12 +161,16 @@ pub fn model(
     let emission = Emission {
         rays_per_pixel: params.paths_per_pixel,
         limits: Limits {
-            reflections: false,
+            reflections: params.reflections,
             least_power: params.least_power,
             orders: params.orders,
             ..Limits::default()
         },
-        scattered: Some((params.seed, params.smooth)),
+        scattered: Some(Scattered {
+            seed: params.seed,
+            smooth: params.smooth,
+            renew: params.renew,
+        }),
     };
     Rays::build(vial, lights, optics, &emission, grid)
 }

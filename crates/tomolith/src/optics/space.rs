@@ -14,7 +14,7 @@
 //! along, and what it loses to scattering goes on from one point of it: the distance is drawn from the free paths below
 //! L, the direction from the phase function, the power is (μ_s/μ_t)·(1 − e^(−μ_t·L)) of the leg's. So the straight light
 //! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
-//! power/least_power (Russian roulette). Scattered light is unpolarised.
+//! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised.
 //!
 //! # Equation
 //! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped = 1.
@@ -340,11 +340,19 @@ impl SpaceTracer {
             state.ray.from = state.ray.at(distance);
             state.crossed += 1;
             let power = state.fields.power();
-            if state.crossed > self.limits.interfaces || power < self.least_power() {
+            let after = if state.crossed > self.limits.interfaces {
                 path.account.dropped += power;
+                0.0
+            } else {
+                self.thinned(power, random.as_deref_mut(), path)
+            };
+            if after == 0.0 {
                 return;
             }
-            if !self.pass(&mut state, &ahead, waiting, path) {
+            if after != power {
+                state.fields.scale(after / power);
+            }
+            if !self.pass(&mut state, &ahead, waiting, path, random.as_deref_mut()) {
                 return;
             }
         }
@@ -356,12 +364,24 @@ impl SpaceTracer {
         }
     }
 
-    fn least_power(&self) -> f64 {
-        if self.limits.reflections {
-            self.limits.least_power
-        } else {
-            0.0
+    /// What goes on of light of this power where reflections are followed: all of it, or, below `least_power`, nothing (which is
+    /// counted), or by chance a ray of that power in its place.
+    fn thinned(&self, power: f64, random: Option<&mut Stream>, path: &mut Path) -> f64 {
+        let least = self.limits.least_power;
+        if !self.limits.reflections || power >= least {
+            return power;
         }
+        self.by_chance(power, random, path)
+    }
+
+    /// A ray of `least_power` in place of a weaker one, with the probability of their ratio (Russian roulette); nothing without
+    /// random numbers.
+    fn by_chance(&self, power: f64, random: Option<&mut Stream>, path: &mut Path) -> f64 {
+        let least = self.limits.least_power;
+        let survives = random.is_some_and(|random| random.uniform() * least < power);
+        let after = if survives { least } else { 0.0 };
+        path.account.dropped += power - after;
+        after
     }
 
     /// What goes on from a point of a leg that lost `lost` of its power: its share moves from absorbed to scattered.
@@ -383,12 +403,8 @@ impl SpaceTracer {
             path.account.dropped += power;
             return;
         }
-        let least = self.limits.least_power;
-        if power < least {
-            let survives = random.uniform() * least < power;
-            let after = if survives { least } else { 0.0 };
-            path.account.dropped += power - after;
-            power = after;
+        if power < self.limits.least_power {
+            power = self.by_chance(power, Some(random), path);
         }
         if power == 0.0 {
             return;
@@ -471,6 +487,7 @@ impl SpaceTracer {
         ahead: &Ahead,
         waiting: &mut Vec<State>,
         path: &mut Path,
+        random: Option<&mut Stream>,
     ) -> bool {
         let mut behind = *state;
         let n1 = self.index_of(state);
@@ -500,14 +517,19 @@ impl SpaceTracer {
         let split = split(state, ahead.crossing().normal, n1, n2);
         let reflected_power = split.reflected.fields.power();
         if reflected_power > 0.0 {
-            if self.limits.reflections && reflected_power >= self.limits.least_power {
-                waiting.push(State {
-                    ray: split.reflected.ray,
-                    fields: split.reflected.fields,
-                    ..*state
-                });
-            } else if self.limits.reflections {
-                path.account.dropped += reflected_power;
+            if self.limits.reflections {
+                let after = self.thinned(reflected_power, random, path);
+                if after > 0.0 {
+                    let mut fields = split.reflected.fields;
+                    if after != reflected_power {
+                        fields.scale(after / reflected_power);
+                    }
+                    waiting.push(State {
+                        ray: split.reflected.ray,
+                        fields,
+                        ..*state
+                    });
+                }
             } else {
                 path.account.reflected += reflected_power;
             }

@@ -89,7 +89,7 @@ fn across(
     cross: impl Fn(Curve, [f64; 2], [f64; 2]) -> PlaneCrossing,
 ) -> Option<Crossing> {
     let [dx, dy, _] = ray.direction;
-    let flat = dx.hypot(dy);
+    let flat = (dx * dx + dy * dy).sqrt();
     if flat < LEAST_SLANT {
         return None;
     }

@@ -326,6 +326,10 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         true
     }
 
+    fn forget(&mut self) {
+        self.curvature = Curvature::new(self.params.memory);
+    }
+
     fn needs(&self) -> Needs {
         Needs {
             continuous: Some(

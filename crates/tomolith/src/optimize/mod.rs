@@ -52,6 +52,8 @@ pub trait Optimizer<F: Field>: Send {
     fn normalises(&self) -> bool {
         false
     }
+    /// Forgets what it has learned of curvature: the model has become another one, and the patterns stay.
+    fn forget(&mut self) {}
     /// What must be saved. Between steps only.
     fn memory(&self) -> Memory<'_>;
     /// Takes back what [`memory`](Self::memory) gave; `x` shows where fields live.

@@ -255,6 +255,8 @@ fn begin<F: Field>(
                 best = Some(field);
             }
             let history = checkpoint.history().to_vec();
+            let done = history.last().map_or(0, |row| row.iteration);
+            problem.model().renew(done.max(1));
             let before_s = history.last().map_or(0.0, |row| row.seconds);
             let best_loss = checkpoint.best_loss();
             return Ok(Some(State {
@@ -330,15 +332,17 @@ impl<F: Field> State<F> {
         }
         let first = self.history.iter().find_map(|row| row.projected_gradient);
         let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
+        // On other paths the loss may be above zero again
+        let goes_on = problem.model().is_renewed();
         if problem.is_stop_asked() {
             Some(StopReason::Cancelled)
-        } else if row.loss == 0.0 {
+        } else if row.loss == 0.0 && !goes_on {
             Some(StopReason::ZeroLoss)
         } else if row.projected_gradient.is_some_and(small) {
             Some(StopReason::ProjectedGradient)
         } else if stop.change > 0.0 && self.change().is_some_and(|c| c <= stop.change * row.loss) {
             Some(StopReason::Steady)
-        } else if row.step == Some(0.0) {
+        } else if row.step == Some(0.0) && !goes_on {
             Some(StopReason::NoProgress)
         } else if broken {
             Some(StopReason::Observer)
@@ -367,6 +371,12 @@ impl<F: Field> State<F> {
         x: &mut F,
     ) -> Result<()> {
         let iteration = self.history.last().map_or(0, |row| row.iteration) + 1;
+        if problem.model().renew(iteration) {
+            // Losses of other paths are no measure of these
+            optimizer.forget();
+            self.at = problem.place(x)?;
+            (self.best_loss, self.best) = (self.at.loss, None);
+        }
         // A method that may raise the loss could lose its best patterns by the step
         let keep = !optimizer.is_monotone() && self.best.is_none();
         let kept = keep.then(|| x.clone());
@@ -684,16 +694,34 @@ mod tests {
         );
     }
 
-    /// A model around another: dose of x², as for amplitudes; and adjoints that are no numbers from some call on.
+    /// A model around another: dose of x², as for amplitudes; adjoints that are no numbers from some call on; and a fifth brighter
+    /// after every so many iterations.
     struct Twisted {
         inner: SmallModel,
+        every: Option<usize>,
+        round: AtomicU64,
         squared: bool,
         good_adjoints: u64,
         adjoints: AtomicU64,
     }
 
+    impl Twisted {
+        fn gain(&self) -> f64 {
+            1.0 + 0.2 * self.round.load(Ordering::Relaxed) as f64
+        }
+    }
+
     impl DoseModel for Twisted {
         type Field = HostField;
+
+        fn renew(&self, iteration: usize) -> bool {
+            let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
+            self.round.swap(round, Ordering::Relaxed) != round
+        }
+
+        fn is_renewed(&self) -> bool {
+            self.every.is_some()
+        }
 
         fn patterns(&self) -> &[PatternLayout] {
             DoseModel::patterns(&self.inner)
@@ -716,6 +744,7 @@ mod tests {
             if self.squared {
                 x.as_mut_slice().iter_mut().for_each(|v| *v *= *v);
             }
+            x.scale(self.gain() as f32);
             self.inner.dose(&x, dose, run)
         }
 
@@ -727,6 +756,7 @@ mod tests {
             run: &Run,
         ) -> Result<()> {
             self.inner.pullback(x, cotangent, grad, run)?;
+            grad.scale(self.gain() as f32);
             if self.squared {
                 grad.as_mut_slice()
                     .iter_mut()
@@ -795,6 +825,8 @@ mod tests {
         let inner = SmallModel::new(10, 8, 1);
         let l2 = objective(&inner, "l2");
         let twisted = Twisted {
+            every: None,
+            round: AtomicU64::new(0),
             inner,
             squared: true,
             good_adjoints: u64::MAX,
@@ -903,6 +935,8 @@ mod tests {
             let inner = SmallModel::new(16, 24, 1);
             let objective = objective(&inner, "l2");
             let model = Twisted {
+                every: None,
+                round: AtomicU64::new(0),
                 inner,
                 squared: false,
                 good_adjoints: 3,
@@ -935,6 +969,8 @@ mod tests {
             let inner = SmallModel::new(16, 24, 1);
             let objective = objective(&inner, "threshold");
             let model = Twisted {
+                every: None,
+                round: AtomicU64::new(0),
                 inner,
                 squared: true,
                 good_adjoints: u64::MAX,
@@ -949,6 +985,47 @@ mod tests {
                 .collect();
             assert!(losses.windows(2).all(|w| w[1] <= w[0]), "{losses:?}");
             assert!(losses.last().unwrap() < &(1e-2 * losses[0]), "{losses:?}");
+        }
+    }
+
+    #[test]
+    fn a_model_that_becomes_another_is_measured_anew_and_resumed_to_the_same_bits() {
+        let brighter = || Twisted {
+            every: Some(3),
+            round: AtomicU64::new(0),
+            inner: SmallModel::new(10, 8, 2),
+            squared: false,
+            good_adjoints: u64::MAX,
+            adjoints: AtomicU64::new(0),
+        };
+        let objective = objective(&brighter().inner, "l2");
+        let solve = |iterations: usize, checkpoints: Option<&mut Checkpoints>| {
+            let stop = steps(iterations);
+            let model = brighter();
+            let (x, outcome) = go(
+                &model,
+                &*objective,
+                &mut newton(),
+                stop,
+                checkpoints,
+                &mut [],
+            );
+            (x, outcome.unwrap())
+        };
+        let (x, whole) = solve(7, None);
+        // A call at the start, one a step, one for the first length; both changes need a dose and a first length again
+        assert_eq!(whole.counters.forward, 9 + 4);
+        // The best patterns are the best of the last model
+        let last = &whole.history[7..];
+        assert_eq!(whole.loss, last[0].loss);
+        let folder = tempfile::tempdir().unwrap();
+        for part in [2, 3, 5, 7] {
+            let mut checkpoints = Checkpoints::new(folder.path(), 1, &Params::default()).unwrap();
+            let (again, outcome) = solve(part, Some(&mut checkpoints));
+            if part == 7 {
+                assert_eq!(again.as_slice(), x.as_slice());
+                assert_eq!(outcome.loss, whole.loss);
+            }
         }
     }
 

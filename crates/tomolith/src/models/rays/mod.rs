@@ -79,6 +79,7 @@ use segment::{Lattice, Segment, Uptake};
 use serde::{Deserialize, Serialize};
 use solid::{Pieces, Solid};
 use source::Source;
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use walk::{Gait, Ways};
@@ -163,9 +164,19 @@ impl Optics {
 pub(super) struct Emission {
     pub(super) rays_per_pixel: usize,
     pub(super) limits: Limits,
-    /// Seed of the paths of scattered light, and the voxels along an edge of the cells it is summed on; None: straight
-    /// light only.
-    pub(super) scattered: Option<(u64, usize)>,
+    /// None: straight light only.
+    pub(super) scattered: Option<Scattered>,
+}
+
+/// How scattered light is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scattered {
+    /// Which paths.
+    pub(super) seed: u64,
+    /// Voxels along an edge of the cells on which it is summed.
+    pub(super) smooth: usize,
+    /// Iterations of an optimisation after which other paths are drawn; 0: never.
+    pub(super) renew: usize,
 }
 
 /// See the [module page](self).
@@ -181,6 +192,8 @@ pub struct Rays {
     solid: Option<Arc<Solid>>,
     gait: Gait,
     is_level: bool,
+    /// Iterations after which other paths are drawn; 0: never.
+    renew: usize,
     updates: OnceLock<u64>,
 }
 
@@ -298,8 +311,8 @@ impl Rays {
                 ),
             });
         }
-        let coarse = emission.scattered.map(|(_, factor)| {
-            let coarse = Coarse::new(&outputs[0], factor);
+        let coarse = emission.scattered.map(|Scattered { smooth, .. }| {
+            let coarse = Coarse::new(&outputs[0], smooth);
             let lattice = Lattice::new(&coarse.layout);
             (coarse, lattice)
         });
@@ -317,6 +330,7 @@ impl Rays {
             patterns,
             outputs,
             gait: Gait::best(),
+            renew: emission.scattered.map_or(0, |scattered| scattered.renew),
             updates: OnceLock::new(),
         })
     }
@@ -612,6 +626,19 @@ impl LinearOperator for Rays {
 
     fn frames(&self) -> usize {
         self.patterns.iter().map(|p| p.grid.frames()).sum()
+    }
+
+    fn renew(&self, iteration: usize) -> bool {
+        let Some(every) = NonZeroUsize::new(self.renew) else {
+            return false;
+        };
+        let round = (iteration.saturating_sub(1) / every) as u64;
+        let renewed: Vec<bool> = self.sources.iter().map(|s| s.renew(round)).collect();
+        renewed.contains(&true)
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.renew > 0
     }
 
     fn z_coupling(&self) -> ZCoupling {

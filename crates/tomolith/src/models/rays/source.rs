@@ -10,6 +10,7 @@ use crate::optics::space::{Account, Leg, SpaceTracer};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Rays of one light.
 pub(super) struct Source {
@@ -21,6 +22,8 @@ pub(super) struct Source {
     sub_angles: usize,
     /// Seed of the paths of scattered light; None: straight light only.
     seed: Option<u64>,
+    /// How often other paths have been drawn.
+    round: AtomicU64,
     /// Legs as seen at azimuth 0, where every frame has the same.
     shared: Option<Shared>,
 }
@@ -62,12 +65,24 @@ impl Source {
             tracer,
             samples,
             sub_angles: light.sub_angles.max(1),
-            seed: emission.scattered.map(|(seed, _)| seed),
+            seed: emission.scattered.map(|scattered| scattered.seed),
+            round: AtomicU64::new(0),
             shared: None,
         };
         let alike = is_round && motion.is_symmetric() && emission.scattered.is_none();
         source.shared = alike.then(|| source.trace_once());
         source
+    }
+
+    /// Draws the paths of another round; whether it is another one.
+    pub(super) fn renew(&self, round: u64) -> bool {
+        self.round.swap(round, Ordering::Relaxed) != round
+    }
+
+    /// Seed of the present paths; None: straight light only.
+    fn seed(&self) -> Option<u64> {
+        let round = self.round.load(Ordering::Relaxed);
+        self.seed.map(|seed| seed.wrapping_add(round))
     }
 
     /// Rays per pixel and frame.
@@ -140,7 +155,7 @@ impl Source {
         for sub in 0..self.sub_angles {
             let within = (sub as f64 + 0.5) / self.sub_angles as f64 - 0.5;
             let azimuth = self.pixels.azimuths[frame] + within * self.pixels.frame_arc;
-            if let Some(seed) = self.seed {
+            if let Some(seed) = self.seed() {
                 let exposure = frame * self.sub_angles + sub;
                 self.trace_scattered((column, row), (azimuth, exposure, seed), &mut visit);
                 continue;
@@ -181,7 +196,7 @@ impl Source {
         for (i, sample) in self.samples.iter().enumerate() {
             let ray = self.ray(column, row, sample, self.pixels.azimuths[frame]);
             let pixel = (column * self.pixels.rows + row) as u64;
-            let path = match self.seed {
+            let path = match self.seed() {
                 Some(seed) => {
                     let mut random = Stream::new([seed, frame as u64, pixel, i as u64]);
                     self.tracer.trace_scattered(ray, &mut random)

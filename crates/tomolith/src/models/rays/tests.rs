@@ -395,6 +395,34 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     assert_ne!(other, wide);
     let sum = |v: &Volume<f32>| v.values.iter().map(|&v| f64::from(v)).sum::<f64>();
     assert!((sum(&other) / sum(&wide) - 1.0).abs() < 0.02);
+    // Reflections at the glass: still a pair, and more of the light stays in the resin
+    let mirrored = build(
+        &scatter::Params {
+            reflections: true,
+            ..params.clone()
+        },
+        &light,
+        &grid,
+    );
+    let found = check::model::model(&mirrored, 4).unwrap();
+    assert!(found.adjoint_error < 1e-6, "{found:?}");
+    let account = mirrored.account(0, 0);
+    assert!((account.total() - 1.0).abs() < 1e-9, "{account:?}");
+    assert!(account.reflected == 0.0 && account.absorbed > 1.02 * model.account(0, 0).absorbed);
+    // Paths are drawn anew after two iterations, and are the same again in the same round
+    let renewed = build(
+        &scatter::Params {
+            renew: 2,
+            ..params.clone()
+        },
+        &light,
+        &grid,
+    );
+    assert!(!LinearOperator::renew(&renewed, 2) && LinearOperator::renew(&renewed, 3));
+    let second = dose(&renewed, &x);
+    assert!(second != wide && (sum(&second) / sum(&wide) - 1.0).abs() < 0.02);
+    assert!(LinearOperator::renew(&renewed, 1));
+    assert_eq!(dose(&renewed, &x), wide);
     // In a grid that holds all the resin and the cells around it, dose is what the account says was absorbed
     light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
     let tall = VolumeGrid::centered([150, 44, 44], 0.1);
