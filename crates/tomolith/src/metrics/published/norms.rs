@@ -343,9 +343,7 @@ mod tests {
     fn one_pass_finds_what_each_region_and_tolerance_finds_alone() {
         let n = 3 * BLOCK / 2;
         let labels: Vec<u8> = (0..n).map(|i| [PART, VOID, OUTSIDE][i % 3]).collect();
-        let values: Vec<f32> = (0..n)
-            .map(|i| (i * 7919 % 1009) as f32 / 1009.0)
-            .collect();
+        let values: Vec<f32> = (0..n).map(|i| (i * 7919 % 1009) as f32 / 1009.0).collect();
         let (labels, dose) = (volume(&labels), volume(&values));
         let response = Logistic::new(Default::default()).unwrap();
         for response in [&Identity as &dyn Response, &response] {

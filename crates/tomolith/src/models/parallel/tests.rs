@@ -1,9 +1,9 @@
 //! What the parallel model must get right.
 
-use super::views::Views;
-use super::*;
 use super::strips::{Beam, Columns, Major, Strip};
 use super::tiles::{Bounds, meeting};
+use super::views::Views;
+use super::*;
 use crate::check;
 use crate::grid::Volume;
 use crate::optics::trace::Tracer;
