@@ -56,7 +56,7 @@ impl Optics {
         match &mut model {
             Choice::Parallel(parallel) => kernel = parallel.kernel,
             Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
-            Choice::Cheapest | Choice::Rays(_) | Choice::Scatter(_) => {}
+            _ => {}
         }
         let obstacles = obstacles_of(spec, base)?;
         let motion = motion_of(spec)?;
@@ -121,12 +121,13 @@ impl Optics {
 
     /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
     /// where light is scattered.
-    pub(crate) fn model_for(&self, refine: usize) -> Choice {
+    pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
         let mut model = self.model.clone();
+        let setup = self.setup();
         if matches!(model, Choice::Cheapest) {
-            if self.setup().scatters() {
+            if setup.scatters() && setup.beyond_orders(&self.lights, grid).is_some() {
                 model = Choice::Scatter(scatter::Params::default());
-            } else if self.setup().beyond_parallel().is_some() {
+            } else if !setup.scatters() && setup.beyond_parallel().is_some() {
                 model = Choice::Rays(rays::Params::default());
             }
         }

@@ -3,6 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
+use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
@@ -15,7 +16,7 @@ use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
-use crate::models::{DoseLayout, Run, planner};
+use crate::models::{Choice, DoseLayout, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -42,6 +43,8 @@ pub(crate) struct Judged {
     pub(crate) keep_dark: Option<KeepDark>,
     /// Which voxels of the finer grid belong to bodies that are not printed, for the report; None without any.
     pub(crate) bodies: Option<Volume<u8>>,
+    /// What random paths leave uncertain; None where none are drawn.
+    pub(crate) noise: Option<Noise>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -206,9 +209,15 @@ pub(crate) fn judge(
         standing: &standing,
         turning: &evaluation,
     };
+    let noise = Noise::of(scene, voxels, shown, cancel)?;
+    if let Some(noise) = &noise {
+        let text = format!("random paths: {noise}");
+        progress.event(&Event::Note { text });
+    }
     let warnings: Vec<String> = steps
         .sentence(scene.spec.evaluate.bit_depth)
         .into_iter()
+        .chain(noise.and_then(|noise| noise.warning()))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -224,6 +233,7 @@ pub(crate) fn judge(
         response,
         keep_dark,
         bodies,
+        noise,
         warnings,
     })
 }
@@ -280,13 +290,28 @@ impl Steps<'_> {
 
 /// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
 #[derive(Default)]
-struct Room {
+pub(super) struct Room {
     field: HostField,
     values: Vec<f32>,
 }
 
-/// Dose of patterns on a grid.
+/// Dose of patterns on a grid, by the model that judges.
 fn dose(
+    scene: &Scene,
+    lights: Vec<Light>,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    room: &mut Room,
+    cancel: &Run,
+) -> Result<Volume<f32>> {
+    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
+    let choice = scene.optics.model_for(refine, grid);
+    dose_by(&choice, scene, lights, grid, patterns, room, cancel)
+}
+
+/// Dose of patterns on a grid.
+pub(super) fn dose_by(
+    choice: &Choice,
     scene: &Scene,
     mut lights: Vec<Light>,
     grid: &VolumeGrid,
@@ -297,9 +322,8 @@ fn dose(
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
     }
-    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let model = planner::plan(
-        &scene.optics.model_for(refine),
+        choice,
         scene.optics.setup(),
         lights,
         grid.clone(),
@@ -340,7 +364,11 @@ fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
 }
 
 /// What the metrics look at.
-fn print<'a>(scene: &Scene, voxels: &'a Voxels, response: &'a Volume<f32>) -> Result<Print<'a>> {
+pub(super) fn print<'a>(
+    scene: &Scene,
+    voxels: &'a Voxels,
+    response: &'a Volume<f32>,
+) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
     let mut print = Print::new(&voxels.labels, response)?.with_inside(inside)?;
     if voxels.target.grey {

@@ -185,6 +185,9 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
     if let Some(dark) = judged.keep_dark {
         map.insert("keep_dark".to_owned(), serde_json::json!(dark));
     }
+    if let Some(noise) = judged.noise {
+        map.insert("paths".to_owned(), serde_json::json!(noise));
+    }
     let resin = &scene.spec.resin;
     let brightest = PatternStats::of(&done.patterns.shown).max;
     let threshold = value_of(&judged.published, "threshold_jaccard");
@@ -231,6 +234,9 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
     }
     if let Some(dark) = &judged.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));
+    }
+    if let Some(noise) = &judged.noise {
+        facts.push(("Random paths", noise.to_string()));
     }
     facts
         .into_iter()

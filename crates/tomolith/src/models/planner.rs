@@ -1,19 +1,20 @@
 //! Chooses the dose model of a job, and says why.
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
-//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`], or
-//! [`scatter`] where the resin scatters. A job may ask for one
+//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
+//! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::matrix::MatrixModel;
 use super::parallel::{Light, Parallel};
 use super::rays::{Optics, Rays};
 use super::selection::useful_rows;
-use super::{Choice, DoseModel, Run, scatter};
+use super::{Choice, DoseModel, Run, orders, scatter};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
+use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
 
 /// A dose model, and why it was chosen.
@@ -40,13 +41,32 @@ impl Setup<'_> {
         self.optics.iter().any(|o| o.scattering.is_some())
     }
 
+    /// What scatters each light.
+    fn scattering(&self) -> Vec<Option<Scattering>> {
+        self.optics.iter().map(|o| o.scattering.clone()).collect()
+    }
+
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
     pub fn beyond_parallel(&self) -> Option<&'static str> {
-        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
         if self.scatters() {
             Some("the resin scatters")
-        } else if !self.vial.is_invariant() {
+        } else {
+            self.beyond_straight()
+        }
+    }
+
+    /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
+    #[must_use]
+    pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
+        self.beyond_straight()
+            .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
+    }
+
+    /// Why [`Parallel`] does not cover its straight light.
+    fn beyond_straight(&self) -> Option<&'static str> {
+        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
+        if !self.vial.is_invariant() {
             Some("the vial changes along z")
         } else if any(&|o| !o.projector.is_collimated()) {
             Some("light is not collimated")
@@ -130,10 +150,31 @@ fn optical(
         )
     };
     let scatter = |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone());
+    let orders = |params| {
+        let scattering = setup.scattering();
+        orders::model(
+            setup.vial,
+            lights.clone(),
+            &scattering,
+            params,
+            grid.clone(),
+        )
+    };
     match (choice, setup.beyond_parallel()) {
         (Choice::Scatter(params), _) => Ok(Box::new(scatter(params)?)),
+        (Choice::Orders(params), _) => match setup.beyond_straight() {
+            Some(reason) => Err(Error::Unsupported {
+                what: "model.orders".into(),
+                reason: format!("{reason}; use [model.scatter], or leave [model] out"),
+            }),
+            None => Ok(Box::new(orders(params)?)),
+        },
         (Choice::Cheapest, _) if setup.scatters() => {
-            Ok(Box::new(scatter(&scatter::Params::default())?))
+            if setup.beyond_orders(&lights, &grid).is_none() {
+                Ok(Box::new(orders(&orders::Params::default())?))
+            } else {
+                Ok(Box::new(scatter(&scatter::Params::default())?))
+            }
         }
         (Choice::Rays(params), _) => Ok(Box::new(rays(params)?)),
         (Choice::Cheapest, Some(_)) => Ok(Box::new(rays(&super::rays::Params::default())?)),
