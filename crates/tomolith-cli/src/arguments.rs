@@ -8,7 +8,8 @@ use crate::metrics::MetricsArguments;
 use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,7 +51,11 @@ pub(crate) enum Command {
         json: bool,
     },
     /// Print the JSON Schema of a job file
-    Schema,
+    Schema {
+        /// A page for people in place of the schema: tables of all keys
+        #[arg(long)]
+        markdown: bool,
+    },
     /// Turn a mesh into voxels: .npy, .vti or .png
     Voxelize(VoxelizeArguments),
     /// Turn a part by formula into voxels: .npy, .vti or .png
@@ -131,4 +136,17 @@ pub(crate) struct CheckArguments {
     pub(crate) job: JobArguments,
     #[command(flatten)]
     pub(crate) manner: Manner,
+}
+
+/// Refuses a file to be written into a folder that is not there, before the work for it is done.
+pub(crate) fn must_have_folder(output: &Path) -> Result<()> {
+    let folder = output.parent().filter(|f| !f.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => Err(Error::config(
+            "--output",
+            format!("there is no folder `{}`", folder.display()),
+            "a file in a folder that exists",
+        )),
+        _ => Ok(()),
+    }
 }

@@ -1,11 +1,12 @@
 //! `tomolith compare`: several runs on one page.
 
-use crate::arguments::Manner;
+use crate::arguments::{Manner, must_have_folder};
 use crate::screen::say;
 use clap::Args;
+use std::ffi::OsStr;
 use std::path::PathBuf;
-use tomolith::Result;
 use tomolith::report::compare::{compare_json, read_runs, write_compare};
+use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,6 +27,19 @@ pub(crate) struct CompareArguments {
 }
 
 pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
+    let is_page = |e: &OsStr| {
+        ["html", "htm"]
+            .iter()
+            .any(|page| e.eq_ignore_ascii_case(page))
+    };
+    if !given.output.extension().is_some_and(is_page) {
+        return Err(Error::config(
+            "--output",
+            format!("`{}`", given.output.display()),
+            "a file name ending in .html: the page is a web page",
+        ));
+    }
+    must_have_folder(&given.output)?;
     let runs = read_runs(&given.runs)?;
     write_compare(&given.output, &runs)?;
     if given.manner.json {

@@ -1,7 +1,8 @@
 //! `tomolith export-matrix`: the dose model of a small job as a sparse matrix.
 
+use crate::arguments::must_have_folder;
 use crate::arguments::{JobArguments, Manner};
-use crate::screen::say;
+use crate::screen::{Screen, say};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
@@ -36,7 +37,10 @@ pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) ->
             "a file name ending in .npz",
         ));
     }
-    let [rows, columns, entries] = matrix(job, &given.output, cancel)?;
+    must_have_folder(&given.output)?;
+    let mut screen = Screen::new(given.manner);
+    let [rows, columns, entries] = matrix(job, &given.output, &mut screen, cancel)?;
+    drop(screen);
     if given.manner.json {
         let line = json!({ "event": "done", "file": given.output, "rows": rows, "columns": columns, "entries": entries });
         say(&line.to_string());

@@ -46,9 +46,13 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
     Ok(())
 }
 
-/// The JSON Schema of a job.
-pub(crate) fn schema() -> Result<()> {
-    say(&format!("{:#}", tomolith::job::schema::schema()));
+/// The JSON Schema of a job, or a page of all its keys.
+pub(crate) fn schema(markdown: bool) -> Result<()> {
+    if markdown {
+        say(tomolith::job::page::markdown().trim_end());
+    } else {
+        say(&format!("{:#}", tomolith::job::schema::schema()));
+    }
     Ok(())
 }
 

@@ -48,7 +48,7 @@ fn main() -> ExitCode {
                 help::kinds(family.as_deref(), name.as_deref(), *json).map(|()| true),
             )
         }
-        Command::Schema => (Manner::default(), help::schema().map(|()| true)),
+        Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
         Command::Voxelize(given) => quick(given.sampling.manner, || voxelize::voxelize(given)),
         Command::Phantom(given) => quick(given.sampling.manner, || voxelize::phantom(given)),
         Command::Metrics(given) => quick(given.manner, || metrics::metrics(given)),

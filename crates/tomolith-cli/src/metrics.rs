@@ -7,9 +7,9 @@ use serde_json::json;
 use tomolith::grid::{Volume, VolumeGrid};
 use tomolith::io::array::read_any;
 use tomolith::metrics::print::Print;
-use tomolith::metrics::published::Options;
-use tomolith::metrics::published::slices::slices;
-use tomolith::metrics::{Evaluation, METRICS, Published, evaluate, published};
+use tomolith::metrics::published::unit_systems::{Converted, UnitSystem};
+use tomolith::metrics::published::{Options, of_print, value_of};
+use tomolith::metrics::{Evaluation, METRICS, Published, evaluate};
 use tomolith::report::json::evaluation_json;
 use tomolith::target::label::{OUTSIDE, PART, VOID};
 use tomolith::{Error, Result};
@@ -48,6 +48,25 @@ pub(crate) struct MetricsArguments {
     /// Per cent left out at each end of each region by the trimmed numbers
     #[arg(long, default_value_t = 0.025, allow_negative_numbers = true)]
     trim_percent: f64,
+    /// Absorption of the active species, 1/mm: adds the unit systems of Li et al. 2024, S.9; doses are then mJ/mm³
+    #[arg(long, value_name = "PER_MM", requires_all = ["brightest", "exposure_s"], allow_negative_numbers = true)]
+    absorption_per_mm: Option<f64>,
+    /// Brightest pixel of the patterns, mJ/mm², for the unit systems
+    #[arg(
+        long,
+        value_name = "MJ_PER_MM2",
+        requires = "absorption_per_mm",
+        allow_negative_numbers = true
+    )]
+    brightest: Option<f64>,
+    /// For how long a pixel is lit, s, for the unit systems
+    #[arg(
+        long,
+        value_name = "S",
+        requires = "absorption_per_mm",
+        allow_negative_numbers = true
+    )]
+    exposure_s: Option<f64>,
     #[command(flatten)]
     pub(crate) manner: Manner,
 }
@@ -61,6 +80,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
             "a number > 0, mm",
         ));
     }
+    let units = Units::of(given)?;
     let (shape, values) = read_finite(&given.dose)?;
     let grid = VolumeGrid::centered(shape, pitch_mm);
     let dose = Volume {
@@ -84,17 +104,77 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         trim_percent: given.trim_percent,
         ..Options::default()
     };
-    let numbers = published(&dose, &target, &labels, &options)?;
+    let (numbers, slices) = of_print(&print, &target, &options)?;
+    let systems = units.and_then(|units| units.systems(&numbers));
     if given.manner.json {
         let line = json!({
-            "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers,
-            "slices": slices(&dose, &labels, given.trim_percent),
+            "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
+            "unit_systems": systems,
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
         show(&evaluation, &numbers, given.pitch_mm.is_some());
+        systems.iter().flatten().for_each(show_system);
     }
     Ok(())
+}
+
+/// What the unit systems need besides the dose: mJ/mm², 1/mm, s.
+#[derive(Clone, Copy)]
+struct Units {
+    brightest: f64,
+    absorption_per_mm: f64,
+    exposure_s: f64,
+}
+
+impl Units {
+    fn of(given: &MetricsArguments) -> Result<Option<Self>> {
+        let (Some(absorption_per_mm), Some(brightest), Some(exposure_s)) =
+            (given.absorption_per_mm, given.brightest, given.exposure_s)
+        else {
+            return Ok(None);
+        };
+        for (key, value) in [
+            ("--absorption-per-mm", absorption_per_mm),
+            ("--brightest", brightest),
+            ("--exposure-s", exposure_s),
+        ] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(Error::config(key, format!("found {value}"), "a number > 0"));
+            }
+        }
+        Ok(Some(Units {
+            brightest,
+            absorption_per_mm,
+            exposure_s,
+        }))
+    }
+
+    /// The brightest pixel and the dose of the best threshold in every system; none where no threshold prints.
+    fn systems(self, numbers: &[Published]) -> Option<[Converted; 4]> {
+        let dose = value_of(numbers, "threshold_jaccard")?;
+        let convert = |s: UnitSystem| {
+            s.convert(
+                self.brightest,
+                dose,
+                self.absorption_per_mm,
+                self.exposure_s,
+            )
+        };
+        Some(UnitSystem::ALL.map(convert))
+    }
+}
+
+fn show_system(row: &Converted) {
+    let name = json!(row.system);
+    say(&format!(
+        "{:>26} brightest pixel {:.6} {}, threshold {:.6} {} (Li et al. 2024, S.9)",
+        name.as_str().unwrap_or_default(),
+        row.pattern.0,
+        row.pattern.1,
+        row.dose.0,
+        row.dose.1
+    ));
 }
 
 /// An array without NaN and infinity, which no metric could make sense of.

@@ -4,6 +4,7 @@ use crate::arguments::Manner;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
+use tomolith::job::outcome::large;
 use tomolith::job::{Event, Progress, Summary};
 
 /// Plain lines: at most one iteration per this time.
@@ -75,15 +76,6 @@ impl Screen {
     }
 }
 
-/// `1.23 G` updates per second, and the like.
-fn rate(per_second: f64) -> String {
-    match per_second {
-        r if r >= 1e9 => format!("{:.1} G", r / 1e9),
-        r if r >= 1e6 => format!("{:.1} M", r / 1e6),
-        r => format!("{r:.0} "),
-    }
-}
-
 impl Progress for Screen {
     fn event(&mut self, event: &Event) {
         if !matches!(event, Event::Iteration { .. } | Event::Part { .. }) {
@@ -119,7 +111,7 @@ impl Progress for Screen {
                 bar.set_position(*iteration as u64);
                 bar.set_message(format!(
                     "loss {loss:.4e}  {}updates/s",
-                    rate(*updates_per_s)
+                    large(*updates_per_s)
                 ));
             }
             (
@@ -143,7 +135,7 @@ impl Progress for Screen {
                     "{:>12} {iteration:>4}/{iterations}  loss {loss:.4e}  gradient {gradient}  \
                      {}updates/s  {left:.0} s left",
                     "",
-                    rate(*updates_per_s),
+                    large(*updates_per_s),
                 ));
             }
         }

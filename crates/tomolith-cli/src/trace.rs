@@ -1,6 +1,6 @@
 //! `tomolith trace`: what becomes of the light of single pixels.
 
-use crate::arguments::{JobArguments, Manner};
+use crate::arguments::{JobArguments, Manner, must_have_folder};
 use crate::screen::say;
 use crate::voxelize::{Kind, write_values};
 use clap::Args;
@@ -48,6 +48,7 @@ fn pixel(text: &str) -> std::result::Result<[usize; 3], String> {
 
 pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()> {
     let kind = given.output.as_deref().map(Kind::of).transpose()?;
+    given.output.as_deref().map(must_have_folder).transpose()?;
     let pixels: Vec<Pixel> = given
         .pixel
         .iter()

@@ -1,6 +1,6 @@
 //! `tomolith voxelize` and `tomolith phantom`: parts as voxels, for anybody's use.
 
-use crate::arguments::Manner;
+use crate::arguments::{Manner, must_have_folder};
 use crate::screen::say;
 use clap::Args;
 use serde_json::{Value, json};
@@ -110,6 +110,7 @@ pub(crate) fn phantom(given: &PhantomArguments) -> Result<()> {
 
 fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
     let kind = Kind::of(&given.output)?;
+    must_have_folder(&given.output)?;
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
     let shape = build(&spec, Path::new(""), "target")?;

@@ -337,6 +337,90 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
             .expect(2, "export-matrix none.toml --output m.npz")
             .contains("none.toml")
     );
+    // As a job's model: the file is looked at first, and named with its key
+    let job = format!("{small} --set evaluate.refine=1 --set evaluate.sub_angles=1");
+    bench.expect(
+        0,
+        &format!("check job.toml {job} --set model.matrix.file=m.npz"),
+    );
+    fs::write(bench.path("torn.npz"), b"PK").unwrap();
+    for (change, wanted) in [
+        ("model.matrix.file=none.npz", "none.npz"),
+        ("model.matrix.file=torn.npz", "scipy.sparse.save_npz"),
+        (
+            "model.matrix.file=m.npz --set light.angles=6",
+            "matrix [voxels, pixels]",
+        ),
+    ] {
+        let said = bench.expect(2, &format!("run job.toml {job} --set {change}"));
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            said.contains("model.matrix.file")
+                && said.contains(wanted)
+                && !said.contains("optimising"),
+            "{said}"
+        );
+    }
+    // Without --json the stages are told
+    let said = bench.expect(0, &format!("export-matrix job.toml {small} --output n.npz"));
+    assert!(said.contains("lighting every pixel"), "{said}");
+}
+
+#[test]
+fn the_unit_systems_of_a_dose_want_all_that_their_formulas_need() {
+    let bench = Bench::new();
+    fs::write(bench.path("dose.npy"), npy("1, 1, 2", &[0.4, 0.2])).unwrap();
+    fs::write(bench.path("target.npy"), npy("1, 1, 2", &[1.0, 0.0])).unwrap();
+    let line = "metrics dose.npy target.npy --absorption-per-mm 0.1";
+    let found = bench.json(&format!("{line} --brightest 2 --exposure-s 10"));
+    let rows = found["unit_systems"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    // 2 mJ/mm² in 10 s are 0.02 W/cm², and a dose of 0.3 over 1 per cm is 0.3 J/cm²
+    assert_eq!(rows[3]["system"], "areal_rate");
+    assert!((rows[3]["pattern"][0].as_f64().unwrap() - 0.02).abs() < 1e-12);
+    assert!((rows[3]["dose"][0].as_f64().unwrap() - 0.3).abs() < 1e-6);
+    assert!(bench.json("metrics dose.npy target.npy")["unit_systems"].is_null());
+    assert!(bench.expect(2, line).contains("--brightest"));
+    let said = bench.expect(2, &format!("{line} --brightest 0 --exposure-s 10"));
+    assert!(
+        said.contains("--brightest") && said.contains("a number > 0"),
+        "{said}"
+    );
+}
+
+#[test]
+fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
+    let bench = Bench::new();
+    for line in [
+        "phantom gear --pitch-mm 0.1 --output no/gear.npy",
+        "compare a --output no/page.html",
+        "export-matrix job.toml --output no/m.npz",
+        "trace job.toml --pixel 0,1,1 --output no/light.npy",
+    ] {
+        let said = bench.expect(2, line);
+        assert!(
+            said.contains("--output") && said.contains("no folder `no`"),
+            "{said}"
+        );
+    }
+    let said = bench.expect(2, "compare a --output page.txt");
+    assert!(
+        said.contains("page.txt") && said.contains(".html"),
+        "{said}"
+    );
+}
+
+#[test]
+fn light_that_is_scattered_is_traced() {
+    let bench = Bench::new();
+    let line = "trace job.toml --pixel 0,16,8 --set resin.scattering_per_mm=0.3 --json";
+    let said = bench.expect(0, line);
+    let traced: Value = serde_json::from_str(said.trim().lines().next().unwrap()).unwrap();
+    let account = traced["result"]["account"].as_object().unwrap();
+    let total: f64 = account.values().map(|v| v.as_f64().unwrap()).sum();
+    assert!((total - 1.0).abs() < 1e-9, "{account:?}");
+    assert!(account["absorbed"].as_f64().unwrap() > 0.1, "{account:?}");
+    assert!(!traced["result"]["legs"].as_array().unwrap().is_empty());
 }
 
 #[test]

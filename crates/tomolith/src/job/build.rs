@@ -3,12 +3,13 @@
 use super::spec::{JobSpec, LightSpec, MapSpec, Region};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
+use crate::io::csr::Csr;
 use crate::io::mesh::read_mesh;
 use crate::io::npy::read_matrix;
 use crate::kind::Section;
 use crate::models::parallel::{AbsorptionMap, Kernel, Light};
 use crate::models::planner::Setup;
-use crate::models::{Choice, MODELS, rays, scatter};
+use crate::models::{Choice, MODELS, matrix, rays, scatter};
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::{Material, Obstacle};
 use crate::optics::phase::{PHASES, Scattering};
@@ -160,6 +161,40 @@ impl Optics {
         ))
     }
 
+    /// Reads the stored matrix of a job that names one, and refuses one that does not fit: it is read again when it is needed.
+    ///
+    /// # Errors
+    /// [`Error::Config`] at `model.matrix.file`.
+    pub(crate) fn matrix_must_fit(&self, grid: &VolumeGrid) -> Result<()> {
+        let Choice::Matrix(matrix) = &self.model else {
+            return Ok(());
+        };
+        let pixels: Vec<PatternGrid> = self.lights.iter().map(|l| l.pixels.clone()).collect();
+        let fits = Csr::read(&matrix.file).and_then(|csr| matrix::must_fit(&csr, &pixels, grid));
+        fits.map_err(|error| {
+            let (found, accepted) = match error {
+                Error::Format {
+                    path,
+                    found,
+                    accepted,
+                } => (format!("{}: {found}", path.display()), accepted),
+                Error::Shape {
+                    what,
+                    expected,
+                    found,
+                } => (
+                    format!("{} holds {found:?}", matrix.file.display()),
+                    format!("{expected:?}: {what}"),
+                ),
+                other => (
+                    other.to_string(),
+                    "an .npz of scipy.sparse.save_npz, relative to the job file".to_owned(),
+                ),
+            };
+            Error::config("model.matrix.file", found, accepted)
+        })
+    }
+
     /// The same lights with frames averaged over so many angles.
     pub(crate) fn lights_turning(&self, sub_angles: usize) -> Vec<Light> {
         let turning = |light: &Light| Light {
@@ -188,17 +223,53 @@ impl Optics {
         move |[x, y, z]| x.hypot(y) < radius && self.vial.in_resin([x, y, z])
     }
 
-    /// Distance from the axis up to which every light is tangent, mm.
-    fn reach_mm(&self) -> f64 {
-        let reach = |light: &Light| {
+    /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
+    ///
+    /// Seen along the axis, tilted light is bent as if both indices were those of their parts across it: n·sin of the angle
+    /// to the plane is the same outside and inside.
+    fn reach_mm(&self) -> (f64, usize) {
+        let reach = |(i, light): (usize, &Light)| {
             let half_field = light.pixels.columns as f64 * light.pixels.pitch_mm / 2.0;
-            let surrounding = self
-                .vial
-                .surrounding_index(light.surrounding_index, light.resin.refractive_index);
-            self.vial
-                .reach_mm(half_field, surrounding, light.resin.refractive_index)
+            let resin = light.resin.refractive_index;
+            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
+            let (sin, cos) = self.tilt_rad().sin_cos();
+            let across = (resin.powi(2) - (surrounding * sin).powi(2))
+                .max(0.0)
+                .sqrt();
+            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
+            (reach, i)
         };
-        self.lights.iter().map(reach).fold(f64::INFINITY, f64::min)
+        let reaches = self.lights.iter().enumerate().map(reach);
+        reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
+    }
+
+    /// How far the axis leans.
+    pub(crate) fn tilt_rad(&self) -> f64 {
+        self.paths.first().map_or(0.0, |path| path.motion.tilt_rad)
+    }
+
+    /// Warns of a target whose box looks larger than the field because the axis leans: its far edge is seen higher.
+    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
+        let tilt = self.tilt_rad().abs();
+        let [low, high] = shape.bounds_mm();
+        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
+        let seen = high[2].max(-low[2]) * tilt.cos() + out * tilt.sin();
+        let half = |light: &Light| light.pixels.rows as f64 * light.pixels.pitch_mm / 2.0;
+        let small = self
+            .lights
+            .iter()
+            .enumerate()
+            .filter(|(_, l)| tilt > 0.0 && seen > half(l));
+        small
+            .map(|(i, light)| {
+                format!(
+                    "light[{i}]: the axis leans by {:.1}°, so the target reaches up to {seen:.3} mm in the field, which ends at \
+                     {:.3} mm: some of it may not be lit from all sides",
+                    tilt.to_degrees(),
+                    half(light)
+                )
+            })
+            .collect()
     }
 
     /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised.
@@ -219,7 +290,8 @@ impl Optics {
         }
         for (i, light) in self.lights.iter().enumerate() {
             let half = |pixels: usize| pixels as f64 * light.pixels.pitch_mm / 2.0;
-            let up = high[2].max(-low[2]);
+            // Seen by a projector that the axis leans towards or away from, it is at least this high
+            let up = high[2].max(-low[2]) * self.tilt_rad().cos();
             for (name, extent, field) in [
                 ("sideways", out, half(light.pixels.columns)),
                 ("along the axis", up, half(light.pixels.rows)),
@@ -250,7 +322,7 @@ impl Optics {
     ) -> Result<Vec<String>> {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
-        let reach = self.reach_mm();
+        let (reach, light) = self.reach_mm();
         let size = (nx * ny).max(1);
         let of_slice = |(labels, inside): (&[u8], &[f32])| {
             let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
@@ -302,8 +374,8 @@ impl Optics {
         }
         if beyond > 0 {
             warnings.push(format!(
-                "the target reaches {farthest:.2} mm from the axis, but light is tangent only up to {reach:.2} mm: {:.1} % of \
-                 it cannot be lit from all sides",
+                "the target reaches {farthest:.2} mm from the axis, but light[{light}] is tangent only up to {reach:.2} mm: \
+                 {:.1} % of it cannot be lit from all sides",
                 100.0 * beyond as f64 / part as f64
             ));
         }
@@ -522,6 +594,58 @@ mod tests {
         let refused =
             crate::models::planner::plan(&optics.model, optics.setup(), lights, grid, None, &run);
         assert!(matches!(refused, Err(Error::Unsupported { .. })));
+    }
+
+    #[test]
+    fn the_outermost_ray_of_a_leaning_vial_passes_the_axis_at_the_reach() {
+        for tilt in ["0", "25"] {
+            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
+            let optics = Optics::new(&spec, Path::new("")).unwrap();
+            let setup = optics.setup();
+            let rays = rays::Rays::new(
+                setup.vial,
+                optics.lights.clone(),
+                setup.optics,
+                &rays::Params::default(),
+                VolumeGrid::centered([8, 8, 8], 1.0),
+            )
+            .unwrap();
+            // The middle of the last of 128 columns
+            let (legs, _) = rays.trace(0, 0, 127, 32);
+            let (from, along) = (legs[0].ray.from, legs[0].ray.direction);
+            let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
+            let (reach, light) = optics.reach_mm();
+            assert!(
+                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
+                "{tilt}: {passes} {reach}"
+            );
+            assert_eq!(light, 0);
+        }
+    }
+
+    #[test]
+    fn a_leaning_axis_lifts_the_edge_of_the_target_in_the_field() {
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let warned = |tilt: &str| {
+            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
+            let optics = Optics::new(&spec, Path::new("")).unwrap();
+            optics.leaning(gear.as_ref())
+        };
+        // 64 rows of 0.05 mm: 1.6 mm up. The edge, 2.5 mm out, is lifted by 2.5·sin
+        assert!(warned("0").is_empty());
+        let [text] = &warned("-70")[..] else {
+            panic!("one warning");
+        };
+        assert!(
+            text.contains("light[0]") && text.contains("ends at 1.600 mm"),
+            "{text}"
+        );
     }
 
     #[test]

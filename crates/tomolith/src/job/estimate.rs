@@ -1,9 +1,9 @@
 //! What a job will cost: memory, disk and time, before any work.
 //!
 //! Memory counts the arrays the method needs. Time is measured, on this machine and as busy as it is: a dose and an adjoint
-//! call of the job's own model with few of its frames, one pass of its objective, and the metrics on a thinned copy of the
-//! dose. These rates are multiplied by what the job asks for ([`Work::cost`]). An optimisation that ends before its last
-//! iteration takes less.
+//! call of the job's own model with few of its frames and with some more, one pass of its objective, and the metrics on two
+//! thinned copies of the dose. Two sizes tell what a call costs at any size from what grows with it. These rates are
+//! multiplied by what the job asks for ([`Work::cost`]). An optimisation that ends before its last iteration takes less.
 
 use super::build::Optics;
 use super::scene::{Scene, Voxels};
@@ -39,12 +39,20 @@ const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Updates of the calls that are timed, about; and frames, a multiple of what the kernel does at once.
-const TRIAL_UPDATES: usize = 200_000_000;
+const TRIAL_UPDATES: usize = 50_000_000;
 const TRIAL_FRAMES: usize = 8;
-/// Voxels along the longest edge of the thinned copy whose metrics are timed.
-const TRIAL_EDGE: usize = 80;
+/// How many times more frames the second of the timed calls has.
+const MORE_FRAMES: usize = 4;
+/// Voxels along the longest edge of the thinned copies whose metrics are timed.
+const TRIAL_EDGES: [usize; 2] = [80, 160];
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
+/// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
+/// turning, the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
+/// the job's own the metrics and files; for each pixel a PNG, a movie, its check and the arrays.
+const MEASURES_PER_FINE_VOXEL: f64 = 2.0;
+const MEASURES_PER_VOXEL: f64 = 4.0;
+const MEASURES_PER_PIXEL: f64 = 3.0;
 /// Passes over the dose of an iteration, the line search's included.
 const PASSES: f64 = 5.0;
 
@@ -88,7 +96,9 @@ impl Extent {
             let pitch = light.pixels.pitch_mm;
             // Refraction lets a narrower bundle fill the same part
             let columns = (2.0 * radius / pitch).ceil() as usize + 1;
-            let rows = ((high[2] - low[2]) / pitch).ceil() as usize + 1;
+            let (sin, cos) = optics.tilt_rad().abs().sin_cos();
+            let seen = (high[2] - low[2]) * cos + 2.0 * radius * sin;
+            let rows = (seen / pitch).ceil() as usize + 1;
             light.pixels.frames() * light.pixels.columns.min(columns) * light.pixels.rows.min(rows)
         };
         Extent {
@@ -178,8 +188,10 @@ pub(crate) fn whole_mb(parts: [f64; 2]) -> u64 {
 pub(crate) struct Rates {
     /// Which model.
     pub(crate) model: String,
-    /// Updates per second.
+    /// Updates per second, beside what a call costs with any number of frames.
     pub(crate) updates_per_s: f64,
+    /// What a call costs with any number of frames, s.
+    pub(crate) per_call_s: f64,
     /// Updates of one dose call per frame: what masks leave.
     pub(crate) updates_per_frame: f64,
     /// One pass of the objective, s.
@@ -221,20 +233,21 @@ impl Work<'_> {
         } = *self;
         let [own, turning] = self.sub_angles.map(|n| n as f64);
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
-        let call_s = rates.updates_per_frame * extent.frames as f64 / rates.updates_per_s;
+        let call_s =
+            rates.per_call_s + rates.updates_per_frame * extent.frames as f64 / rates.updates_per_s;
         let vectors = extent.active_pixels as f64 * rates.vector_s;
         let step_s = 2.0 * own * call_s
             + PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
         let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
             + OTHER_CALLS * own * call_s;
-        let evaluation_s = finer * (1.0 + turning) * call_s
-            + voxels * ((2.0 * finer + 1.0) * rates.measuring_s + finer * rates.sampling_s);
-        // A pixel in a PNG, a movie and its check costs about what measuring a voxel does, a voxel in a file half of it
-        let files_s = rates.measuring_s * (extent.pixels as f64 + 0.5 * voxels);
+        let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
+            + extent.pixels as f64 * MEASURES_PER_PIXEL;
         Cost {
             optimisation_s,
-            rest_s: voxels * rates.sampling_s + evaluation_s + files_s,
+            rest_s: finer * (1.0 + turning) * call_s
+                + measures * rates.measuring_s
+                + voxels * (finer + 1.0) * rates.sampling_s,
         }
     }
 }
@@ -245,55 +258,105 @@ impl Work<'_> {
 /// # Errors
 /// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
-    let frames = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
+    let few = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
         .max(1)
         .next_multiple_of(TRIAL_FRAMES);
+    let plan = trial(scene, voxels, few, run)?;
+    let (few, model) = (Call::of(&plan, run)?, plan.model);
+    let layout = &model.outputs()[0];
+    let (mut x, mut dose, mut gradient) =
+        (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
+    x.fill(1.0);
+    let zeros = x.zeros_like();
+    let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
+    let objective = scene.objective(layout, voxels)?;
+    model.dose(&x, &mut dose, run)?;
+    objective.value_and_gradient(&dose, &mut gradient);
+    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    let vector_s = vector_s / x.len().max(1) as f64;
+    drop((x, dose, gradient, zeros, objective, model));
+    let more = trial(scene, voxels, few.frames * MORE_FRAMES, run)?;
+    let more = Call::of(&more, run)?;
+    let (per_call_s, per_update_s) = line([
+        (few.updates as f64, few.seconds),
+        (more.updates as f64, more.seconds),
+    ]);
+    Ok(Rates {
+        updates_per_s: 1.0 / per_update_s,
+        per_call_s,
+        updates_per_frame: few.updates as f64 / few.frames.max(1) as f64,
+        objective_s,
+        vector_s,
+        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
+        measuring_s: measuring(voxels)?,
+        model: plan.reason,
+    })
+}
+
+/// The job's model with about so many of its frames.
+fn trial(scene: &Scene, voxels: &Voxels, frames: usize, run: &Run) -> Result<planner::Plan> {
     let mut lights = scene.optics.lights_turning(1);
     for light in &mut lights {
         let step = light.pixels.frames().div_ceil(frames).max(1);
         let azimuths = &mut light.pixels.azimuths;
         *azimuths = azimuths.iter().copied().step_by(step).collect();
     }
-    let frames: usize = lights.iter().map(|l| l.pixels.frames()).sum();
     // A matrix is known for its own pixels only: what the geometry would take stands for it
     let choice = match &scene.optics.model {
         Choice::Matrix(_) => Choice::default(),
         other => other.clone(),
     };
-    let plan = planner::plan(
+    planner::plan(
         &choice,
         scene.setup(),
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),
         run,
-    )?;
-    let model = plan.model;
-    let layout = &model.outputs()[0];
-    let (mut x, mut dose, mut gradient) =
-        (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
-    x.fill(1.0);
-    model.dose(&x, &mut dose, run)?; // caches, threads and pages wake up
-    let (call_s, done) = timed(|| -> Result<()> {
-        model.dose(&x, &mut dose, run)?;
-        model.pullback(&x.clone(), &dose, &mut x, run)
-    });
-    done?;
-    let zeros = x.zeros_like();
-    let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = scene.objective(layout, voxels)?;
-    objective.value_and_gradient(&dose, &mut gradient);
-    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
-    let updates = model.updates() as f64;
-    Ok(Rates {
-        updates_per_s: 2.0 * updates / call_s,
-        updates_per_frame: updates / frames.max(1) as f64,
-        objective_s,
-        vector_s: vector_s / x.len().max(1) as f64,
-        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels)?,
-        model: plan.reason,
-    })
+    )
+}
+
+/// What a call of a model takes, the mean of a dose and an adjoint.
+struct Call {
+    frames: usize,
+    updates: u64,
+    seconds: f64,
+}
+
+impl Call {
+    fn of(plan: &planner::Plan, run: &Run) -> Result<Self> {
+        let model = plan.model.as_ref();
+        let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+        let mut gradient = x.zeros_like();
+        x.fill(1.0);
+        model.dose(&x, &mut dose, run)?; // caches, threads and pages wake up
+        let mut seconds = f64::INFINITY;
+        // The better of two: what disturbs a clock makes it longer
+        for _ in 0..2 {
+            let (found, done) = timed(|| -> Result<()> {
+                model.dose(&x, &mut dose, run)?;
+                model.pullback(&x, &dose, &mut gradient, run)
+            });
+            done?;
+            seconds = seconds.min(found);
+        }
+        Ok(Call {
+            frames: model.patterns().iter().map(|p| p.grid.frames()).sum(),
+            updates: model.updates(),
+            seconds: 0.5 * seconds,
+        })
+    }
+}
+
+/// The line through two measurements (size, seconds): seconds at size 0, and per size. Where the second is not larger or did
+/// not take longer, all is put on its size.
+fn line([few, more]: [(f64, f64); 2]) -> (f64, f64) {
+    let slope = (more.1 - few.1) / (more.0 - few.0);
+    let begin = few.1 - slope * few.0;
+    if more.0 > few.0 && slope > 0.0 && begin >= 0.0 {
+        return (begin, slope);
+    }
+    (0.0, more.1 / more.0.max(1.0))
 }
 
 /// Seconds, and what came out.
@@ -303,16 +366,23 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64().max(1e-7), result)
 }
 
-/// Seconds per voxel to measure a print, from every n-th voxel of the target taken for its dose: surfaces as long as a
-/// good print's, and as close to the part's.
+/// Seconds per voxel to measure a print, beside what measuring any print takes: from every n-th voxel of the target taken for
+/// its dose, so that surfaces are as long as a good print's, and as close to the part's.
 fn measuring(voxels: &Voxels) -> Result<f64> {
     let longest = voxels.labels.grid.shape.iter().copied().max();
-    let step = longest.unwrap_or(1).div_ceil(TRIAL_EDGE);
-    let labels = thinned(&voxels.labels, step);
-    let inside = thinned(&voxels.target.inside, step);
-    let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
-    let (seconds, _) = timed(|| evaluate(&print));
-    Ok(seconds / labels.values.len().max(1) as f64)
+    let mut found = [(0.0, 0.0); 2];
+    for (found, edge) in found.iter_mut().zip(TRIAL_EDGES) {
+        let step = longest.unwrap_or(1).div_ceil(edge);
+        let labels = thinned(&voxels.labels, step);
+        let inside = thinned(&voxels.target.inside, step);
+        let (seconds, measured) = timed(|| -> Result<_> {
+            let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
+            Ok(evaluate(&print))
+        });
+        drop(measured?);
+        *found = (labels.values.len() as f64, seconds);
+    }
+    Ok(line(found).1)
 }
 
 /// Every `step`-th voxel along each axis.
@@ -356,6 +426,7 @@ mod tests {
         Rates {
             model: String::new(),
             updates_per_s: 1000.0,
+            per_call_s: 0.5,
             updates_per_frame: 100.0,
             objective_s: 0.01,
             vector_s: 1e-5,
@@ -374,15 +445,16 @@ mod tests {
             wall_s: None,
         };
         let cost = work.cost(&rates());
-        // A call: 30 frames of 100 updates at 1000/s = 3 s. A step: two calls, 5 passes, 44 vectors of 500 pixels
-        let step = 2.0 * 3.0 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
+        // A call: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s. A step: two calls, 5 passes, 44 vectors of 500 pixels
+        let step = 2.0 * 3.5 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
         assert!(
-            (cost.optimisation_s - (7.0 * step + 4.0 * 3.0)).abs() < 1e-9,
+            (cost.optimisation_s - (7.0 * step + 4.0 * 3.5)).abs() < 1e-9,
             "{cost:?}"
         );
-        // Eight times the voxels, standing and turning (1 + 4 calls); measured twice, and the own grid once
-        let evaluation = 8.0 * 5.0 * 3.0 + 1000.0 * (17.0 * 2e-3 + 8.0 * 1e-3);
-        let rest = 1000.0 * 1e-3 + evaluation + 2e-3 * (2000.0 + 500.0);
+        // Eight times the voxels, standing and turning (1 + 4 calls); two measures of each, four of the own grid's, three of
+        // each pixel; both grids sampled
+        let measures = 1000.0 * (2.0 * 8.0 + 4.0) + 3.0 * 2000.0;
+        let rest = 8.0 * 5.0 * 3.5 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3;
         assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
         // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
         let averaged = Work {
@@ -390,7 +462,7 @@ mod tests {
             ..work
         }
         .cost(&rates());
-        assert!((averaged.optimisation_s - cost.optimisation_s - 18.0 * 2.0 * 3.0).abs() < 1e-9);
+        assert!((averaged.optimisation_s - cost.optimisation_s - 18.0 * 2.0 * 3.5).abs() < 1e-9);
         let limited = Work {
             wall_s: Some(1.0),
             ..work
@@ -398,8 +470,17 @@ mod tests {
         .cost(&rates());
         assert_eq!(
             (limited.optimisation_s, limited.rest_s),
-            (13.0, cost.rest_s)
+            (15.0, cost.rest_s)
         );
+    }
+
+    #[test]
+    fn two_measurements_tell_what_grows_from_what_does_not() {
+        let (begin, slope) = line([(10.0, 3.0), (40.0, 6.0)]);
+        assert!((begin - 2.0).abs() < 1e-12 && (slope - 0.1).abs() < 1e-12);
+        // A job that is too small for two sizes, and a clock that was disturbed
+        assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
+        assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
     }
 
     #[test]

@@ -175,7 +175,17 @@ const BYTES_PER_ENTRY: f64 = 36.0;
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a job that is too large; [`Error::Unsupported`] for a model that is
 /// not linear; [`Error::Cancelled`].
-pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
+pub fn matrix(
+    job: &Job,
+    path: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<[usize; 3]> {
+    let stage = |progress: &mut dyn Progress, name: &str| {
+        let name = name.to_owned();
+        progress.event(&Event::Stage { name });
+    };
+    stage(progress, "reading the job");
     let scene = Scene::new(job)?;
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
@@ -194,7 +204,10 @@ pub fn matrix(job: &Job, path: &Path, cancel: &Run) -> Result<[usize; 3]> {
         available_memory_mb(),
         "fewer voxels, pixels or angles: `--toy` is a trial",
     )?;
-    matrix::export(plan.model.as_ref(), path, cancel)
+    progress.event(&Event::Note { text: plan.reason });
+    stage(progress, "lighting every pixel");
+    let tell = &mut |done| progress.event(&Event::Part { done });
+    matrix::export(plan.model.as_ref(), path, cancel, tell)
 }
 
 /// Draws calibration frames for the machine of a job (each light has its own folder, when there are several).

@@ -41,6 +41,8 @@ pub(crate) struct Judged {
     pub(crate) response: Volume<f32>,
     /// What the bodies that are to stay dark get; None without any.
     pub(crate) keep_dark: Option<KeepDark>,
+    /// Which voxels of the finer grid belong to bodies that are not printed, for the report; None without any.
+    pub(crate) bodies: Option<Volume<u8>>,
     /// What random paths leave uncertain; None where none are drawn.
     pub(crate) noise: Option<Noise>,
     /// What people should know.
@@ -192,9 +194,10 @@ pub(crate) fn judge(
         (published, slices, response, evaluation)
     };
     let evaluation = evaluation.with_sub_angles(sub_angles);
-    let keep_dark = scene
-        .keep_dark(&grid)?
-        .map(|shares| KeepDark::of(&shares, &fine.labels, &response));
+    let shares = scene.keep_dark(&grid)?;
+    let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
+    let keep_dark = shares.as_ref().map(of_shares);
+    let bodies = scene.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
         let text = format!("what is to stay dark gets {dark}");
         progress.event(&Event::Note { text });
@@ -229,6 +232,7 @@ pub(crate) fn judge(
         fine,
         response,
         keep_dark,
+        bodies,
         noise,
         warnings,
     })

@@ -77,6 +77,11 @@ pub struct Parameter {
 #[must_use]
 pub fn parameters(page: &KindPage) -> Vec<Parameter> {
     let schema = page.schema.as_value();
+    parameters_of(schema, schema)
+}
+
+/// The keys of a table's schema, whose definitions are in `root`.
+pub(super) fn parameters_of(schema: &Value, root: &Value) -> Vec<Parameter> {
     let required: Vec<&str> = schema["required"]
         .as_array()
         .into_iter()
@@ -89,7 +94,7 @@ pub fn parameters(page: &KindPage) -> Vec<Parameter> {
         .flatten()
         .map(|(name, property)| Parameter {
             name: name.clone(),
-            kind: type_words(property, schema),
+            kind: type_words(property, root),
             default: property.get("default").filter(|d| !d.is_null()).cloned(),
             required: required.contains(&name.as_str()),
             meaning: property["description"]

@@ -5,7 +5,7 @@
 //! | text → values that know their lines | [`document`] |
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
-//! | every row of every family's table | [`kinds`], [`schema`] |
+//! | every row of every family's table | [`kinds`], [`schema`], [`page`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
@@ -24,6 +24,7 @@ pub mod kinds;
 mod noise;
 mod optimise;
 pub mod outcome;
+pub mod page;
 pub mod progress;
 pub mod read;
 pub mod resources;

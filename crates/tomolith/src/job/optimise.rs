@@ -511,8 +511,15 @@ fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     Ok(hash(bytemuck::cast_slice(&parts)))
 }
 
-/// Keys that name a file: fields, curves, maps, a matrix.
-const FILES: [&str; 3] = ["file", "absorption", "attenuation"];
+/// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light.
+const FILES: [&str; 6] = [
+    "file",
+    "absorption",
+    "attenuation",
+    "outer",
+    "inner",
+    "mesh",
+];
 
 /// Hashes of the contents of all files that tables name, in the order of their keys.
 fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
@@ -572,6 +579,32 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_file_that_a_job_names_is_looked_into() {
+        let folder = tempfile::tempdir().unwrap();
+        let tables = serde_json::json!({
+            "vial": { "mesh": { "outer": "o.stl", "inner": "i.stl", "refractive_index": 1.5 } },
+            "obstacles": [{ "mesh": "b.stl", "scale": 1.0 }],
+            "model": { "matrix": { "file": "m.npz" } },
+        });
+        let hashes = || {
+            let mut found = Vec::new();
+            contents(&tables, folder.path(), &mut found).map(|()| found)
+        };
+        let files = ["o.stl", "i.stl", "b.stl", "m.npz"];
+        for name in files {
+            assert!(hashes().is_err(), "{name} is not there yet");
+            std::fs::write(folder.path().join(name), "1").unwrap();
+        }
+        let before = hashes().unwrap();
+        assert_eq!(before.len(), files.len());
+        for name in files {
+            std::fs::write(folder.path().join(name), "2").unwrap();
+            assert_ne!(hashes().unwrap(), before, "{name}");
+            std::fs::write(folder.path().join(name), "1").unwrap();
+        }
+    }
 
     #[test]
     fn a_run_that_stayed_at_its_start_says_so() {

@@ -203,12 +203,12 @@ impl fmt::Display for Plan {
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;
         writeln!(
             f,
-            "{:>12} at most {} iterations: {}; evaluation and files: {} ({:.1} G updates/s as busy as this machine is)",
+            "{:>12} at most {} iterations: {}; evaluation and files: {} ({}updates/s as busy as this machine is)",
             "time",
             self.iterations,
             duration(self.optimisation_s),
             duration(self.seconds - self.optimisation_s),
-            self.updates_per_s / 1e9
+            large(self.updates_per_s)
         )?;
         for note in &self.notes {
             writeln!(f, "{:>12} {note}", "")?;
@@ -232,6 +232,22 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::WallTime => "the time is over",
         StopReason::Cancelled => "cancelled",
     }
+}
+
+/// A large number with the letter of its thousands, before a unit.
+///
+/// ```
+/// use tomolith::job::outcome::large;
+/// assert_eq!([2.46e10, 3.1e8, 4200.0, 12.0].map(large), ["24.6 G ", "310.0 M ", "4.2 k ", "12 "]);
+/// ```
+#[must_use]
+pub fn large(number: f64) -> String {
+    for (size, letter) in [(1e9, "G"), (1e6, "M"), (1e3, "k")] {
+        if number >= size {
+            return format!("{:.1} {letter} ", number / size);
+        }
+    }
+    format!("{number:.0} ")
 }
 
 /// Seconds, minutes or hours.

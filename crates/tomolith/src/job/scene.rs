@@ -22,6 +22,7 @@ use crate::objective::penalty::{PENALTIES, Penalties};
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{Needs, OPTIMIZERS, Optimizer};
+use crate::report;
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{
     self, Resolution, Role, Shape, Target, default_grid, label, label_columns, label_voxels,
@@ -102,6 +103,7 @@ impl Scene {
         optics
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
+        optics.matrix_must_fit(&grid)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
             let (common, _) = Common::split(section)?;
@@ -127,7 +129,7 @@ impl Scene {
         let mut scene = Scene {
             base: job.base(),
             name: spec.target.name(),
-            warnings: shape.warnings(),
+            warnings: [shape.warnings(), optics.leaning(shape.as_ref())].concat(),
             notes: Vec::new(),
             spec,
             shape,
@@ -295,6 +297,35 @@ impl Scene {
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.shape.body(Role::KeepDark);
         dark.map(|dark| dark.sample(grid)).transpose()
+    }
+
+    /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.
+    ///
+    /// # Errors
+    /// As [`target::voxelise`].
+    pub(crate) fn bodies(
+        &self,
+        grid: &VolumeGrid,
+        dark: Option<&Volume<f32>>,
+    ) -> Result<Option<Volume<u8>>> {
+        let insert = self.shape.body(Role::Insert).map(|body| body.sample(grid));
+        let insert = insert.transpose()?;
+        if dark.is_none() && insert.is_none() {
+            return Ok(None);
+        }
+        let mut bodies = Volume::filled(grid.clone(), 0u8);
+        for (mark, shares) in [(report::DARK, dark), (report::INSERT, insert.as_ref())] {
+            let shares = shares.into_iter().flat_map(|shares| &shares.values);
+            for (body, _) in bodies
+                .values
+                .iter_mut()
+                .zip(shares)
+                .filter(|(_, s)| **s >= 0.5)
+            {
+                *body = mark;
+            }
+        }
+        Ok(Some(bodies))
     }
 
     /// The response of the material.

@@ -5,8 +5,10 @@ use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::grid::Volume;
 use crate::models::DoseModel;
+use crate::models::parallel::Light;
+use crate::models::planner::Setup;
 use crate::models::rays::{Params, Rays};
-use crate::models::{Choice, Run};
+use crate::models::{Choice, Run, scatter};
 use crate::optics::space::{Account, Leg};
 use serde::Serialize;
 
@@ -31,7 +33,7 @@ pub struct Traced {
     /// Pieces of its middle ray in the resin, in order.
     pub legs: Vec<TracedLeg>,
     /// Where its power went: mean of its rays, per emitted power.
-    pub account: TracedAccount,
+    pub account: Account,
 }
 
 /// A straight piece in the resin.
@@ -45,39 +47,6 @@ pub struct TracedLeg {
     pub power: f64,
 }
 
-/// Shares of the emitted power; they add up to 1.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct TracedAccount {
-    /// Taken by the resin.
-    pub absorbed: f64,
-    /// Taken by a bath before the vial.
-    pub bath: f64,
-    /// Reflected at walls and not followed.
-    pub reflected: f64,
-    /// Left the vial after it had passed resin.
-    pub transmitted: f64,
-    /// Never met resin.
-    pub missed: f64,
-    /// Ended at a black body.
-    pub blocked: f64,
-    /// Given up as too weak, or after too many interfaces.
-    pub dropped: f64,
-}
-
-impl From<Account> for TracedAccount {
-    fn from(account: Account) -> Self {
-        TracedAccount {
-            absorbed: account.absorbed,
-            bath: account.bath,
-            reflected: account.reflected,
-            transmitted: account.transmitted,
-            missed: account.missed,
-            blocked: account.blocked,
-            dropped: account.dropped,
-        }
-    }
-}
-
 impl From<Leg> for TracedLeg {
     fn from(leg: Leg) -> Self {
         TracedLeg {
@@ -88,7 +57,7 @@ impl From<Leg> for TracedLeg {
     }
 }
 
-/// Traces pixels of a job by the `rays` model, and gives the dose of all of them at a value of 1.
+/// Traces pixels of a job by the `rays` model, or the `scatter` model where the resin scatters, and gives the dose of all of them at a value of 1.
 ///
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
@@ -116,18 +85,7 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             ));
         }
     }
-    let params = match &scene.optics.model {
-        Choice::Rays(params) => params.clone(),
-        _ => Params::default(),
-    };
-    let setup = scene.optics.setup();
-    let model = Rays::new(
-        setup.vial,
-        lights,
-        setup.optics,
-        &params,
-        scene.grid.clone(),
-    )?;
+    let model = model(&scene, lights)?;
     let mut x = DoseModel::new_patterns(&model)?;
     let mut traced = Vec::with_capacity(pixels.len());
     for &pixel in pixels {
@@ -139,11 +97,25 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
         traced.push(Traced {
             pixel,
             legs: legs.into_iter().map(TracedLeg::from).collect(),
-            account: account.into(),
+            account,
         });
     }
     let mut dose = DoseModel::new_dose(&model)?;
     model.dose(&x, &mut dose, cancel)?;
     let volume = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
     Ok((traced, volume))
+}
+
+/// Rays of the job's own model, or of the one that covers its optics.
+fn model(scene: &Scene, lights: Vec<Light>) -> Result<Rays> {
+    let Setup { vial, optics } = scene.optics.setup();
+    let grid = scene.grid.clone();
+    match &scene.optics.model {
+        Choice::Scatter(params) => scatter::model(vial, &lights, optics, params, grid),
+        Choice::Rays(params) => Rays::new(vial, lights, optics, params, grid),
+        _ if scene.optics.setup().scatters() => {
+            scatter::model(vial, &lights, optics, &scatter::Params::default(), grid)
+        }
+        _ => Rays::new(vial, lights, optics, &Params::default(), grid),
+    }
 }

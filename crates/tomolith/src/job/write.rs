@@ -4,6 +4,7 @@ use super::device::{self, Written};
 use super::folder::RunFolder;
 use super::judge::Judged;
 use super::optimise::Optimised;
+use super::outcome::large;
 use super::progress::Progress;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -151,6 +152,7 @@ fn report(
         labels: &judged.fine.labels,
         response: &judged.response,
         inside: Some(&judged.fine.target.inside),
+        bodies: judged.bodies.as_ref(),
         window: window(&resolved),
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
@@ -225,7 +227,7 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
     if let Some(optimised) = optimised {
         let seconds = optimised.outcome.counters.model_s.max(1e-9);
         let calls = optimised.outcome.counters.forward + optimised.outcome.counters.adjoint;
-        let speed = calls as f64 * optimised.updates as f64 / seconds / 1e9;
+        let speed = large(calls as f64 * optimised.updates as f64 / seconds);
         facts.push(("Optimiser", kind(&spec.optimizer)));
         facts.push(("Model", optimised.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));

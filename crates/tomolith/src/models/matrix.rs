@@ -138,22 +138,7 @@ impl MatrixModel {
     /// # Errors
     /// [`Error::Shape`] when the matrix does not fit; [`Error::Unsupported`] when it is too large to be numbered.
     pub fn new(matrix: &Csr, pixels: Vec<PatternGrid>, grid: VolumeGrid) -> Result<Self> {
-        let [nz, ny, nx] = grid.shape;
-        let count = |g: &PatternGrid| g.len();
-        let whole = [grid.len(), pixels.iter().map(count).sum()];
-        let tile = [ny * nx, pixels.iter().map(|g| g.frames() * g.columns).sum()];
-        let found = [matrix.rows(), matrix.columns];
-        let is_tiled = found == tile && pixels.iter().all(|g| g.rows == nz);
-        if !is_tiled && found != whole {
-            return Err(Error::Shape {
-                what: format!(
-                    "matrix [voxels, pixels] (or {tile:?} when there are as many rows as slices)"
-                ),
-                expected: whole.to_vec(),
-                found: found.to_vec(),
-            });
-        }
-        let depth = if is_tiled { nz } else { 1 };
+        let depth = depth(matrix, &pixels, &grid)?;
         let mut patterns = Vec::with_capacity(pixels.len());
         let mut offset = 0;
         for grid in pixels {
@@ -222,12 +207,50 @@ impl MatrixModel {
     }
 }
 
+/// Whether a matrix fits these pixels (one grid per light) and voxels.
+///
+/// # Errors
+/// [`Error::Shape`] when it does not.
+pub fn must_fit(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<()> {
+    depth(matrix, pixels, grid).map(drop)
+}
+
+/// Slices that one entry serves: 1, or all of them.
+fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usize> {
+    let [nz, ny, nx] = grid.shape;
+    let whole = [grid.len(), pixels.iter().map(PatternGrid::len).sum()];
+    let tile = [ny * nx, pixels.iter().map(|g| g.frames() * g.columns).sum()];
+    let found = [matrix.rows(), matrix.columns];
+    if found == tile && pixels.iter().all(|g| g.rows == nz) {
+        return Ok(nz);
+    }
+    if found == whole {
+        return Ok(1);
+    }
+    Err(Error::Shape {
+        what: format!(
+            "matrix [voxels, pixels] (or {tile:?} when there are as many rows as slices)"
+        ),
+        expected: whole.to_vec(),
+        found: found.to_vec(),
+    })
+}
+
 /// The matrix of a linear model in array order: rows `[z, y, x]`, columns `[angle, row, column]` of one light after the
 /// other. Pixels that are not active have no entries.
 ///
 /// # Errors
 /// As [`MatrixModel::from_model`].
 pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
+    matrix_telling(model, run, &mut |_| {})
+}
+
+/// As [`matrix_of`]; `tell` hears, frame by frame, how much is done, 0 to 1.
+fn matrix_telling(
+    model: &dyn DoseModel<Field = HostField>,
+    run: &Run,
+    tell: &mut dyn FnMut(f64),
+) -> Result<Csr> {
     let refused = |reason: &str| {
         Err(Error::Unsupported {
             what: "a matrix of this model".to_owned(),
@@ -241,11 +264,13 @@ pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<
         return refused("it has more than one species");
     };
     let mut impulses = Impulses::new(model, output)?;
+    let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
     let mut first_frame = 0;
     let mut first_pixel = 0;
     for layout in model.patterns() {
         let grid = &layout.grid;
         for frame in 0..grid.frames() {
+            tell((first_frame + frame) as f64 / frames as f64);
             for column in 0..grid.columns {
                 impulses.light(
                     model,
@@ -270,7 +295,8 @@ pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<
     ))
 }
 
-/// Writes the matrix of a linear model as SciPy's CSR `.npz`; returns its number of rows, columns and entries.
+/// Writes the matrix of a linear model as SciPy's CSR `.npz`; returns its number of rows, columns and entries. `tell` hears
+/// how much is done, 0 to 1.
 ///
 /// # Errors
 /// As [`matrix_of`] and [`Csr::write`].
@@ -278,8 +304,9 @@ pub fn export(
     model: &dyn DoseModel<Field = HostField>,
     path: &Path,
     run: &Run,
+    tell: &mut dyn FnMut(f64),
 ) -> Result<[usize; 3]> {
-    let csr = matrix_of(model, run)?;
+    let csr = matrix_telling(model, run, tell)?;
     csr.write(path)?;
     Ok([csr.rows(), csr.columns, csr.entries()])
 }

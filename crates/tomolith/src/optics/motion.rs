@@ -40,12 +40,6 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Whether the vial only turns, about its own axis, before light that is normal to it.
-    #[must_use]
-    pub fn is_plain(&self) -> bool {
-        self.tilt_rad == 0.0 && self.is_symmetric()
-    }
-
     /// Whether a round vial looks the same from every azimuth.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {

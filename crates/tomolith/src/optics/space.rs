@@ -46,6 +46,7 @@ use super::resin::Resin;
 use super::surface::{Crossing, Surface, cross, dot, unit};
 use super::trace::Bath;
 use super::vial::{Curve, Medium, Vial};
+use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// A straight piece of a ray through resin.
@@ -87,7 +88,7 @@ impl Default for Limits {
 }
 
 /// Where the power of a ray went; all add up to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Account {
     /// Taken by the resin, active or not.
     pub absorbed: f64,

@@ -1,8 +1,8 @@
 //! The pictures of the page: slices, sinogram, frames.
 
-use super::ReportData;
 use super::number::{escape, significant};
 use super::picture::{Colour, Picture, hex, inferno, reduction, viridis};
+use super::{DARK, INSERT, ReportData};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::target::label;
 use rayon::prelude::*;
@@ -158,27 +158,52 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     out
 }
 
+/// Bodies that are not printed, in pictures of the target: their mark, colour and name.
+pub(super) const BODIES: [(u8, Colour, &str); 2] = [
+    (DARK, [38, 44, 54, 255], "to stay dark"),
+    (INSERT, [201, 148, 46, 255], "insert"),
+];
+
 fn target_palette() -> Vec<Colour> {
     (0..=255u8)
         .map(|i| match i {
             NOTHING => [0; 4],
-            i => [122, 135, 151, 34 + (f64::from(i) / 254.0 * 156.0) as u8],
+            i if i > FULL => BODIES[usize::from(i - FULL) - 1].1,
+            i => [
+                122,
+                135,
+                151,
+                34 + (f64::from(i) / f64::from(FULL) * 156.0) as u8,
+            ],
         })
         .collect()
 }
+
+/// A pixel that lies wholly in the part; those above stand for [`BODIES`].
+const FULL: u8 = NOTHING - 1 - BODIES.len() as u8;
 
 fn target_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     let inside = |i: usize| match (data.labels.values[i], data.inside) {
         (_, Some(inside)) => inside.values[i].clamp(0.0, 1.0),
         (label, None) => f32::from(u8::from(label == label::PART)),
     };
+    let body = |i: usize| data.bodies.map_or(0, |bodies| bodies.values[i]);
     slice.picture(|voxels| {
-        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
-        let (sum, count) = counted.fold((0.0, 0.0), |(s, n), i| (s + inside(i), n + 1.0));
-        if count == 0.0 {
-            NOTHING
-        } else {
-            (254.0 * sum / count) as u8
+        let (mut sum, mut count, mut marked) = (0.0, 0.0, [0.0; BODIES.len()]);
+        for i in voxels {
+            let found = BODIES.iter().position(|(mark, ..)| *mark == body(i));
+            if let Some(at) = found {
+                marked[at] += 1.0;
+            } else if data.labels.values[i] != label::OUTSIDE {
+                sum += inside(i);
+                count += 1.0;
+            }
+        }
+        let most = (0..BODIES.len()).max_by(|a, b| f32::total_cmp(&marked[*a], &marked[*b]));
+        match most.filter(|&at| marked[at] > count) {
+            Some(at) => FULL + 1 + at as u8,
+            None if count == 0.0 => NOTHING,
+            None => (f32::from(FULL) * sum / count) as u8,
         }
     })
 }

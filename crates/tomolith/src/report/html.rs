@@ -4,7 +4,7 @@
 //! three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
-use super::figures::{FATES, dose_bar, error_bar, sinogram, slices, strip};
+use super::figures::{BODIES, FATES, dose_bar, error_bar, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
 use super::{LightReport, MovieReport, ReportData};
@@ -434,13 +434,17 @@ fn slices_section(data: &ReportData<'_>) -> String {
             error_bar(half_width),
         );
     }
+    let is_there = |mark: u8| data.bodies.is_some_and(|b| b.values.contains(&mark));
+    let bodies = BODIES.iter().filter(|(mark, ..)| is_there(*mark));
     let fates: String = FATES
         .iter()
+        .copied()
         .filter(|(_, name)| !name.is_empty())
+        .chain(bodies.map(|(_, colour, name)| (*colour, *name)))
         .map(|([r, g, b, a], name)| {
             format!(
                 "<span><i style=\"background:rgba({r},{g},{b},{:.2})\"></i>{name}</span>",
-                f64::from(*a) / 255.0
+                f64::from(a) / 255.0
             )
         })
         .collect();

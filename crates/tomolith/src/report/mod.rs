@@ -77,6 +77,8 @@ pub struct ReportData<'a> {
     pub response: &'a Volume<f32>,
     /// Inside fraction of the same voxels.
     pub inside: Option<&'a Volume<f32>>,
+    /// Which of the same voxels belong to a body that is not printed: [`DARK`] or [`INSERT`], else 0. None without such bodies.
+    pub bodies: Option<&'a Volume<u8>>,
     /// Thresholds of the objective `[lower, upper]`, where it has any: void below, part above.
     pub window: Option<[f64; 2]>,
     /// The headline: finer grid, written patterns, vial turning.
@@ -99,6 +101,11 @@ pub struct ReportData<'a> {
     pub timings: Vec<Timing>,
 }
 
+/// Of [`ReportData::bodies`]: a body that is to stay dark.
+pub const DARK: u8 = 1;
+/// Of [`ReportData::bodies`]: an insert.
+pub const INSERT: u8 = 2;
+
 impl ReportData<'_> {
     /// Whether volumes belong together.
     fn check(&self) -> Result<()> {
@@ -110,6 +117,7 @@ impl ReportData<'_> {
                 "inside fraction",
                 self.inside.map_or(expected, |v| v.values.len()),
             ),
+            ("bodies", self.bodies.map_or(expected, |v| v.values.len())),
         ];
         for (what, found) in lengths {
             if found != expected {
@@ -238,6 +246,7 @@ mod tests {
                 labels: &self.labels,
                 response: &self.response,
                 inside: None,
+                bodies: None,
                 window: Some([0.7, 0.9]),
                 evaluation,
                 standing: Some(evaluation),
@@ -321,6 +330,27 @@ mod tests {
                 "{tag}"
             );
         }
+    }
+
+    #[test]
+    fn bodies_that_are_not_printed_are_drawn_and_named() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let without = html::report_html(&data);
+        let labels = sample.labels.values.iter();
+        let bodies = Volume {
+            grid: sample.labels.grid.clone(),
+            values: labels
+                .map(|l| if *l == PART { 0 } else { INSERT })
+                .collect(),
+        };
+        data.bodies = Some(&bodies);
+        let with = html::report_html(&data);
+        assert!(with.contains("</i>insert<") && !without.contains("</i>insert<"));
+        assert!(!with.contains("</i>to stay dark<"));
+        let target = |page: &str| page.split("<image href=").nth(1).map(str::to_owned);
+        assert_ne!(target(&with), target(&without));
     }
 
     #[test]

@@ -166,3 +166,30 @@ fn label_slices(target: &Target, counts: impl Fn(usize, usize) -> bool + Sync) -
         values,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VolumeGrid;
+
+    #[test]
+    fn columns_are_labelled_as_their_voxels_are() {
+        let grid = VolumeGrid::centered([3, 5, 7], 0.1);
+        let values = (0..grid.len()).map(|i| (i % 4) as f32 / 3.0).collect();
+        let target = Target {
+            inside: Volume { grid, values },
+            name: String::new(),
+            grey: false,
+        };
+        let counts = |x: f64, y: f64| x.hypot(y) < 0.25;
+        let labels = label_columns(&target, |[x, y]| counts(x, y));
+        assert_eq!(labels, label_voxels(&target, |[x, y, _]| counts(x, y)));
+        let of = |wanted| labels.values.iter().filter(|l| **l == wanted).count();
+        assert!(
+            [label::OUTSIDE, label::VOID, label::PART]
+                .map(of)
+                .iter()
+                .all(|n| *n > 3)
+        );
+    }
+}
