@@ -3,6 +3,7 @@
 use crate::compare::CompareArguments;
 use crate::export::{CalibrateArguments, ExportArguments};
 use crate::export_matrix::MatrixArguments;
+use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
 use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
@@ -62,6 +63,8 @@ pub(crate) enum Command {
     ExportMatrix(MatrixArguments),
     /// Follow the light of single pixels: its way, where its power goes, its dose
     Trace(TraceArguments),
+    /// Translate a job of Dr.TVAM into one of ours
+    Import(ImportArguments),
     /// Draw calibration frames for a machine
     Calibrate(CalibrateArguments),
     /// Put several runs side by side on one page

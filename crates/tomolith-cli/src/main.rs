@@ -7,6 +7,7 @@ mod compare;
 mod export;
 mod export_matrix;
 mod help;
+mod import;
 mod metrics;
 mod screen;
 mod trace;
@@ -60,6 +61,7 @@ fn main() -> ExitCode {
             let job = read(&given.job, None)?;
             trace::run(given, &job, &cancel_on_ctrl_c())
         }),
+        Command::Import(given) => quick(given.manner, || import::import(given)),
         Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
         Command::Compare(given) => quick(given.manner, || compare::compare(given)),
     };

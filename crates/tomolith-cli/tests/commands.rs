@@ -338,3 +338,43 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
             .contains("none.toml")
     );
 }
+
+#[test]
+fn a_job_of_another_program_is_translated_and_can_be_checked() {
+    let bench = Bench::new();
+    let theirs = r#"{
+        "target": { "filename": "part.stl", "size": 2.0 },
+        "vial": { "type": "cylindrical", "r_int": 3, "r_ext": 3.4, "ior": 1.5,
+            "medium": { "ior": 1.48, "extinction": 0.1, "albedo": 0.0 } },
+        "projector": { "type": "collimated", "n_patterns": 24, "resx": 32, "resy": 16, "pixel_size": 0.1, "distance": 20,
+            "motion": "circular" },
+        "sensor": { "type": "dda", "scalex": 2.4, "scaley": 2.4, "scalez": 1.2,
+            "film": { "type": "vfilm", "resx": 24, "resy": 24, "resz": 12 } },
+        "n_steps": 3 }"#;
+    fs::write(bench.path("theirs.json"), theirs).unwrap();
+    let done = bench.json("import theirs.json --output ours.toml");
+    assert!(done["notes"][0].as_str().unwrap().contains("0.456"));
+    let ours = fs::read_to_string(bench.path("ours.toml")).unwrap();
+    let job: toml::Value = toml::from_str(&ours).unwrap();
+    assert_eq!(
+        job["vial"]["cylinder"]["outer_radius_mm"].as_float(),
+        Some(3.4)
+    );
+    // Nothing is written over, and what cannot be mapped is named
+    assert!(
+        bench
+            .expect(2, "import theirs.json --output ours.toml")
+            .contains("is there already")
+    );
+    fs::write(
+        bench.path("wrong.json"),
+        theirs.replace("n_steps", "n_stepps"),
+    )
+    .unwrap();
+    assert!(
+        bench
+            .expect(2, "import wrong.json --output wrong.toml")
+            .contains("did you mean `n_steps`")
+    );
+    assert!(!bench.path("wrong.toml").exists());
+}

@@ -31,7 +31,7 @@ use tomolith::target::{self, Target, TargetSpec, label, label_voxels};
 /// Half widths ε and the published losses, for B = 10.
 const PUBLISHED: [(f64, f64); 4] = [(0.2, 0.0), (0.1, 0.879), (0.05, 6.20), (0.0, 18.9)];
 /// Steps after which a run ends that their rule does not stop.
-const PATIENCE: usize = 3000;
+const PATIENCE: usize = 30_000;
 
 /// What M is.
 #[derive(Clone, Copy, PartialEq)]
@@ -271,7 +271,7 @@ fn row(image: &str, name: &str, setting: &Setting) -> Result<(), Error> {
         _ => "no progress",
     };
     println!(
-        "| {name} | {} | {:.3} | {:.3} | {:.3} | {} | {why} | {:.1} | {:.1} | {:.0} |",
+        "| {name} | {} | {:.3} | {:.3} | {:.4e} | {} | {why} | {:.1} | {:.1} | {:.0} |",
         setting.epsilon,
         at(0),
         at(10),
@@ -295,7 +295,7 @@ fn published(image: &str, voxels: usize) -> Result<(), Error> {
                 steepness,
                 ..Setting::published(voxels)
             };
-            row(image, "as published", &setting)?;
+            row(image, &format!("as published, B = {steepness}"), &setting)?;
         }
     }
     Ok(())
@@ -351,6 +351,9 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
         ("kernel linear", kernel(Kernel::Linear)),
         ("kernel line", kernel(Kernel::Line)),
         ("step ÷ 10", step(0.1)),
+        ("step × 0.5", step(0.5)),
+        ("step × 0.7", step(0.7)),
+        ("step × 2", step(2.0)),
         ("step × 10", step(10.0)),
         ("step × 100", step(100.0)),
         (

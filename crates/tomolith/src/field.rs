@@ -199,10 +199,16 @@ impl HostField {
     /// `len` zeros.
     #[must_use]
     pub fn zeros(len: usize) -> Self {
-        HostField {
-            lanes: vec![Lanes::default(); len.div_ceil(LANES)],
-            len,
-        }
+        let count = len.div_ceil(LANES);
+        // Fresh memory comes page by page to the thread that writes first: many pages want many threads
+        let lanes = if len > BLOCK {
+            rayon::iter::repeat_n(Lanes::default(), count)
+                .with_min_len(BLOCK / LANES)
+                .collect()
+        } else {
+            vec![Lanes::default(); count]
+        };
+        HostField { lanes, len }
     }
 
     /// A copy of a slice.

@@ -17,6 +17,7 @@ use crate::optics::surface::{Net, Surface};
 use crate::optics::trace::Bath;
 use crate::optics::vial::{Curve, VIALS, Vial};
 use crate::target::{MeshShape, Placement, Repair, Role, Shape, label};
+use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -54,7 +55,7 @@ impl Optics {
         match &mut model {
             Choice::Parallel(parallel) => kernel = parallel.kernel,
             Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
-            Choice::Cheapest | Choice::Rays(_) | Choice::Scatter(_) => {}
+            _ => {}
         }
         let obstacles = obstacles_of(spec, base)?;
         let motion = motion_of(spec)?;
@@ -120,12 +121,13 @@ impl Optics {
 
     /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
     /// where light is scattered.
-    pub(crate) fn model_for(&self, refine: usize) -> Choice {
+    pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
         let mut model = self.model.clone();
+        let setup = self.setup();
         if matches!(model, Choice::Cheapest) {
-            if self.setup().scatters() {
+            if setup.scatters() && setup.beyond_orders(&self.lights, grid).is_some() {
                 model = Choice::Scatter(scatter::Params::default());
-            } else if self.setup().beyond_parallel().is_some() {
+            } else if !setup.scatters() && setup.beyond_parallel().is_some() {
                 model = Choice::Rays(rays::Params::default());
             }
         }
@@ -249,19 +251,30 @@ impl Optics {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
         let reach = self.reach_mm();
-        let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
-        for (i, (&label, &inside)) in labels.values.iter().zip(&inside.values).enumerate() {
-            let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
-            if !is_part {
-                continue;
+        let size = (nx * ny).max(1);
+        let of_slice = |(labels, inside): (&[u8], &[f32])| {
+            let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
+            for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
+                let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
+                if !is_part {
+                    continue;
+                }
+                part += 1;
+                stray += u64::from(label == label::OUTSIDE);
+                let radius = grid.x(i % nx).hypot(grid.y(i / nx));
+                farthest = farthest.max(radius);
+                beyond += u64::from(radius > reach);
             }
-            part += 1;
-            let (x, y) = (grid.x(i % nx), grid.y(i / nx % ny));
-            stray += u64::from(label == label::OUTSIDE);
-            let radius = x.hypot(y);
-            farthest = farthest.max(radius);
-            beyond += u64::from(radius > reach);
-        }
+            (part, stray, beyond, farthest)
+        };
+        let slices = labels
+            .values
+            .par_chunks(size)
+            .zip(inside.values.par_chunks(size));
+        let (part, stray, beyond, farthest) = slices.map(of_slice).reduce(
+            || (0, 0, 0, 0.0),
+            |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2, a.3.max(b.3)),
+        );
         let mm3 = |voxels: u64| voxels as f64 * grid.voxel_mm3();
         if part == 0 {
             return Err(Error::config(

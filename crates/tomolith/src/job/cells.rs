@@ -41,6 +41,7 @@ pub(super) fn must_fit(spec: &JobSpec, shape: &dyn Shape, model: &Choice) -> Res
     let whole_voxels = match model {
         Choice::Parallel(_) => Some("[model.parallel]".to_owned()),
         Choice::Matrix(_) => Some("[model.matrix]".to_owned()),
+        Choice::Orders(_) => Some("[model.orders]".to_owned()),
         _ if method.needs().target.is_some() => Some(format!("[optimizer.{}]", kind.name)),
         _ => None,
     };

@@ -3,19 +3,20 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
+use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::Result;
-use crate::field::BLOCK;
+use crate::field::{BLOCK, Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::kind::Section;
 use crate::metrics::print::{PatternStats, Print};
-use crate::metrics::published::slices::{Slice, slices};
+use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
-use crate::models::{Run, planner};
+use crate::models::{Choice, DoseLayout, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -40,6 +41,8 @@ pub(crate) struct Judged {
     pub(crate) response: Volume<f32>,
     /// What the bodies that are to stay dark get; None without any.
     pub(crate) keep_dark: Option<KeepDark>,
+    /// What random paths leave uncertain; None where none are drawn.
+    pub(crate) noise: Option<Noise>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -113,13 +116,15 @@ pub(crate) fn judge(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Judged> {
+    let mut room = Room::default();
     let optimisation = match raw {
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
-            let dose = dose(scene, lights, &scene.grid, raw, cancel)?;
+            let dose = dose(scene, lights, &scene.grid, raw, &mut room, cancel)?;
             let response = scene.responses(dose)?;
             let evaluation = measure(scene, voxels, &response, raw)?;
+            room.values = response.values;
             Some(evaluation.with_sub_angles(scene.spec.light[0].sub_angles))
         }
     };
@@ -127,7 +132,8 @@ pub(crate) fn judge(
         None => None,
         Some(_) => {
             let lights = scene.optics.lights.clone();
-            let response = scene.responses(dose(scene, lights, &scene.grid, shown, cancel)?)?;
+            let response =
+                scene.responses(dose(scene, lights, &scene.grid, shown, &mut room, cancel)?)?;
             headline(voxels)
                 .metric
                 .measure(&print(scene, voxels, &response)?)
@@ -140,23 +146,27 @@ pub(crate) fn judge(
         "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
     );
     progress.event(&Event::Note { text });
+    room = Room::default();
     let fine = scene.voxels(&grid)?;
     let response = scene.responses(dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
         shown,
+        &mut room,
         cancel,
     )?)?;
     let standing = measure(scene, &fine, &response, shown)?;
-    drop(response);
+    room.values = response.values;
     let turning = dose(
         scene,
         scene.optics.lights_turning(sub_angles),
         &grid,
         shown,
+        &mut room,
         cancel,
     )?;
+    drop(room);
     let mean = averaged(&turning, &scene.grid);
     let material = scene.response()?;
     let options = published::Options {
@@ -166,10 +176,22 @@ pub(crate) fn judge(
         trim_percent: scene.spec.evaluate.trim_percent,
         epsilon: scene.band_half_width(),
     };
-    let published = published::published(&turning, &fine.target.inside, &fine.labels, &options)?;
-    let slices = slices(&turning, &fine.labels, options.trim_percent);
-    let response = scene.responses(turning)?;
-    let evaluation = measure(scene, &fine, &response, shown)?.with_sub_angles(sub_angles);
+    let stats = PatternStats::of(shown);
+    let (published, slices, response, evaluation) = if material.is_identity() {
+        // The dose is the response: what was counted of one serves the other
+        let print = print(scene, &fine, &turning)?.with_patterns(stats);
+        let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
+        let evaluation = evaluate(&print);
+        drop(print);
+        (published, slices, turning, evaluation)
+    } else {
+        let (published, slices) =
+            published::by_slices(&turning, &fine.target.inside, &fine.labels, &options)?;
+        let response = scene.responses(turning)?;
+        let evaluation = measure(scene, &fine, &response, shown)?;
+        (published, slices, response, evaluation)
+    };
+    let evaluation = evaluation.with_sub_angles(sub_angles);
     let keep_dark = scene
         .keep_dark(&grid)?
         .map(|shares| KeepDark::of(&shares, &fine.labels, &response));
@@ -184,9 +206,15 @@ pub(crate) fn judge(
         standing: &standing,
         turning: &evaluation,
     };
+    let noise = Noise::of(scene, voxels, shown, cancel)?;
+    if let Some(noise) = &noise {
+        let text = format!("random paths: {noise}");
+        progress.event(&Event::Note { text });
+    }
     let warnings: Vec<String> = steps
         .sentence(scene.spec.evaluate.bit_depth)
         .into_iter()
+        .chain(noise.and_then(|noise| noise.warning()))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -201,6 +229,7 @@ pub(crate) fn judge(
         fine,
         response,
         keep_dark,
+        noise,
         warnings,
     })
 }
@@ -255,20 +284,42 @@ impl Steps<'_> {
     }
 }
 
-/// Dose of patterns on a grid.
+/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
+#[derive(Default)]
+pub(super) struct Room {
+    field: HostField,
+    values: Vec<f32>,
+}
+
+/// Dose of patterns on a grid, by the model that judges.
 fn dose(
+    scene: &Scene,
+    lights: Vec<Light>,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    room: &mut Room,
+    cancel: &Run,
+) -> Result<Volume<f32>> {
+    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
+    let choice = scene.optics.model_for(refine, grid);
+    dose_by(&choice, scene, lights, grid, patterns, room, cancel)
+}
+
+/// Dose of patterns on a grid.
+pub(super) fn dose_by(
+    choice: &Choice,
     scene: &Scene,
     mut lights: Vec<Light>,
     grid: &VolumeGrid,
     patterns: &[Patterns],
+    room: &mut Room,
     cancel: &Run,
 ) -> Result<Volume<f32>> {
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
     }
-    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let model = planner::plan(
-        &scene.optics.model_for(refine),
+        choice,
         scene.optics.setup(),
         lights,
         grid.clone(),
@@ -280,10 +331,14 @@ fn dose(
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
     }
-    let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, cancel)?;
+    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
+    if room.field.len() != wanted {
+        room.field = model.new_dose()?;
+    }
+    model.dose(&x, &mut room.field, cancel)?;
     drop(x);
-    Ok(model.outputs()[0].volume_of(dose.as_slice()))
+    let values = std::mem::take(&mut room.values);
+    Ok(model.outputs()[0].volume_in(room.field.as_slice(), values))
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -305,7 +360,11 @@ fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
 }
 
 /// What the metrics look at.
-fn print<'a>(scene: &Scene, voxels: &'a Voxels, response: &'a Volume<f32>) -> Result<Print<'a>> {
+pub(super) fn print<'a>(
+    scene: &Scene,
+    voxels: &'a Voxels,
+    response: &'a Volume<f32>,
+) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
     let mut print = Print::new(&voxels.labels, response)?.with_inside(inside)?;
     if voxels.target.grey {

@@ -7,6 +7,7 @@
 //! | every range and every pair that must fit | [`validate`] |
 //! | every row of every family's table | [`kinds`], [`schema`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
+//! | jobs of another program | [`mod@import`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod build;
@@ -17,8 +18,10 @@ pub mod document;
 mod estimate;
 pub mod export;
 pub mod folder;
+pub mod import;
 mod judge;
 pub mod kinds;
+mod noise;
 mod optimise;
 pub mod outcome;
 pub mod progress;
@@ -34,6 +37,7 @@ mod write;
 
 pub use document::Document;
 pub use folder::RunFolder;
+pub use import::{Imported, import};
 pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
 pub use read::Job;

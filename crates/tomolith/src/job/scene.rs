@@ -23,7 +23,9 @@ use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{Needs, OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response, dose_for};
-use crate::target::{self, Resolution, Role, Shape, Target, default_grid, label, label_voxels};
+use crate::target::{
+    self, Resolution, Role, Shape, Target, default_grid, label, label_columns, label_voxels,
+};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -91,15 +93,15 @@ impl Scene {
         let has_cells = cells::key(&spec)?.is_some();
         try_kinds(&spec, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
-        optics
-            .setup()
-            .must_be_covered(&optics.model, &optics.lights)?;
         counted_as(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
+        optics
+            .setup()
+            .must_be_covered(&optics.model, &optics.lights, &grid)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
             let (common, _) = Common::split(section)?;
@@ -245,10 +247,12 @@ impl Scene {
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
         let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
             .map_err(|e| at_grid(&self.spec, e))?;
-        let mut labels = label_voxels(
-            &target,
-            self.optics.counts(self.spec.grid.region, &self.grid),
-        );
+        let counts = self.optics.counts(self.spec.grid.region, &self.grid);
+        let mut labels = if self.optics.vial.is_invariant() {
+            label_columns(&target, |[x, y]| counts([x, y, 0.0]))
+        } else {
+            label_voxels(&target, counts)
+        };
         // There is no resin in an insert
         if let Some(insert) = self.shape.body(Role::Insert) {
             let inside = insert.sample(grid)?.values;

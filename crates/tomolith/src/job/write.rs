@@ -19,6 +19,7 @@ use crate::metrics::published::unit_systems::UnitSystem;
 use crate::metrics::published::value_of;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
+use std::panic::resume_unwind;
 use std::path::Path;
 
 /// Everything there is at the end of a run.
@@ -61,7 +62,6 @@ pub(crate) fn all(
             raw: patterns.raw.as_ref().map(|raw| &raw[i]),
         })
         .collect();
-    write_patterns(&new.join("patterns.npz"), &pairs)?;
     let frames = patterns.frames(scene)?;
     let sets: Vec<FrameSet<'_>> = frames
         .iter()
@@ -77,18 +77,31 @@ pub(crate) fn all(
         &frames,
         gel_dose,
     );
-    let movies = shown.write(&new, &scene.name, &sets, progress)?;
-    write_volume(&new.join("dose.npy"), &judged.dose)?;
-    write_vti(
-        &new.join("dose.vti"),
-        &scene.grid,
-        &[
-            ("dose", VtiValues::F32(&judged.dose.values)),
-            ("target", VtiValues::F32(&voxels.target.inside.values)),
-            ("label", VtiValues::U8(&voxels.labels.values)),
-        ],
-    )?;
-    print(scene, judged, &new.join("print.stl"))?;
+    let arrays = || -> Result<()> {
+        write_patterns(&new.join("patterns.npz"), &pairs)?;
+        write_volume(&new.join("dose.npy"), &judged.dose)?;
+        write_vti(
+            &new.join("dose.vti"),
+            &judged.dose.grid,
+            &[
+                ("dose", VtiValues::F32(&judged.dose.values)),
+                ("target", VtiValues::F32(&voxels.target.inside.values)),
+                ("label", VtiValues::U8(&voxels.labels.values)),
+            ],
+        )
+    };
+    // The large arrays go to the disk while frames, movies and the surface are made
+    let (arrays, movies) = std::thread::scope(|scope| {
+        let arrays = scope.spawn(arrays);
+        let movies = shown.write(&new, &scene.name, &sets, progress);
+        let movies = movies.and_then(|movies| {
+            print(scene, judged, &new.join("print.stl"))?;
+            Ok(movies)
+        });
+        (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
+    });
+    arrays?;
+    let movies = movies?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -170,6 +183,9 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
     if let Some(dark) = judged.keep_dark {
         map.insert("keep_dark".to_owned(), serde_json::json!(dark));
     }
+    if let Some(noise) = judged.noise {
+        map.insert("paths".to_owned(), serde_json::json!(noise));
+    }
     let resin = &scene.spec.resin;
     let brightest = PatternStats::of(&done.patterns.shown).max;
     let threshold = value_of(&judged.published, "threshold_jaccard");
@@ -212,13 +228,13 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
         let speed = calls as f64 * optimised.updates as f64 / seconds / 1e9;
         facts.push(("Optimiser", kind(&spec.optimizer)));
         facts.push(("Model", optimised.model.clone()));
-        facts.push((
-            "Speed",
-            format!("{speed:.1} G voxel-angle updates per second"),
-        ));
+        facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
     }
     if let Some(dark) = &judged.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));
+    }
+    if let Some(noise) = &judged.noise {
+        facts.push(("Random paths", noise.to_string()));
     }
     facts
         .into_iter()

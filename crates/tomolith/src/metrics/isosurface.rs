@@ -107,7 +107,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// The surface around what is above `level`.
 #[must_use]
 pub fn isosurface(volume: &Volume<f32>, level: f64) -> Surface {
-    isosurface_of(&volume.grid, level, |i| volume.values[i])
+    isosurface_of(&volume.grid, level, rows_of(&volume.values))
 }
 
 /// The value that stands for "not gelled" beside a level: 0, or less when the level itself is not above 0.
@@ -116,16 +116,21 @@ pub fn beyond(level: f64) -> f32 {
     if level > 0.0 { 0.0 } else { level as f32 - 1.0 }
 }
 
-/// As [`isosurface`], of values by position in the array.
+/// Rows of an array, for [`isosurface_of`].
+pub fn rows_of(values: &[f32]) -> impl Fn(usize, &mut [f32]) + Sync {
+    |first, row| row.copy_from_slice(&values[first..][..row.len()])
+}
+
+/// As [`isosurface`], of values that `fill` writes: a row of voxels along x that begins at a position of the array.
 pub fn isosurface_of(
     grid: &VolumeGrid,
     level: f64,
-    value: impl Fn(usize) -> f32 + Sync,
+    fill: impl Fn(usize, &mut [f32]) + Sync,
 ) -> Surface {
     if grid.is_empty() {
         return Surface::default();
     }
-    let march = March::new(grid, level, &value);
+    let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
     let counts: Vec<usize> = slabs
         .par_iter()
@@ -162,13 +167,13 @@ pub fn isosurface_of(
 pub fn isosurface_pieces<E>(
     grid: &VolumeGrid,
     level: f64,
-    value: impl Fn(usize) -> f32 + Sync,
+    fill: impl Fn(usize, &mut [f32]) + Sync,
     mut take: impl FnMut(&Surface) -> Result<(), E>,
 ) -> Result<(), E> {
     if grid.is_empty() {
         return Ok(());
     }
-    let march = March::new(grid, level, &value);
+    let march = March::new(grid, level, &fill);
     for some in slabs(grid).chunks(PIECES_AT_ONCE) {
         let pieces: Vec<Surface> = some
             .par_iter()
@@ -217,11 +222,11 @@ struct March<'a, F> {
     pad: f32,
     width: usize,
     height: usize,
-    value: &'a F,
+    fill: &'a F,
 }
 
-impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
-    fn new(grid: &'a VolumeGrid, level: f64, value: &'a F) -> Self {
+impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
+    fn new(grid: &'a VolumeGrid, level: f64, fill: &'a F) -> Self {
         let nearest = level as f32;
         March {
             grid,
@@ -234,7 +239,7 @@ impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
             pad: beyond(level),
             width: grid.shape[2] + 2,
             height: grid.shape[1] + 2,
-            value,
+            fill,
         }
     }
 
@@ -251,14 +256,15 @@ impl<'a, F: Fn(usize) -> f32 + Sync> March<'a, F> {
             return;
         }
         for y in 1..h - 1 {
-            let first = self.grid.index(k - 1, y - 1, 0);
-            for x in 1..w - 1 {
-                let value = (self.value)(first + x - 1);
-                let inside = u8::from(value > self.cut);
-                plane.values[y * w + x] = value;
-                plane.inside[y * w + x] = inside;
-                plane.rows[y] |= inside == 1;
+            let row = y * w + 1..(y + 1) * w - 1;
+            let values = &mut plane.values[row.clone()];
+            (self.fill)(self.grid.index(k - 1, y - 1, 0), values);
+            let mut any = 0;
+            for (inside, value) in plane.inside[row].iter_mut().zip(values) {
+                *inside = u8::from(*value > self.cut);
+                any |= *inside;
             }
+            plane.rows[y] = any == 1;
         }
     }
 
@@ -668,7 +674,7 @@ mod tests {
         isosurface_pieces(
             &volume.grid,
             1.0,
-            |i| volume.values[i],
+            rows_of(&volume.values),
             |piece| -> Result<(), ()> {
                 pieces += 1;
                 triangles.extend(flat(piece));
@@ -680,7 +686,7 @@ mod tests {
         assert_eq!(triangles, flat(&whole));
         let stop = |_: &Surface| Err("enough");
         assert_eq!(
-            isosurface_pieces(&volume.grid, 1.0, |i| volume.values[i], stop),
+            isosurface_pieces(&volume.grid, 1.0, rows_of(&volume.values), stop),
             Err("enough")
         );
     }

@@ -254,7 +254,9 @@ impl<'a> Print<'a> {
         let Some(threshold) = self.gel_threshold() else {
             return Surface::default();
         };
-        isosurface_of(self.grid(), threshold, |i| self.printed_value(i, threshold))
+        isosurface_of(self.grid(), threshold, |i, row| {
+            self.printed_row(i, threshold, row);
+        })
     }
 
     /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
@@ -268,25 +270,36 @@ impl<'a> Print<'a> {
         let Some(threshold) = self.gel_threshold() else {
             return Ok(());
         };
-        let value = |i| self.printed_value(i, threshold);
-        isosurface_pieces(self.grid(), threshold, value, take)
+        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
+        isosurface_pieces(self.grid(), threshold, fill, take)
     }
 
-    /// Response of a voxel, nothing outside of the resin.
-    pub(super) fn printed_value(&self, i: usize, threshold: f64) -> f32 {
-        if self.labels.values[i] == label::OUTSIDE {
-            beyond(threshold)
-        } else {
-            self.response.values[i]
+    /// Response of a row of voxels that begins at a position, nothing outside of the resin.
+    pub(super) fn printed_row(&self, first: usize, threshold: f64, row: &mut [f32]) {
+        let outside = beyond(threshold);
+        let (labels, response) = (&self.labels.values, &self.response.values);
+        let voxels = labels[first..].iter().zip(&response[first..]);
+        for (value, (&label, &response)) in row.iter_mut().zip(voxels) {
+            *value = if label == label::OUTSIDE {
+                outside
+            } else {
+                response
+            };
         }
     }
 
-    /// Inside fraction of a voxel, or 0 and 1 by its label when none is known.
-    pub(super) fn target_value(&self, i: usize) -> f32 {
-        match (self.labels.values[i], self.inside) {
-            (label::OUTSIDE, _) => 0.0,
-            (_, Some(inside)) => inside.values[i],
-            (label, None) => f32::from(u8::from(label == label::PART)),
+    /// Inside fraction of a row of voxels, or 0 and 1 by label when none is known.
+    pub(super) fn target_row(&self, first: usize, row: &mut [f32]) {
+        let labels = &self.labels.values[first..];
+        let Some(inside) = self.inside else {
+            for (value, &label) in row.iter_mut().zip(labels) {
+                *value = f32::from(u8::from(label == label::PART));
+            }
+            return;
+        };
+        let voxels = labels.iter().zip(&inside.values[first..]);
+        for (value, (&label, &inside)) in row.iter_mut().zip(voxels) {
+            *value = if label == label::OUTSIDE { 0.0 } else { inside };
         }
     }
 

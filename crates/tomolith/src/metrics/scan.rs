@@ -11,8 +11,9 @@
 //!
 //! 1. One pass counts part and void voxels in 2²² buckets, the top 22 bits of the f32 (ordered like the numbers). In the
 //!    gaps between buckets IoU is then exact, and inside a bucket it is bounded by the counts before and after it.
-//! 2. Buckets whose bounds leave a question open (can the best IoU be in here? does it cross 0.95 of the best here?) are
-//!    counted once more by their low 10 bits: one bin is one f32 value, and nothing remains open.
+//! 2. Buckets whose bounds leave a question open (can the best IoU be in here? does it cross 0.95 of the best here? does
+//!    a threshold or a rank that is asked for lie in here?) are counted once more by their low 10 bits: one bin is one f32
+//!    value, and nothing remains open. What was opened is kept for later questions.
 //!
 //! Everything is whole numbers compared as fractions, so the result is exact and does not depend on the order.
 //!
@@ -22,7 +23,8 @@
 //! threshold.
 //!
 //! # Cost
-//! Two passes over response and labels, each about a second for 10⁹ voxels on two cores, and 32 MB per thread.
+//! Two passes over response and labels, each about a second for 10⁹ voxels on two cores, and 32 MB per thread; one more for
+//! each later question, or list of them, about buckets that are still closed.
 //!
 //! # Example
 //! Part voxels 0.9 and 0.7, void voxels 0.2 and 0.8:
@@ -41,11 +43,9 @@ use super::buckets::{
 };
 use super::spread::{Spread, Sums, spread};
 use crate::error::{Error, Result};
-use crate::field::BLOCK;
-use crate::target::label;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// Open buckets that are counted in one pass, at most: 32 MB per thread.
 const OPEN_AT_ONCE: usize = 4096;
@@ -111,7 +111,8 @@ pub struct Scan<'a> {
     response: &'a [f32],
     buckets: Vec<Bucket>,
     spread: [Option<Spread>; 2],
-    settled: OnceLock<Option<(Opened, Fraction)>>,
+    opened: Mutex<Opened>,
+    settled: OnceLock<Option<Fraction>>,
 }
 
 impl<'a> Scan<'a> {
@@ -145,6 +146,7 @@ impl<'a> Scan<'a> {
             response,
             buckets: Vec::new(),
             spread: [0, 1].map(|c| spread(&blocks, c)),
+            opened: Mutex::new(Opened::new()),
             settled: OnceLock::new(),
         };
         // Only tops between the smallest and the largest value can be filled
@@ -193,22 +195,68 @@ impl<'a> Scan<'a> {
         self.spread.map(|s| s.map_or(0, |s| s.count))
     }
 
-    /// Part and void voxels whose response is above a threshold: one pass over all voxels.
+    /// Part and void voxels whose response is above a threshold.
     #[must_use]
     pub fn count_above(&self, threshold: f64) -> [u64; 2] {
-        self.labels
-            .par_chunks(BLOCK)
-            .zip(self.response.par_chunks(BLOCK))
-            .map(|(labels, values)| {
-                let mut counts = [0u64; 2];
-                for (&label, &value) in labels.iter().zip(values) {
-                    let above = u64::from(f64::from(value) > threshold);
-                    counts[0] += above & u64::from(label == label::PART);
-                    counts[1] += above & u64::from(label == label::VOID);
-                }
-                counts
-            })
-            .reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
+        let (at, is_within) = self.bucket_at(threshold);
+        let Some(bucket) = self.buckets.get(at).filter(|_| !threshold.is_nan()) else {
+            return [0, 0];
+        };
+        if !is_within {
+            return bucket.up_from_here();
+        }
+        self.open(&[at]);
+        let opened = self.opened();
+        let above = opened[&at]
+            .iter()
+            .filter(|(value, _)| f64::from(*value) > threshold);
+        above.fold(bucket.above, |sum, (_, counts)| {
+            [sum[0] + counts[0], sum[1] + counts[1]]
+        })
+    }
+
+    /// The first bucket that does not lie below a threshold, and whether the threshold lies in it.
+    fn bucket_at(&self, threshold: f64) -> (usize, bool) {
+        let at = self.buckets.partition_point(|b| b.end() <= threshold);
+        let within = self.buckets.get(at).is_some_and(|b| b.start() <= threshold);
+        (at, within)
+    }
+
+    /// The value of a rank, 0 = the smallest, among the part's voxels (`class` 0) or the void's (1); `None` when there are
+    /// not that many.
+    pub(super) fn value_at(&self, class: usize, rank: u64) -> Option<f32> {
+        let at = self.bucket_of(class, rank)?;
+        self.open(&[at]);
+        let above = self.buckets[at].above[class];
+        let mut below = self.totals()[class] - above - self.buckets[at].counts[class];
+        let opened = self.opened();
+        let found = opened[&at].iter().find(|(_, counts)| {
+            below += counts[class];
+            below > rank
+        });
+        found.map(|(value, _)| *value)
+    }
+
+    /// The bucket that a rank falls into.
+    fn bucket_of(&self, class: usize, rank: u64) -> Option<usize> {
+        let total = self.totals()[class];
+        let at = self
+            .buckets
+            .partition_point(|b| total - b.above[class] <= rank);
+        (rank < total).then_some(at)
+    }
+
+    /// Looks at the buckets of some thresholds and ranks `(class, rank)` in one pass, with those of the best IoU: questions
+    /// about them cost nothing afterwards.
+    pub(super) fn look_at(&self, thresholds: &[f64], ranks: &[(usize, u64)]) {
+        let places = thresholds.iter().map(|&t| self.bucket_at(t));
+        let of_thresholds = places.filter(|(_, within)| *within).map(|(at, _)| at);
+        let of_ranks = ranks
+            .iter()
+            .filter_map(|&(c, rank)| self.bucket_of(c, rank));
+        let mut wanted: Vec<usize> = of_thresholds.chain(of_ranks).collect();
+        wanted.extend(self.candidates());
+        self.open(&wanted);
     }
 
     /// IoU of {response > threshold} with the part, `None` when there is no part.
@@ -278,8 +326,21 @@ impl<'a> Scan<'a> {
         pieces
     }
 
-    /// Counts the values of some buckets one by one.
-    fn open(&self, wanted: &[usize], opened: &mut Opened) {
+    /// What was counted value by value so far.
+    fn opened(&self) -> MutexGuard<'_, Opened> {
+        self.opened.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Counts the values of some buckets one by one, those that are still closed.
+    fn open(&self, wanted: &[usize]) {
+        let mut opened = self.opened();
+        let mut wanted: Vec<usize> = wanted
+            .iter()
+            .copied()
+            .filter(|at| !opened.contains_key(at))
+            .collect();
+        wanted.sort_unstable();
+        wanted.dedup();
         for wanted in wanted.chunks(OPEN_AT_ONCE) {
             // Open buckets are close together, so a table between the outermost of them is small
             let (Some(&first), Some(&last)) = (wanted.first(), wanted.last()) else {
@@ -325,42 +386,44 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Pieces that are cut finely enough that the best IoU is exact, and that IoU.
-    fn settled(&self) -> Option<&(Opened, Fraction)> {
-        self.settled.get_or_init(|| self.settle()).as_ref()
+    /// The best IoU, of pieces that are cut finely enough for it to be exact.
+    fn settled(&self) -> Option<Fraction> {
+        *self.settled.get_or_init(|| self.settle())
     }
 
-    fn settle(&self) -> Option<(Opened, Fraction)> {
-        self.part()?;
-        let best_of =
-            |ious: &mut dyn Iterator<Item = Fraction>| ious.max_by(|a, b| a.compare(b, 1, 1));
-        let mut opened = Opened::new();
-        let pieces = self.pieces(&opened);
+    fn settle(&self) -> Option<Fraction> {
+        let part = self.part()?;
+        self.look_at(&[f64::from(part.min)], &[]);
+        let pieces = self.pieces(&self.opened());
+        best_of(&mut pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low))
+    }
+
+    /// Buckets that may hold the best IoU.
+    fn candidates(&self) -> Vec<usize> {
+        let pieces = self.pieces(&Opened::new());
         // Attained for sure: below all values, and between any two buckets
         let exact = pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low);
         let between = self.buckets.iter().map(|b| self.iou(b.above));
-        let at_least = best_of(&mut exact.chain(between))?;
-        let open: Vec<usize> = pieces
+        let Some(at_least) = best_of(&mut exact.chain(between)) else {
+            return Vec::new();
+        };
+        pieces
             .iter()
             .filter(|p| p.high.compare(&at_least, 1, 1).is_ge())
             .filter_map(|p| p.closed)
-            .collect();
-        self.open(&open, &mut opened);
-        let pieces = self.pieces(&opened);
-        let best = best_of(&mut pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low))?;
-        Some((opened, best))
+            .collect()
     }
 
     /// The longest plateau of the best IoU; `None` when there is no part, or no threshold prints any of it.
     #[must_use]
     pub fn best_plateau(&self) -> Option<Plateau> {
-        let (opened, best) = self.settled()?;
+        let best = &self.settled()?;
         if best.above == 0 {
             return None;
         }
         let mut longest: Option<Plateau> = None;
         let mut current: Option<Plateau> = None;
-        for piece in self.pieces(opened) {
+        for piece in self.pieces(&self.opened()) {
             if piece.closed.is_some() || piece.low.compare(best, 1, 1).is_ne() {
                 current = None;
                 continue;
@@ -381,20 +444,19 @@ impl<'a> Scan<'a> {
     /// Length of {t in [0, 1]: IoU(t) > 0.95·best}; `None` when there is no part.
     #[must_use]
     pub fn length_near_best(&self) -> Option<f64> {
-        let (opened, best) = self.settled()?;
-        let mut opened = opened.clone();
+        let best = &self.settled()?;
         let near = |f: &Fraction| f.compare(best, 19, 20).is_gt();
         let open: Vec<usize> = self
-            .pieces(&opened)
+            .pieces(&self.opened())
             .iter()
             .filter(|p| near(&p.high) && !near(&p.low))
             .filter_map(|p| p.closed)
             .collect();
-        self.open(&open, &mut opened);
+        self.open(&open);
         // Neighbouring pieces are joined first, so that rounding does not add up
         let mut length = 0.0;
         let mut run: Option<(f64, f64)> = None;
-        for piece in self.pieces(&opened) {
+        for piece in self.pieces(&self.opened()) {
             let (from, to) = (piece.from.clamp(0.0, 1.0), piece.to.clamp(0.0, 1.0));
             if near(&piece.low) {
                 run = Some((run.map_or(from, |r| r.0), to));
@@ -453,6 +515,10 @@ impl<'a> Scan<'a> {
     }
 }
 
+fn best_of(ious: &mut dyn Iterator<Item = Fraction>) -> Option<Fraction> {
+    ious.max_by(|a, b| a.compare(b, 1, 1))
+}
+
 fn not_finite(labels: &[u8], response: &[f32]) -> Error {
     let found = labels
         .iter()
@@ -468,6 +534,7 @@ fn not_finite(labels: &[u8], response: &[f32]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::BLOCK;
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     /// Everything by sorting: pieces of the threshold axis with their IoU as a fraction.

@@ -29,7 +29,7 @@
 //! assert!((print.distance().unwrap().hausdorff_mm - 0.1).abs() < 1e-5);
 //! ```
 
-use super::isosurface::{Surface, isosurface_of};
+use super::isosurface::{Surface, isosurface_of, rows_of};
 use super::nearest::TriangleTree;
 use super::print::Print;
 use crate::grid::VolumeGrid;
@@ -65,10 +65,10 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
     let (printed, target) = loop {
-        let printed = surface(grid, coarsened, threshold, |i| {
-            print.printed_value(i, threshold)
+        let printed = surface(grid, coarsened, threshold, |i, row| {
+            print.printed_row(i, threshold, row);
         });
-        let target = surface(grid, coarsened, 0.5, |i| print.target_value(i));
+        let target = surface(grid, coarsened, 0.5, |i, row| print.target_row(i, row));
         if printed.triangles.len().max(target.triangles.len()) <= MOST_TRIANGLES {
             break (printed, target);
         }
@@ -99,20 +99,20 @@ fn surface(
     grid: &VolumeGrid,
     factor: usize,
     level: f64,
-    value: impl Fn(usize) -> f32 + Sync,
+    fill: impl Fn(usize, &mut [f32]) + Sync,
 ) -> Surface {
     if factor == 1 {
-        return isosurface_of(grid, level, value);
+        return isosurface_of(grid, level, fill);
     }
-    let (coarse, values) = averaged(grid, factor, &value);
-    isosurface_of(&coarse, level, |i| values[i])
+    let (coarse, values) = averaged(grid, factor, &fill);
+    isosurface_of(&coarse, level, rows_of(&values))
 }
 
 /// Means over blocks of voxels; blocks at the far ends may be cut off.
 fn averaged(
     grid: &VolumeGrid,
     factor: usize,
-    value: &(impl Fn(usize) -> f32 + Sync),
+    fill: &(impl Fn(usize, &mut [f32]) + Sync),
 ) -> (VolumeGrid, Vec<f32>) {
     let shape = grid.shape.map(|n| n.div_ceil(factor));
     let pitch_mm = grid.pitch_mm * factor as f64;
@@ -128,20 +128,24 @@ fn averaged(
     values
         .par_chunks_mut(shape[1] * shape[2])
         .enumerate()
-        .for_each(|(z, plane)| {
-            for (i, out) in plane.iter_mut().enumerate() {
-                let (mut sum, mut count) = (0.0, 0);
-                for iz in range(z, 0) {
-                    for iy in range(i / shape[2], 1) {
-                        for ix in range(i % shape[2], 2) {
-                            sum += f64::from(value(grid.index(iz, iy, ix)));
-                            count += 1;
+        .for_each_init(
+            || (vec![0.0f32; grid.shape[2]], vec![0.0f64; shape[2]]),
+            |(row, sums), (z, plane)| {
+                for (y, out) in plane.chunks_mut(shape[2]).enumerate() {
+                    sums.fill(0.0);
+                    for (iz, iy) in range(z, 0).flat_map(|z| range(y, 1).map(move |y| (z, y))) {
+                        fill(grid.index(iz, iy, 0), row);
+                        for (sum, block) in sums.iter_mut().zip(row.chunks(factor)) {
+                            block.iter().for_each(|&value| *sum += f64::from(value));
                         }
                     }
+                    let rows = range(z, 0).len() * range(y, 1).len();
+                    for (x, (out, sum)) in out.iter_mut().zip(&*sums).enumerate() {
+                        *out = (sum / (rows * range(x, 2).len()) as f64) as f32;
+                    }
                 }
-                *out = (sum / f64::from(count)) as f32;
-            }
-        });
+            },
+        );
     (coarse, values)
 }
 
@@ -269,7 +273,11 @@ mod tests {
             );
             (g.x(x) + 10.0 * g.y(y) + 100.0 * g.z(z)) as f32
         };
-        let (coarse, values) = averaged(&grid, 2, &|i| at(&grid, i));
+        let (coarse, values) = averaged(&grid, 2, &|first, row: &mut [f32]| {
+            for (i, value) in (first..).zip(row) {
+                *value = at(&grid, i);
+            }
+        });
         assert_eq!(coarse.shape, [2, 3, 4]);
         for (i, value) in values.iter().enumerate() {
             assert!((value - at(&coarse, i)).abs() < 1e-3);

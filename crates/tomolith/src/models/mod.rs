@@ -6,9 +6,11 @@
 //! back-projection).
 
 pub mod cells;
+mod coarse;
 pub mod darkened;
 pub mod layout;
 pub mod matrix;
+pub mod orders;
 pub mod parallel;
 pub mod planner;
 pub mod rays;
@@ -34,6 +36,8 @@ pub enum Choice {
     Rays(rays::Params),
     /// Rays in a resin that scatters.
     Scatter(scatter::Params),
+    /// Scattering by successive orders.
+    Orders(orders::Params),
     /// A stored matrix.
     Matrix(matrix::Params),
 }
@@ -42,8 +46,13 @@ pub enum Choice {
 pub type ChooseModel = fn(&Section) -> Result<Choice>;
 
 /// Every dose model; without one in the job the [`planner`] chooses.
-pub static MODELS: &[Kind<ChooseModel>] =
-    &[parallel::KIND, rays::KIND, scatter::KIND, matrix::KIND];
+pub static MODELS: &[Kind<ChooseModel>] = &[
+    parallel::KIND,
+    rays::KIND,
+    scatter::KIND,
+    orders::KIND,
+    matrix::KIND,
+];
 
 /// What long work carries along: a way to be stopped.
 ///

@@ -1,8 +1,8 @@
 //! Chooses the dose model of a job, and says why.
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
-//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`], or
-//! [`scatter`] where the resin scatters. A job may ask for one
+//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
+//! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::matrix::{self, MatrixModel};
@@ -10,11 +10,12 @@ use super::parallel::{Light, Parallel};
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
 use super::selection::useful_rows;
-use super::{Choice, DoseModel, Run, scatter};
+use super::{Choice, DoseModel, Run, orders, scatter};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
+use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
 use crate::target::Shape;
 use std::borrow::Cow;
@@ -50,6 +51,7 @@ enum Optical<'a> {
     Parallel,
     Rays(Cow<'a, rays::Params>),
     Scatter(Cow<'a, scatter::Params>),
+    Orders(Cow<'a, orders::Params>),
 }
 
 impl Setup<'_> {
@@ -57,11 +59,16 @@ impl Setup<'_> {
     ///
     /// # Errors
     /// [`Error::Config`] with the key of the model, or of the absorption map that rays do not know.
-    pub fn must_be_covered(&self, choice: &Choice, lights: &[Light]) -> Result<()> {
-        self.way(choice, lights).map(drop)
+    pub fn must_be_covered(
+        &self,
+        choice: &Choice,
+        lights: &[Light],
+        grid: &VolumeGrid,
+    ) -> Result<()> {
+        self.way(choice, lights, grid).map(drop)
     }
 
-    fn way<'a>(&self, choice: &'a Choice, lights: &[Light]) -> Result<Way<'a>> {
+    fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
         let other = "another model, or no [model] for the cheapest that is exact";
@@ -77,7 +84,17 @@ impl Setup<'_> {
             }
             (Choice::Rays(params), _) => Optical::Rays(Cow::Borrowed(params)),
             (Choice::Scatter(params), _) => Optical::Scatter(Cow::Borrowed(params)),
-            (Choice::Cheapest, _) if self.scatters() => Optical::Scatter(Cow::default()),
+            (Choice::Orders(params), _) => match self.beyond_orders(lights, grid) {
+                Some(reason) => return refused("model.orders", reason, other),
+                None => Optical::Orders(Cow::Borrowed(params)),
+            },
+            (Choice::Cheapest, _) if self.scatters() => {
+                if self.beyond_orders(lights, grid).is_none() {
+                    Optical::Orders(Cow::default())
+                } else {
+                    Optical::Scatter(Cow::default())
+                }
+            }
             (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
             (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
         };
@@ -98,13 +115,32 @@ impl Setup<'_> {
         self.optics.iter().any(|o| o.scattering.is_some())
     }
 
+    /// What scatters each light.
+    fn scattering(&self) -> Vec<Option<Scattering>> {
+        self.optics.iter().map(|o| o.scattering.clone()).collect()
+    }
+
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
     pub fn beyond_parallel(&self) -> Option<&'static str> {
-        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
         if self.scatters() {
             Some("the resin scatters")
-        } else if !self.vial.is_invariant() {
+        } else {
+            self.beyond_straight()
+        }
+    }
+
+    /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
+    #[must_use]
+    pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
+        self.beyond_straight()
+            .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
+    }
+
+    /// Why [`Parallel`] does not cover its straight light.
+    fn beyond_straight(&self) -> Option<&'static str> {
+        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
+        if !self.vial.is_invariant() {
             Some("the vial changes along z")
         } else if any(&|o| !o.projector.is_collimated()) {
             Some("light is not collimated")
@@ -128,7 +164,7 @@ impl Setup<'_> {
 /// voxel become unknowns; the others stay dark.
 ///
 /// # Errors
-/// As [`Parallel::new`], [`Rays::new`], [`Solid::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Config`] for
+/// As [`Parallel::new`], [`Rays::new`], [`orders::model`], [`Solid::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Config`] for
 /// optics that the model asked for does not cover; [`Error::Cancelled`].
 pub fn plan(
     choice: &Choice,
@@ -138,7 +174,7 @@ pub fn plan(
     wanted: Option<&Volume<u8>>,
     run: &Run,
 ) -> Result<Plan> {
-    let way = match setup.way(choice, &lights)? {
+    let way = match setup.way(choice, &lights, &grid)? {
         Way::Stored(params) => return stored(params, lights, grid),
         Way::Optical(way) => way,
     };
@@ -203,6 +239,11 @@ fn optical(
         |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone()).map(boxed);
     match way {
         Optical::Scatter(params) => scatter(params),
+        Optical::Orders(params) => {
+            let scattering = setup.scattering();
+            let model = orders::model(setup.vial, lights, &scattering, params, grid)?;
+            Ok(Box::new(model))
+        }
         Optical::Rays(params) => rays(params),
         Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
     }

@@ -123,6 +123,26 @@ pub mod label {
 /// `counts([x, y, z])` (mm, voxel centre) is false.
 pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -> Volume<u8> {
     let grid = &target.inside.grid;
+    let nx = grid.shape[2];
+    label_slices(target, |iz, i| {
+        counts([grid.x(i % nx), grid.y(i / nx), grid.z(iz)])
+    })
+}
+
+/// As [`label_voxels`], where the same columns of voxels count at every height: each is asked for once.
+pub fn label_columns(target: &Target, counts: impl Fn([f64; 2]) -> bool + Sync) -> Volume<u8> {
+    let grid = &target.inside.grid;
+    let [_, ny, nx] = grid.shape;
+    let plane: Vec<bool> = (0..nx * ny)
+        .into_par_iter()
+        .map(|i| counts([grid.x(i % nx), grid.y(i / nx)]))
+        .collect();
+    label_slices(target, |_, i| plane[i])
+}
+
+/// Labels by slice, and by voxel of the slice.
+fn label_slices(target: &Target, counts: impl Fn(usize, usize) -> bool + Sync) -> Volume<u8> {
+    let grid = &target.inside.grid;
     let [_, ny, nx] = grid.shape;
     let mut values = vec![label::OUTSIDE; grid.len()];
     if !values.is_empty() {
@@ -131,7 +151,7 @@ pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -
             .enumerate()
             .for_each(|(iz, slice)| {
                 for (i, value) in slice.iter_mut().enumerate() {
-                    if counts([grid.x(i % nx), grid.y(i / nx), grid.z(iz)]) {
+                    if counts(iz, i) {
                         *value = if target.is_part(iz * nx * ny + i) {
                             label::PART
                         } else {

@@ -59,14 +59,15 @@ pub mod slices;
 pub mod unit_systems;
 
 use super::Measure;
-use super::print::PatternStats;
+use super::print::{PatternStats, Print};
 use super::scan::Scan;
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume};
 use crate::response::{Identity, Response};
-use norms::{Band, Region};
+use norms::Band;
 use rayon::prelude::*;
 use serde::Serialize;
+use slices::Slice;
 
 /// A number as it was published.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -151,29 +152,60 @@ pub fn published(
     labels: &Volume<u8>,
     options: &Options<'_>,
 ) -> Result<Vec<Published>> {
+    by_slices(dose, target, labels, options).map(|(numbers, _)| numbers)
+}
+
+/// As [`published`], with the numbers of every slice ([`slices`](slices::slices)), which some of them are made of.
+///
+/// # Errors
+/// As [`published`].
+pub fn by_slices(
+    dose: &Volume<f32>,
+    target: &Volume<f32>,
+    labels: &Volume<u8>,
+    options: &Options<'_>,
+) -> Result<(Vec<Published>, Vec<Slice>)> {
+    of_print(&Print::new(labels, dose)?, target, options)
+}
+
+/// As [`by_slices`], of a print whose response is the dose: what the metrics count of it is counted once.
+///
+/// # Errors
+/// As [`published`].
+pub fn of_print(
+    print: &Print<'_>,
+    target: &Volume<f32>,
+    options: &Options<'_>,
+) -> Result<(Vec<Published>, Vec<Slice>)> {
     options.validate()?;
-    for (what, shape, len) in [
-        ("target", target.grid.shape, target.values.len()),
-        ("labels", labels.grid.shape, labels.values.len()),
-    ] {
-        if shape != dose.grid.shape || len != dose.values.len() {
-            return Err(Error::Shape {
-                what: what.to_owned(),
-                expected: dose.grid.shape.to_vec(),
-                found: shape.to_vec(),
-            });
-        }
+    let (dose, labels, scan) = (print.response(), print.labels(), print.scan());
+    if target.grid.shape != dose.grid.shape || target.values.len() != dose.values.len() {
+        return Err(Error::Shape {
+            what: "target".to_owned(),
+            expected: dose.grid.shape.to_vec(),
+            found: target.grid.shape.to_vec(),
+        });
     }
-    let scan = Scan::new(&labels.values, &dose.values)?;
+    let otsu = otsu::otsu(dose, labels, scan);
+    // One look for all that is asked below
+    let lowest = scan.part().map(|p| p.min);
+    let thresholds = lowest
+        .iter()
+        .flat_map(|t| [*t, t.next_down()].map(f64::from));
+    scan.look_at(
+        &thresholds.chain(otsu).collect::<Vec<_>>(),
+        &order::ranks(scan, options.trim_percent),
+    );
+    let slices = slices::slices(dose, labels, options.trim_percent);
     let mut list = List::default();
-    ranges(&mut list, &scan, dose);
-    trimmed(&mut list, &scan, dose, labels, options.trim_percent);
-    thresholds(&mut list, &scan, dose, labels);
-    relative_time(&mut list, &scan, options.patterns);
+    ranges(&mut list, scan, dose);
+    trimmed(&mut list, scan, options.trim_percent);
+    thresholds_of(&mut list, scan, dose, labels, otsu);
+    relative_time(&mut list, scan, options.patterns);
     band_errors(&mut list, dose, target, labels, options);
-    slices::worst(&mut list, dose, labels);
+    slices::worst(&mut list, &slices);
     budget::list(&mut list, dose, labels, options.patterns);
-    Ok(list.0)
+    Ok((list.0, slices))
 }
 
 const RACKSON: &str = "Rackson et al. 2021";
@@ -322,8 +354,8 @@ fn ranges(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>) {
 }
 
 /// The same from percentiles: α per cent of the voxels are left out at each end of each region.
-fn trimmed(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Volume<u8>, alpha: f64) {
-    let [low, high, out] = order::percentiles(scan, labels, dose, alpha);
+fn trimmed(list: &mut List, scan: &Scan<'_>, alpha: f64) {
+    let [low, high, out] = order::percentiles(scan, alpha);
     let note = |text: &str| {
         format!(
             "{text}, percentiles {alpha} and {} of each region",
@@ -358,7 +390,13 @@ fn trimmed(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Volume
 }
 
 /// The published ways to choose the gel threshold, and the Jaccard index there.
-fn thresholds(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Volume<u8>) {
+fn thresholds_of(
+    list: &mut List,
+    scan: &Scan<'_>,
+    dose: &Volume<f32>,
+    labels: &Volume<u8>,
+    otsu: Measure,
+) {
     const BHATTACHARYA: &str = "Bhattacharya et al. 2021 (Li et al. 2024, S.8)";
     const KELLY: &str = "Kelly et al. 2019 (Li et al. 2024, S.8)";
     const NICOLET: &str = "Nicolet et al. 2024, eq. 21";
@@ -427,7 +465,6 @@ fn thresholds(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>, labels: &Vol
         box_index,
         "largest over 100 thresholds from 0 to 1.3, whole box",
     );
-    let otsu = otsu::otsu(dose, labels, scan);
     list.add(
         "threshold_otsu",
         KELLY,
@@ -482,14 +519,11 @@ fn band_errors(
     labels: &Volume<u8>,
     options: &Options<'_>,
 ) {
-    for (suffix, epsilon) in [("", options.epsilon), ("_eps0", 0.0)] {
-        for (region, title) in [
-            (Region::All, ""),
-            (Region::Part, "_part"),
-            (Region::Void, "_void"),
-        ] {
-            let band = Band::around(target, labels, options.grey, epsilon);
-            let error = norms::band_error(dose, &band, region, options.response);
+    let tolerances = [options.epsilon, 0.0];
+    let band = Band::around(target, labels, options.grey, 0.0);
+    let errors = norms::band_errors(dose, &band, tolerances, options.response);
+    for ((suffix, epsilon), errors) in ["", "_eps0"].into_iter().zip(tolerances).zip(errors) {
+        for (title, error) in ["", "_part", "_void"].into_iter().zip(errors) {
             let counted = error.voxels > 0;
             let mut add = |p: &str, unit, value: f64, note: &str| {
                 let note = format!("{note}, ε = {epsilon}");

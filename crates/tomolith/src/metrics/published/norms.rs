@@ -11,6 +11,7 @@
 //! **Source** Li et al., Additive Manufacturing 94 (2024) 104447, supplement S.8, eq. SE.19. For 0 < p < ∞ the same is an
 //! objective, [`bclp`](crate::objective::bclp).
 
+use super::super::buckets::{key, value_of};
 use crate::field::BLOCK;
 use crate::grid::Volume;
 use crate::response::Response;
@@ -100,6 +101,33 @@ pub struct BandError {
     pub largest: f64,
 }
 
+impl BandError {
+    /// Counts a voxel whose response is so far beyond its band (below 0: within). Until [`joined`](Self::joined), `l2` is
+    /// the sum of squares.
+    fn add(&mut self, error: f64) {
+        self.voxels += 1;
+        if error > ROUNDING {
+            self.violated += 1;
+            self.l1 += error;
+            self.l2 += error * error;
+            self.largest = self.largest.max(error);
+        }
+    }
+
+    /// The error of all blocks.
+    fn joined<'b>(blocks: impl Iterator<Item = &'b BandError>) -> BandError {
+        let mut total = blocks.fold(BandError::default(), |a, b| BandError {
+            voxels: a.voxels + b.voxels,
+            violated: a.violated + b.violated,
+            l1: a.l1 + b.l1,
+            l2: a.l2 + b.l2,
+            largest: a.largest.max(b.largest),
+        });
+        total.l2 = total.l2.sqrt();
+        total
+    }
+}
+
 /// The band error of a dose over a region. All arrays are of the same voxels.
 ///
 /// # Panics
@@ -126,30 +154,55 @@ pub fn band_error(
             let mut sum = BandError::default();
             for (k, &d) in block.iter().enumerate() {
                 let i = b * BLOCK + k;
-                if !counts(i) {
-                    continue;
-                }
-                let error = (f64::from(response.value(d)) - band.value(i)).abs() - band.epsilon(i);
-                sum.voxels += 1;
-                if error > ROUNDING {
-                    sum.violated += 1;
-                    sum.l1 += error;
-                    sum.l2 += error * error;
-                    sum.largest = sum.largest.max(error);
+                if counts(i) {
+                    let off = (f64::from(response.value(d)) - band.value(i)).abs();
+                    sum.add(off - band.epsilon(i));
                 }
             }
             sum
         })
         .collect();
-    let mut total = blocks.iter().fold(BandError::default(), |a, b| BandError {
-        voxels: a.voxels + b.voxels,
-        violated: a.violated + b.violated,
-        l1: a.l1 + b.l1,
-        l2: a.l2 + b.l2,
-        largest: a.largest.max(b.largest),
-    });
-    total.l2 = total.l2.sqrt();
-    total
+    BandError::joined(blocks.iter())
+}
+
+/// The band errors with two uniform tolerances, `[tolerance][all, part, void]`, in one pass. The band's own tolerance does
+/// not count.
+pub(super) fn band_errors(
+    dose: &Volume<f32>,
+    band: &Band<'_>,
+    tolerances: [f64; 2],
+    response: &dyn Response,
+) -> [[BandError; 3]; 2] {
+    let labels = &band.labels.values;
+    let is_identity = response.is_identity();
+    let blocks: Vec<[[BandError; 3]; 2]> = dose
+        .values
+        .par_chunks(BLOCK)
+        .enumerate()
+        .map(|(b, block)| {
+            let mut sums = [[BandError::default(); 3]; 2];
+            for (k, &d) in block.iter().enumerate() {
+                let i = b * BLOCK + k;
+                let region = match labels[i] {
+                    label::PART => 1,
+                    label::VOID => 2,
+                    _ => continue,
+                };
+                let value = if is_identity { d } else { response.value(d) };
+                let off = (f64::from(value) - band.value(i)).abs();
+                for (sums, tolerance) in sums.iter_mut().zip(tolerances) {
+                    sums[0].add(off - tolerance);
+                    sums[region].add(off - tolerance);
+                }
+            }
+            sums
+        })
+        .collect();
+    std::array::from_fn(|tolerance| {
+        std::array::from_fn(|region| {
+            BandError::joined(blocks.iter().map(|b| &b[tolerance][region]))
+        })
+    })
 }
 
 /// Doses are f32: a response on the edge of its band is within it.
@@ -163,6 +216,7 @@ pub(super) fn largest_index(
     thresholds: impl Iterator<Item = f64>,
 ) -> f64 {
     let thresholds: Vec<f64> = thresholds.collect();
+    let passed = Passed::new(&thresholds);
     // Voxels whose dose lies between two thresholds, of the part and of the rest
     let cells = dose
         .values
@@ -171,8 +225,7 @@ pub(super) fn largest_index(
         .map(|(dose, labels)| {
             let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
             for (&d, &l) in dose.iter().zip(labels) {
-                let passed = thresholds.partition_point(|&t| f64::from(d) > t);
-                cells[passed][usize::from(l != label::PART)] += 1;
+                cells[passed.by(d)][usize::from(l != label::PART)] += 1;
             }
             cells
         })
@@ -192,6 +245,42 @@ pub(super) fn largest_index(
         best = best.max(above[0] as f64 / (part + above[1]) as f64);
     }
     best
+}
+
+/// How many of some ascending thresholds a dose is above, found without a search for most doses: doses that share the top
+/// bits of their [`key`] are above about the same.
+struct Passed<'t> {
+    thresholds: &'t [f64],
+    /// Thresholds that the lowest and the highest dose with these top bits are above.
+    range: Vec<[u32; 2]>,
+}
+
+/// Low bits of a key that the table does not look at.
+const LOW_BITS: u32 = 16;
+
+impl<'t> Passed<'t> {
+    fn new(thresholds: &'t [f64]) -> Self {
+        let above = |key: u32| {
+            let dose = f64::from(value_of(key));
+            thresholds.partition_point(|&t| dose > t) as u32
+        };
+        let last = (1 << LOW_BITS) - 1;
+        Passed {
+            thresholds,
+            range: (0..=u32::MAX >> LOW_BITS)
+                .map(|top| top << LOW_BITS)
+                .map(|first| [above(first), above(first | last)])
+                .collect(),
+        }
+    }
+
+    fn by(&self, dose: f32) -> usize {
+        let [low, high] = self.range[(key(dose) >> LOW_BITS) as usize].map(|n| n as usize);
+        if low >= high {
+            return low;
+        }
+        low + self.thresholds[low..high].partition_point(|&t| f64::from(dose) > t)
+    }
 }
 
 #[cfg(test)]
@@ -248,6 +337,40 @@ mod tests {
             (error.l1 - 0.2).abs() < 1e-6 && (error.largest - 0.2).abs() < 1e-6,
             "{error:?}"
         );
+    }
+
+    #[test]
+    fn one_pass_finds_what_each_region_and_tolerance_finds_alone() {
+        let n = 3 * BLOCK / 2;
+        let labels: Vec<u8> = (0..n).map(|i| [PART, VOID, OUTSIDE][i % 3]).collect();
+        let values: Vec<f32> = (0..n).map(|i| (i * 7919 % 1009) as f32 / 1009.0).collect();
+        let (labels, dose) = (volume(&labels), volume(&values));
+        let response = Logistic::new(Default::default()).unwrap();
+        for response in [&Identity as &dyn Response, &response] {
+            let band = Band::around(&dose, &labels, false, 0.0);
+            let found = band_errors(&dose, &band, [0.125, 0.0], response);
+            for (found, epsilon) in found.iter().zip([0.125, 0.0]) {
+                let band = Band::around(&dose, &labels, false, epsilon);
+                let alone = [Region::All, Region::Part, Region::Void]
+                    .map(|region| band_error(&dose, &band, region, response));
+                assert!(alone.iter().all(|e| e.violated > 1000));
+                assert_eq!(*found, alone);
+            }
+        }
+    }
+
+    #[test]
+    fn doses_near_a_threshold_are_on_the_right_side_of_it() {
+        let thresholds: Vec<f64> = (0..100).map(|i| 1.3 * f64::from(i) / 99.0).collect();
+        let passed = Passed::new(&thresholds);
+        for threshold in &thresholds {
+            let near = *threshold as f32;
+            for dose in [near.next_down(), near, near.next_up(), -near, f32::MAX] {
+                let wanted = thresholds.iter().filter(|t| f64::from(dose) > **t).count();
+                assert_eq!(passed.by(dose), wanted, "{dose}");
+            }
+        }
+        assert_eq!(passed.by(f32::NAN), 0);
     }
 
     #[test]

@@ -94,9 +94,8 @@ fn percentile(values: &mut [f32], percent: f64) -> Measure {
 }
 
 /// The worst slice of each kind.
-pub(super) fn worst(list: &mut List, dose: &Volume<f32>, labels: &Volume<u8>) {
+pub(super) fn worst(list: &mut List, slices: &[Slice]) {
     const FIGURE: &str = "Pellizzon et al. 2025, figure 15";
-    let slices = slices(dose, labels, 0.0);
     let pw = slices.iter().filter_map(|s| s.pw).reduce(f64::min);
     list.add(
         "pw_worst_slice",

@@ -7,7 +7,7 @@ use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
-use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::views::Views;
 use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
@@ -120,8 +120,9 @@ impl LightPlan {
                 is_comb.then(comb).flatten()
             })
             .collect();
-        let meeting = |tile, (beam, comb): (&Beam, &Option<Comb>)| {
-            let meeting = tiles::meeting(beam, comb.as_ref(), tile);
+        let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
+        let meeting = |tile, ((beam, comb), bounds): ((&Beam, &Option<Comb>), &Vec<Bounds>)| {
+            let meeting = tiles::meeting(beam, bounds, comb.as_ref(), tile);
             Meeting {
                 chain: meeting.chain && is_even,
                 ..meeting
@@ -133,7 +134,8 @@ impl LightPlan {
                 beams
                     .iter()
                     .zip(&combs)
-                    .map(move |pair| meeting(tile, pair))
+                    .zip(&bounds)
+                    .map(move |beam| meeting(tile, beam))
             })
             .collect();
         let heights = Heights::new(&pixels, grid, KernelPath::of(Isa::in_use()).wide);

@@ -1,5 +1,7 @@
 //! What the parallel model must get right.
 
+use super::strips::{Beam, Columns, Major, Strip};
+use super::tiles::{Bounds, meeting};
 use super::views::Views;
 use super::*;
 use crate::check;
@@ -571,4 +573,40 @@ fn frames_have_opposites_only_where_light_can_be_reversed() {
     let mut uneven = all(10);
     uneven[7] += 1e-3;
     assert_eq!(views(&matched, &reversible(uneven)), 10);
+}
+
+#[test]
+fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
+    let tiles = Tile::cover(100, 70);
+    let noise = |i: usize| (i * 7919 % 1009) as f32 / 1009.0;
+    let mut met = 0;
+    for (k, major) in (0..40).map(|k| (k, [Major::X, Major::Y][k % 2])) {
+        let strip = |i: usize| {
+            let offset = 4.0 * (i as f32 - 5.0) + noise(100 * k + i);
+            let slope = noise(31 * k) * 2.0 - 1.0 + 0.02 * noise(i);
+            Strip {
+                column: i as u32,
+                upward: true,
+                edges: [[offset, slope], [offset + 3.0 * noise(k + i), slope + 0.01]],
+                span: [30.0 * noise(7 * k + i), 40.0 + 60.0 * noise(3 * k + i)],
+                power: 1.0,
+                row_mm: 0.1,
+            }
+        };
+        let beam = Beam {
+            frame: 0,
+            azimuth: 0.0,
+            major,
+            strips: (0..45).map(strip).collect(),
+            columns: Columns::default(),
+        };
+        // Bounds without limits leave every strip to be asked alone
+        let open = vec![Bounds::OPEN; Bounds::of_beam(&beam).len()];
+        for tile in &tiles {
+            let found = meeting(&beam, &Bounds::of_beam(&beam), None, tile);
+            assert_eq!(found, meeting(&beam, &open, None, tile));
+            met += usize::from(found.end > found.first);
+        }
+    }
+    assert!(met > 100 && met < 40 * tiles.len(), "{met}");
 }

@@ -167,6 +167,19 @@ impl Local {
         (across + TILE as f32).clamp(0.0, (PLACES - 1) as f32) as u8
     }
 
+    /// Whether any strip within bounds may light the tile (never wrong when it says no): rounding keeps the order of sums
+    /// and, as rows are not negative, of products.
+    fn may_meet_any(&self, bounds: &Bounds) -> bool {
+        let rows = [self.origin[0], self.origin[0] + self.rows as f32];
+        if bounds.span[1] <= rows[0] || bounds.span[0] >= rows[1] {
+            return false;
+        }
+        let [low, high] =
+            [0, 1].map(|end| rows.map(|t| bounds.offset[end] + bounds.slope[end] * t));
+        high[0].max(high[1]) > self.origin[1]
+            && low[0].min(low[1]) < self.origin[1] + self.across as f32
+    }
+
     /// Whether a strip may light the tile (never wrong when it says no).
     fn may_meet(&self, strip: &Strip) -> bool {
         let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
@@ -193,12 +206,55 @@ pub(super) struct Meeting {
     pub(super) comb: bool,
 }
 
-/// How a beam and a tile meet.
-pub(super) fn meeting(beam: &Beam, comb: Option<&Comb>, tile: &Tile) -> Meeting {
+/// Neighbouring strips that are asked together first whether they meet a tile.
+const TOGETHER: usize = 16;
+
+/// Between which numbers all edges and spans of some neighbouring strips lie: `[least, largest]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    offset: [f32; 2],
+    slope: [f32; 2],
+    span: [f32; 2],
+}
+
+impl Bounds {
+    /// No bounds.
+    #[cfg(test)]
+    pub(super) const OPEN: Bounds = Bounds {
+        offset: [f32::NEG_INFINITY, f32::INFINITY],
+        slope: [0.0; 2],
+        span: [f32::NEG_INFINITY, f32::INFINITY],
+    };
+
+    /// Of a beam's strips, a few at a time.
+    pub(super) fn of_beam(beam: &Beam) -> Vec<Bounds> {
+        let ends = [f32::INFINITY, f32::NEG_INFINITY];
+        let add = |[low, high]: [f32; 2], value: f32| [low.min(value), high.max(value)];
+        let of_some = |strips: &[Strip]| {
+            let edges = || strips.iter().flat_map(|strip| strip.edges);
+            Bounds {
+                offset: edges().map(|e| e[0]).fold(ends, add),
+                slope: edges().map(|e| e[1]).fold(ends, add),
+                span: strips.iter().flat_map(|s| s.span).fold(ends, add),
+            }
+        };
+        beam.strips.chunks(TOGETHER).map(of_some).collect()
+    }
+}
+
+/// How a beam, whose strips have these bounds, and a tile meet.
+pub(super) fn meeting(beam: &Beam, bounds: &[Bounds], comb: Option<&Comb>, tile: &Tile) -> Meeting {
     let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
     let meets = |strip: &Strip| local.may_meet(strip);
-    let first = beam.strips.iter().position(meets);
-    let last = beam.strips.iter().rposition(meets);
+    let some = || {
+        let strips = beam.strips.chunks(TOGETHER).zip(bounds).enumerate();
+        strips.filter(|(_, (_, bounds))| local.may_meet_any(bounds))
+    };
+    let first =
+        some().find_map(|(k, (strips, _))| Some(k * TOGETHER + strips.iter().position(meets)?));
+    let last = some()
+        .rev()
+        .find_map(|(k, (strips, _))| Some(k * TOGETHER + strips.iter().rposition(meets)?));
     let (Some(first), Some(last)) = (first, last) else {
         return Meeting::default();
     };

@@ -52,7 +52,6 @@
 //! assert!((absorbed / sent - (1.0 - (-0.4f32).exp())).abs() < 1e-4); // the rays at ±0.025 mm run 4 mm less 6e-4
 //! ```
 
-mod coarse;
 mod segment;
 pub mod solid;
 mod source;
@@ -62,6 +61,7 @@ use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::kind::Kind;
+use crate::models::coarse::Coarse;
 use crate::models::parallel::{Kernel, Light};
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling,
@@ -73,7 +73,6 @@ use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
 use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
-use coarse::Coarse;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment, Uptake};

@@ -163,6 +163,10 @@ impl Vial for MeshVial {
         false
     }
 
+    fn is_convex(&self) -> bool {
+        false // not known
+    }
+
     fn is_round(&self) -> bool {
         false
     }

@@ -96,6 +96,14 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
             .all(|wall| matches!(wall.curve, Curve::Circle(_)))
     }
 
+    /// Whether straight lines between points of the resin stay in it.
+    fn is_convex(&self) -> bool {
+        let walls = self.walls();
+        walls
+            .last()
+            .is_some_and(|wall| wall.inside == Medium::Resin)
+    }
+
     /// Whether a point (mm) is in the resin.
     fn in_resin(&self, [x, y, _]: [f64; 3]) -> bool {
         let walls = self.walls();

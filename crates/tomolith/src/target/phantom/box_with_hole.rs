@@ -1,6 +1,6 @@
-//! A square plate or block with a round hole along z through its middle.
+//! A square plate or block with a round hole along z, through its middle or aside along x.
 //!
-//! `|x|, |y| < size/2, |z| < height/2, √(x² + y²) > hole/2`; volume (size² − π·hole²/4)·height. A hole is what light from
+//! `|x|, |y| < size/2, |z| < height/2, √((x − hole_x)² + y²) > hole/2`; volume (size² − π·hole²/4)·height. A hole is what light from
 //! the side can hardly spare: the hardest simple test of contrast.
 //!
 //! ```
@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "box_with_hole",
-    summary: "A square block with a round hole along z through its middle",
+    summary: "A square block with a round hole along z",
     example: "[target]\nphantom.box_with_hole = { size_mm = 5.0, height_mm = 3.0, hole_mm = 2.0 }",
     schema: || schemars::schema_for!(Params),
     build,
@@ -36,6 +36,8 @@ struct Params {
     height_mm: Mm,
     /// Diameter of the hole, mm (> 0, less than `size_mm`)
     hole_mm: Mm,
+    /// Where along x its middle is, mm; the hole stays within the block
+    hole_x_mm: Mm,
 }
 
 impl Default for Params {
@@ -44,6 +46,7 @@ impl Default for Params {
             size_mm: Mm(5.0),
             height_mm: Mm(3.0),
             hole_mm: Mm(2.0),
+            hole_x_mm: Mm(0.0),
         }
     }
 }
@@ -64,12 +67,22 @@ fn build(section: &Section) -> Result<Form> {
             Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
         );
     }
+    let x = p.hole_x_mm.0;
+    if !x.is_finite() || 2.0 * x.abs() + p.hole_mm.0 > p.size_mm.0 {
+        let found = format!(
+            "a hole of {} mm at {x} mm in a block of {} mm",
+            p.hole_mm.0, p.size_mm.0
+        );
+        return Err(
+            Error::config("hole_x_mm", found, "a place within the block").under(&section.path),
+        );
+    }
     let [edge, half, radius] = [p.size_mm, p.height_mm, p.hole_mm].map(|mm| mm.0 / 2.0);
     let area = 4.0 * edge * edge - std::f64::consts::PI * radius * radius;
     Ok(Form {
         body: Body::Prisms(vec![Prism {
             outline: Box::new(move |p| {
-                rectangle(p, [0.0; 2], [edge; 2]).max(radius - p[0].hypot(p[1]))
+                rectangle(p, [0.0; 2], [edge; 2]).max(radius - (p[0] - x).hypot(p[1]))
             }),
             z: [-half, half],
         }]),

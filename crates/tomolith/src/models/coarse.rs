@@ -1,8 +1,7 @@
 //! Scattered light on coarser voxels: it is smooth, so a few random legs say more about it there.
 //!
-//! A coarse cell has `factor` voxels along each edge; doses between the middles of cells are interpolated linearly along x,
-//! y and z. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose. One layer of cells lies outside of
-//! the grid on every side, so that every voxel lies between middles.
+//! Doses between the middles of cells are interpolated linearly along x, y and z; beyond the outermost middles they stay as
+//! they are there. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose.
 
 use crate::grid::VolumeGrid;
 use crate::models::layout::DoseLayout;
@@ -18,10 +17,9 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
+    /// Cells of `factor` voxels along each edge, one layer of them outside of the grid on every side.
     pub(super) fn new(fine: &DoseLayout, factor: usize) -> Self {
-        let [nz, ny, nx] = fine.grid.shape;
-        let cells = |n: usize| n.div_ceil(factor) + 2;
-        let shape = [cells(nz), cells(ny), cells(nx)];
+        let shape = fine.grid.shape.map(|n| n.div_ceil(factor) + 2);
         let pitch_mm = fine.grid.pitch_mm * factor as f64;
         let low = fine.grid.bounds_mm()[0];
         let counts = [shape[2], shape[1], shape[0]];
@@ -32,14 +30,33 @@ impl Coarse {
             pitch_mm,
             center_mm,
         };
-        let place = |i: usize| {
-            let at = (i as f64 + 0.5) / factor as f64 + 0.5;
-            (at.floor() as usize, at.fract() as f32)
+        Self::of_grid(grid, fine)
+    }
+
+    /// Any cells, at least two along each axis.
+    pub(super) fn of_grid(cells: VolumeGrid, fine: &DoseLayout) -> Self {
+        let place = |at: f64, low: f64, count: usize| {
+            let place = ((at - low) / cells.pitch_mm - 0.5).clamp(0.0, count as f64 - 1.0);
+            let below = (place as usize).min(count - 2);
+            (below, (place - below as f64) as f32)
         };
+        let low = cells.bounds_mm()[0];
+        let [nz, ny, nx] = fine.grid.shape;
+        let places = [
+            (0..nx)
+                .map(|i| place(fine.grid.x(i), low[0], cells.shape[2]))
+                .collect(),
+            (0..ny)
+                .map(|i| place(fine.grid.y(i), low[1], cells.shape[1]))
+                .collect(),
+            (0..nz)
+                .map(|i| place(fine.grid.z(i), low[2], cells.shape[0]))
+                .collect(),
+        ];
         Coarse {
-            layout: DoseLayout::new("dose", grid, 0),
+            layout: DoseLayout::new("dose", cells, 0),
             fine: fine.clone(),
-            places: [nx, ny, nz].map(|n| (0..n).map(place).collect()),
+            places,
         }
     }
 

@@ -1,0 +1,185 @@
+//! What random paths leave uncertain in the dose of a resin that scatters.
+//!
+//! Patterns that were optimised on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
+//! times as many; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
+//! difference of two such sets of paths, over √2, per voxel.
+
+use super::judge::{Room, dose_by, print};
+use super::scene::{Scene, Voxels};
+use crate::error::Result;
+use crate::grid::{Patterns, Volume};
+use crate::metrics::Measure;
+use crate::metrics::iou;
+use crate::models::{Choice, Run, scatter};
+use crate::target::label;
+use serde::Serialize;
+use std::fmt;
+
+/// A dose by random paths, on the optimisation's voxels, standing still.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct Noise {
+    /// Paths of a pixel in a frame: in the optimisation, and in the judgement.
+    pub(crate) training_paths: usize,
+    /// See `training_paths`.
+    pub(crate) judging_paths: usize,
+    /// IoU on the paths of the optimisation.
+    pub(crate) training_iou: Measure,
+    /// IoU on independent paths.
+    pub(crate) independent_iou: Measure,
+    /// Noise of a voxel of the part in the judgement, over the part's mean response.
+    pub(crate) part: f64,
+    /// Noise of a voxel of the void, over the part's mean response.
+    pub(crate) void: f64,
+}
+
+/// A gap of the IoU that is worth a warning.
+const WORTH_SAYING: f64 = 0.01;
+
+impl Noise {
+    /// Of patterns under a model; None where it draws no paths.
+    ///
+    /// # Errors
+    /// What the model refuses; [`Error::Cancelled`](crate::Error::Cancelled).
+    pub(crate) fn of(
+        scene: &Scene,
+        voxels: &Voxels,
+        patterns: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Option<Self>> {
+        let Choice::Scatter(judging) = scene.optics.model_for(1, &scene.grid) else {
+            return Ok(None);
+        };
+        let training = match &scene.optics.model {
+            Choice::Scatter(params) => params.clone(),
+            _ => scatter::Params::default(),
+        };
+        let response = |params: &scatter::Params| -> Result<Volume<f32>> {
+            let lights = scene.optics.lights_turning(1);
+            let choice = Choice::Scatter(params.clone());
+            let room = &mut Room::default();
+            scene.responses(dose_by(
+                &choice,
+                scene,
+                lights,
+                &scene.grid,
+                patterns,
+                room,
+                cancel,
+            )?)
+        };
+        let iou_of = |response: &Volume<f32>| -> Result<Measure> {
+            Ok(iou::KIND.metric.measure(&print(scene, voxels, response)?))
+        };
+        let training_iou = iou_of(&response(&training)?)?;
+        let first = response(&judging)?;
+        let second = response(&scatter::Params {
+            seed: judging.seed.wrapping_add(1),
+            ..judging.clone()
+        })?;
+        let [part, void] = differences(&first, &second, &voxels.labels);
+        Ok(Some(Noise {
+            training_paths: training.paths_per_pixel,
+            judging_paths: judging.paths_per_pixel,
+            training_iou,
+            independent_iou: iou_of(&first)?,
+            part,
+            void,
+        }))
+    }
+
+    /// What people must know when the patterns fit their own paths.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let (training, independent) = (self.training_iou?, self.independent_iou?);
+        (training - independent > WORTH_SAYING).then(|| {
+            format!(
+                "the patterns fit the noise of their own {} paths a pixel: IoU {training:.4} on these, {independent:.4} on independent ones; \
+                 raise model.scatter.paths_per_pixel, or use more frames",
+                self.training_paths
+            )
+        })
+    }
+}
+
+impl fmt::Display for Noise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
+        write!(
+            f,
+            "IoU {} on the paths of the optimisation ({} a pixel), {} on independent ones ({} a pixel; noise of a voxel {:.2} % in the part, {:.2} % in the void)",
+            number(self.training_iou),
+            self.training_paths,
+            number(self.independent_iou),
+            self.judging_paths,
+            100.0 * self.part,
+            100.0 * self.void
+        )
+    }
+}
+
+/// Noise of one of two equal measurements in part and void, over the part's mean.
+fn differences(first: &Volume<f32>, second: &Volume<f32>, labels: &Volume<u8>) -> [f64; 2] {
+    let (mut squares, mut counts, mut sum) = ([0.0; 2], [0.0; 2], 0.0);
+    for ((&a, &b), &of) in first.values.iter().zip(&second.values).zip(&labels.values) {
+        let place = match of {
+            label::PART => 0,
+            label::VOID => 1,
+            _ => continue,
+        };
+        if place == 0 {
+            sum += f64::from(a);
+        }
+        squares[place] += f64::from(a - b).powi(2);
+        counts[place] += 1.0;
+    }
+    let mean = sum / f64::max(counts[0], 1.0);
+    std::array::from_fn(|i| {
+        let rms = (squares[i] / f64::max(counts[i], 1.0) / 2.0).sqrt();
+        if mean > 0.0 { rms / mean } else { 0.0 }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VolumeGrid;
+
+    #[test]
+    fn the_noise_of_one_of_two_measurements_is_their_difference_over_root_two() {
+        let grid = VolumeGrid::centered([1, 1, 4], 1.0);
+        let volume = |values: [f32; 4]| Volume {
+            grid: grid.clone(),
+            values: values.to_vec(),
+        };
+        let labels = Volume {
+            grid: grid.clone(),
+            values: vec![label::PART, label::PART, label::VOID, label::OUTSIDE],
+        };
+        let [part, void] = differences(
+            &volume([1.0, 3.0, 0.5, 9.0]),
+            &volume([1.2, 2.8, 0.3, 0.0]),
+            &labels,
+        );
+        assert!((part - 0.2 / 2.0f64.sqrt() / 2.0).abs() < 1e-7);
+        assert!((void - 0.2 / 2.0f64.sqrt() / 2.0).abs() < 1e-7);
+    }
+
+    #[test]
+    fn a_gap_is_said() {
+        let noise = |independent: f64| Noise {
+            training_paths: 4,
+            judging_paths: 64,
+            training_iou: Some(1.0),
+            independent_iou: Some(independent),
+            part: 0.012,
+            void: 0.03,
+        };
+        assert!(
+            noise(0.77)
+                .warning()
+                .unwrap()
+                .contains("IoU 1.0000 on these, 0.7700")
+        );
+        assert_eq!(noise(0.995).warning(), None);
+        assert!(noise(0.77).to_string().contains("1.20 % in the part"));
+    }
+}

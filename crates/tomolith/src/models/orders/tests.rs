@@ -1,0 +1,257 @@
+use super::*;
+use crate::check;
+use crate::check::model::noise;
+use crate::grid::{PatternGrid, Volume};
+use crate::models::rays::Optics;
+use crate::models::{DoseModel, scatter};
+use crate::optics::phase::Phase;
+use crate::optics::phase::henyey_greenstein::HenyeyGreenstein;
+use crate::optics::phase::isotropic::Isotropic;
+use crate::optics::phase::rayleigh::Rayleigh;
+use crate::optics::resin::Resin;
+use crate::optics::vial::cylinder::Cylinder;
+use crate::optics::vial::double_tube::DoubleTube;
+use crate::optics::vial::index_matched::IndexMatched;
+use crate::optics::vial::square::Square;
+use std::sync::Arc;
+
+const BATH: IndexMatched = IndexMatched { radius_mm: 3.0 };
+
+fn light(frames: usize, rows: usize, columns: usize, pitch: f64, scattering: f64) -> Light {
+    let pixels = PatternGrid::full_turn(frames, 0.3, rows, columns, pitch);
+    let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.13));
+    light.resin.attenuation_per_mm = 0.13 + scattering;
+    light
+}
+
+fn of(phase: impl Phase + 'static, per_mm: f64) -> Option<Scattering> {
+    Some(Scattering {
+        per_mm,
+        phase: Arc::new(phase),
+    })
+}
+
+fn dose(model: &dyn DoseModel<Field = HostField>, x: &[f32]) -> Volume<f32> {
+    let mut field = model.new_patterns().unwrap();
+    field.as_mut_slice().copy_from_slice(x);
+    let mut dose = model.new_dose().unwrap();
+    model.dose(&field, &mut dose, &Run::new()).unwrap();
+    model.outputs()[0].volume_of(dose.as_slice())
+}
+
+#[test]
+fn every_vial_and_phase_is_an_exact_pair() {
+    let vials: [&dyn Vial; 3] = [
+        &BATH,
+        &Cylinder {
+            inner_radius_mm: 2.8,
+            outer_radius_mm: 3.0,
+            refractive_index: 1.5,
+        },
+        &Square {
+            inner_width_mm: 5.0,
+            outer_width_mm: 5.6,
+            refractive_index: 1.5,
+        },
+    ];
+    for vial in vials {
+        for scattering in [
+            of(Rayleigh {}, 0.2),
+            of(HenyeyGreenstein { g: 0.4 }, 0.2),
+            of(HenyeyGreenstein { g: -0.3 }, 0.2),
+        ] {
+            let grid = VolumeGrid::centered([9, 14, 13], 0.3);
+            let params = Params { cell_mm: Some(0.4) };
+            let lights = vec![light(5, 7, 11, 0.3, 0.2), light(3, 7, 11, 0.3, 0.0)];
+            let model = model(vial, lights, &[scattering.clone(), None], &params, grid).unwrap();
+            let found = check::model::model(&model, 3)
+                .unwrap_or_else(|e| panic!("{vial:?} {scattering:?}: {e}"));
+            assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+        }
+    }
+}
+
+/// What a half space of isotropic scatterers sends back of light that falls on it along its normal: 1 − H(1)·√(1 − albedo),
+/// H from its integral equation (Chandrasekhar, *Radiative Transfer*, § 38).
+fn plane_albedo(albedo: f64) -> f64 {
+    const POINTS: usize = 400;
+    let mu = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+    let mut h = vec![1.0; POINTS];
+    let at = |h: &[f64], mu0: f64| {
+        let sum: f64 = (0..POINTS).map(|i| mu(i) * h[i] / (mu0 + mu(i))).sum();
+        1.0 / ((1.0 - albedo).sqrt() + albedo / 2.0 * sum / POINTS as f64)
+    };
+    for _ in 0..100 {
+        h = (0..POINTS).map(|i| at(&h, mu(i))).collect();
+    }
+    1.0 - at(&h, 1.0) * (1.0 - albedo).sqrt()
+}
+
+#[test]
+fn a_half_space_sends_back_what_chandrasekhar_computes() {
+    // Four square beams on flat walls, 24 mm of resin at μ_t = 1 behind each
+    let vial = Square {
+        inner_width_mm: 24.0,
+        outer_width_mm: 24.2,
+        refractive_index: 1.5,
+    };
+    for albedo in [0.5, 0.8] {
+        let expected = plane_albedo(albedo);
+        let mut light = light(4, 4, 4, 0.5, 0.0);
+        light.pixels = PatternGrid::full_turn(4, 0.0, 4, 4, 0.5);
+        light.surrounding_index = 1.5;
+        light.resin = Resin::absorbing(1.5, 1.0 - albedo);
+        light.resin.attenuation_per_mm = 1.0;
+        let grid = VolumeGrid::centered([60, 96, 96], 0.25);
+        let isotropic = of(Isotropic {}, albedo);
+        let back = |edge: f64| {
+            let params = Params {
+                cell_mm: Some(edge),
+            };
+            let one = std::slice::from_ref(&isotropic);
+            let model = model(&vial, vec![light.clone()], one, &params, grid.clone()).unwrap();
+            let dose = dose(&model, &vec![1.0; 4 * 16]);
+            let sum: f64 = dose.values.iter().map(|&v| f64::from(v)).sum();
+            1.0 - sum * 0.25f64.powi(3) / (4.0 * 16.0 * 0.25)
+        };
+        let (coarse, fine) = (back(0.5), back(0.25));
+        assert!(
+            (coarse - expected).abs() < 0.03 * expected,
+            "{coarse} {expected}"
+        );
+        assert!(
+            (fine - expected).abs() < 0.01 * expected,
+            "{fine} {expected}"
+        );
+    }
+    // Chandrasekhar's table of H: H(1) = 1.2512 for an albedo of ½, computed here
+    assert!((plane_albedo(0.5) - 0.1152).abs() < 1e-4);
+}
+
+/// Root mean square and largest of the difference, over the mean dose of the lit voxels; in blocks of 4 × 4 × 4.
+fn difference(a: &Volume<f32>, b: &Volume<f32>) -> (f64, f64) {
+    let [nz, ny, nx] = a.grid.shape;
+    let block = |v: &Volume<f32>, z: usize, y: usize, x: usize| -> f64 {
+        let mut sum = 0.0;
+        for i in 0..64 {
+            sum += f64::from(*v.at(4 * z + i / 16, 4 * y + i / 4 % 4, 4 * x + i % 4));
+        }
+        sum / 64.0
+    };
+    let (mut squares, mut most, mut mean, mut count) = (0.0, 0.0f64, 0.0, 0.0);
+    for z in 0..nz / 4 {
+        for y in 0..ny / 4 {
+            for x in 0..nx / 4 {
+                let (a, b) = (block(a, z, y, x), block(b, z, y, x));
+                squares += (a - b) * (a - b);
+                most = most.max((a - b).abs());
+                mean += a;
+                count += 1.0;
+            }
+        }
+    }
+    mean /= count;
+    ((squares / count).sqrt() / mean, most / mean)
+}
+
+#[test]
+fn it_agrees_with_random_paths_in_every_vial_and_phase() {
+    let vials: [&dyn Vial; 3] = [
+        &BATH,
+        &Cylinder {
+            inner_radius_mm: 2.8,
+            outer_radius_mm: 3.0,
+            refractive_index: 1.55,
+        },
+        &Square {
+            inner_width_mm: 5.0,
+            outer_width_mm: 5.6,
+            refractive_index: 1.5,
+        },
+    ];
+    let grid = VolumeGrid::centered([16, 32, 32], 0.125);
+    for vial in vials {
+        for (scattering, allowed) in [
+            (of(Rayleigh {}, 0.3), 0.01),
+            (of(Isotropic {}, 0.3), 0.01),
+            (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.01),
+        ] {
+            let light = light(24, 8, 32, 0.125, 0.3);
+            // Two bars of light
+            let x: Vec<f32> = (0..24 * 32 * 8)
+                .map(|i| if (i / 8) % 16 < 8 { 1.0 } else { 0.0 })
+                .collect();
+            let mut optics = Optics::collimated(0.125);
+            optics.scattering = scattering.clone();
+            let params = scatter::Params {
+                paths_per_pixel: 256,
+                smooth: 2,
+                ..Default::default()
+            };
+            let lights = [light.clone()];
+            let paths = scatter::model(vial, &lights, &[optics], &params, grid.clone()).unwrap();
+            let own = Params::default();
+            let orders = model(
+                vial,
+                vec![light],
+                std::slice::from_ref(&scattering),
+                &own,
+                grid.clone(),
+            );
+            let orders = orders.unwrap();
+            let (rms, most) = difference(&dose(&paths, &x), &dose(&orders, &x));
+            assert!(
+                rms < allowed && most < 3.0 * allowed,
+                "{vial:?} {scattering:?}: {rms} {most}"
+            );
+        }
+    }
+}
+
+#[test]
+fn smaller_cells_change_less_and_less() {
+    let grid = VolumeGrid::centered([12, 24, 24], 0.125);
+    let x = {
+        let mut x = noise(4, 12 * 24 * 12);
+        x.iter_mut().for_each(|v| *v = v.abs());
+        x
+    };
+    let with = |edge: f64| {
+        let params = Params {
+            cell_mm: Some(edge),
+        };
+        let light = light(12, 12, 24, 0.125, 0.3);
+        let model = model(
+            &BATH,
+            vec![light],
+            &[of(Rayleigh {}, 0.3)],
+            &params,
+            grid.clone(),
+        );
+        dose(&model.unwrap(), &x)
+    };
+    let finest = with(0.0625);
+    let [coarse, middle] = [0.375, 0.1875].map(|edge| difference(&with(edge), &finest).0);
+    assert!(middle < 0.5 * coarse && coarse < 0.01, "{coarse} {middle}");
+}
+
+#[test]
+fn what_it_does_not_cover_is_refused_with_the_reason() {
+    let tube = DoubleTube {
+        radii_mm: [3.0, 2.8, 0.5, 0.4],
+        outer_refractive_index: 1.5,
+        inner_refractive_index: 1.5,
+        core_refractive_index: 1.33,
+    };
+    let refused = |vial: &dyn Vial, shape: [usize; 3], scattering| {
+        let grid = VolumeGrid::centered(shape, 0.3);
+        let light = light(3, 4, 4, 0.3, 0.2);
+        let model = model(vial, vec![light], &[scattering], &Params::default(), grid);
+        model.err().unwrap().to_string()
+    };
+    let rayleigh = of(Rayleigh {}, 0.2);
+    assert!(refused(&tube, [4, 8, 8], rayleigh.clone()).contains("in sight"));
+    assert!(refused(&BATH, [1, 8, 8], rayleigh).contains("single slice"));
+    let peaked = of(HenyeyGreenstein { g: 0.5 }, 0.2);
+    assert!(refused(&BATH, [4, 8, 8], peaked).contains("forward lobe"));
+}
