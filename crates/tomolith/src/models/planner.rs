@@ -248,3 +248,118 @@ fn optical(
         Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::PatternGrid;
+    use crate::kind::Section;
+    use crate::optics::motion::Motion;
+    use crate::optics::resin::Resin;
+    use crate::optics::vial::index_matched::IndexMatched;
+    use crate::target::Placement;
+    use crate::target::phantom::Phantom;
+
+    const VIAL: IndexMatched = IndexMatched { radius_mm: 2.0 };
+
+    fn light() -> Light {
+        let pixels = PatternGrid::full_turn(6, 0.1, 12, 16, 0.1);
+        Light::new(pixels, Resin::absorbing(1.48, 0.2))
+    }
+
+    /// The reason, or the key of a refusal.
+    fn planned(choice: &Choice, setup: Setup<'_>, light: Light) -> String {
+        let grid = VolumeGrid::centered([6, 8, 8], 0.15);
+        match plan(choice, setup, vec![light], grid, None, &Run::new()) {
+            Ok(plan) => plan.reason,
+            Err(Error::Config { key, .. }) => key,
+            Err(other) => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn the_cheapest_model_is_exact_and_one_that_is_not_is_refused_by_its_key() {
+        let level = [Optics::collimated(0.1)];
+        let leaning = [Optics {
+            motion: Motion {
+                tilt_rad: 0.1,
+                ..Motion::default()
+            },
+            ..level[0].clone()
+        }];
+        let section = Section::new("target.phantom", serde_json::json!("sphere"));
+        let placement = Placement {
+            size_mm: Some(0.8),
+            ..Placement::default()
+        };
+        let ball: Arc<dyn Shape> =
+            Arc::new(Phantom::build(&section, &placement, "target").unwrap());
+        let setup = |optics, solid| Setup {
+            vial: &VIAL,
+            optics,
+            solid,
+        };
+        let [parallel, rays] = [
+            Choice::Parallel(crate::models::parallel::Params::default()),
+            Choice::Rays(rays::Params::default()),
+        ];
+        let any = Choice::Cheapest;
+        for (choice, setup, expected) in [
+            (&any, setup(&level, None), "collimated light"),
+            (
+                &any,
+                setup(&leaning, None),
+                "light is not normal to the axis",
+            ),
+            (
+                &any,
+                setup(&level, Some(&ball)),
+                "the target's surface cuts voxels into cells",
+            ),
+            (
+                &rays,
+                setup(&level, None),
+                "as asked; [model.parallel] covers",
+            ),
+            (&parallel, setup(&leaning, None), "model.parallel"),
+            (&parallel, setup(&level, Some(&ball)), "model.parallel"),
+        ] {
+            let found = planned(choice, setup, light());
+            assert!(found.contains(expected), "{found} instead of {expected}");
+        }
+    }
+
+    #[test]
+    fn a_sliver_of_the_part_is_wanted_where_voxels_are_cut() {
+        // A ball that fills less than half of each of the eight voxels about the middle
+        let section = Section::new("target.phantom", serde_json::json!("sphere"));
+        let placement = Placement {
+            size_mm: Some(0.2),
+            ..Placement::default()
+        };
+        let ball: Arc<dyn Shape> =
+            Arc::new(Phantom::build(&section, &placement, "target").unwrap());
+        let grid = VolumeGrid::centered([6, 8, 8], 0.15);
+        let optics = [Optics::collimated(0.1)];
+        let setup = Setup {
+            vial: &VIAL,
+            optics: &optics,
+            solid: Some(&ball),
+        };
+        let nothing = Volume::filled(grid.clone(), 0u8);
+        let any = Choice::Cheapest;
+        let plan = plan(
+            &any,
+            setup,
+            vec![light()],
+            grid,
+            Some(&nothing),
+            &Run::new(),
+        )
+        .unwrap();
+        let layout = &plan.model.outputs()[0];
+        assert_eq!(layout.cells.as_ref().map(|cells| cells.len()), Some(8));
+        // In six frames the columns and rows at ±0.05 mm, with rays at ±0.025 and ±0.075, meet the ball
+        assert_eq!(plan.model.patterns()[0].len(), 6 * 4);
+    }
+}
