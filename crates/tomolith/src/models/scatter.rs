@@ -17,6 +17,7 @@
 //! | key | range | default | meaning |
 //! |---|---|---|---|
 //! | `paths_per_pixel` | 1 to 4096 | 4 | paths of a pixel in a frame |
+//! | `accumulation` | `rays/accumulation.rs` | `"integral"` | how energy is accumulated along a path |
 //! | `seed` | – | 1 | which paths |
 //! | `renew` | 0 to 10000 | RENEW | iterations of an optimisation after which other paths are drawn; 0: never |
 //! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
@@ -55,6 +56,7 @@
 //! ```
 
 use super::parallel::Light;
+use super::rays::accumulation::Accumulation;
 use super::rays::{Emission, Optics, Rays, Scattered};
 use super::{Choice, ChooseModel};
 use crate::error::{Error, Result};
@@ -71,6 +73,8 @@ use serde::{Deserialize, Serialize};
 pub struct Params {
     /// Paths of a pixel in a frame, 1 to 4096.
     pub paths_per_pixel: usize,
+    /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
+    pub accumulation: Accumulation,
     /// Which paths.
     pub seed: u64,
     /// Iterations of an optimisation after which other paths are drawn, 0 to 10000; 0: never.
@@ -89,6 +93,7 @@ impl Default for Params {
     fn default() -> Self {
         Params {
             paths_per_pixel: 4,
+            accumulation: Accumulation::Integral,
             seed: 1,
             renew: 0,
             least_power: 0.05,
@@ -160,6 +165,7 @@ pub fn model(
 ) -> Result<Rays> {
     let emission = Emission {
         rays_per_pixel: params.paths_per_pixel,
+        accumulation: params.accumulation,
         limits: Limits {
             reflections: params.reflections,
             least_power: params.least_power,

@@ -85,6 +85,13 @@ impl Source {
         self.seed.map(|seed| seed.wrapping_add(round))
     }
 
+    /// Random points of a leg: (frame, column), row and leg count.
+    pub(super) fn points(&self, [pair, row, leg]: [usize; 3]) -> Stream {
+        // Other numbers than those of paths
+        let seed = !self.seed().unwrap_or(1);
+        Stream::new([seed, pair as u64, row as u64, leg as u64])
+    }
+
     /// Rays per pixel and frame.
     pub(super) fn rays(&self) -> usize {
         self.samples.len() * self.sub_angles
