@@ -108,7 +108,7 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
 
 /// Rays of the job's own model, or of the one that covers its optics.
 fn model(scene: &Scene, lights: Vec<Light>) -> Result<Rays> {
-    let Setup { vial, optics } = scene.optics.setup();
+    let Setup { vial, optics, .. } = scene.optics.setup();
     let grid = scene.grid.clone();
     match &scene.optics.model {
         Choice::Scatter(params) => scatter::model(vial, &lights, optics, params, grid),
