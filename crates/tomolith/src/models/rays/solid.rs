@@ -337,7 +337,7 @@ fn follow(
         let next = (at + here.abs().max(STEP * pitch)).min(to);
         let there = distance(next);
         if (here < 0.0) != (there < 0.0) {
-            let root = root(&distance, [at, next], [here, there], ROOT * pitch);
+            let root = root(distance, [at, next], [here, there], ROOT * pitch);
             match entered.take() {
                 Some(begin) => pieces.push([begin, root]),
                 None => entered = Some(root),
