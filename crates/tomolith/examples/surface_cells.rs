@@ -6,6 +6,7 @@
 //!     cargo run --release -p tomolith --example surface_cells -- 16,32,64,128 1024
 //!
 //! Run folders go to `out/surface-cells/`.
+#![expect(clippy::print_stdout, reason = "an example prints its table")]
 
 use std::path::Path;
 use tomolith::Error;

@@ -42,7 +42,9 @@ impl Accumulation {
         match self {
             Accumulation::Integral => None,
             _ if attenuation <= 0.0 => Some("random points want a resin that attenuates".into()),
-            Accumulation::Ratio { majorant_per_mm } if !(majorant_per_mm >= attenuation) => {
+            Accumulation::Ratio { majorant_per_mm }
+                if majorant_per_mm.is_nan() || majorant_per_mm < attenuation =>
+            {
                 Some(format!(
                     "a majorant of {majorant_per_mm} per mm, below the attenuation of {attenuation} per mm"
                 ))

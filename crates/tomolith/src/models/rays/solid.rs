@@ -446,7 +446,7 @@ mod tests {
         let sphere = phantom(serde_json::json!({"sphere": {"size_mm": 2.0}}));
         let solid = Solid::new(&sphere, &grid).unwrap();
         for height in [0.0, 0.3, 0.95, 0.9999] {
-            let half = (1.0 - height * height as f64).sqrt();
+            let half = f64::sqrt(1.0 - height * height);
             let found = inside(&solid, [-3.0, height, 0.0], [3.0, height, 0.0], 6.0);
             assert_pieces(&found, &[[3.0 - half, 3.0 + half]]);
         }
@@ -510,7 +510,11 @@ mod tests {
         let t = a.iter().sum::<f64>() / 2.0 + at;
         let term = |set: usize| {
             let taken = (0..3).filter(|i| set >> i & 1 == 1);
-            let sign = if set.count_ones() % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if set.count_ones().is_multiple_of(2) {
+                1.0
+            } else {
+                -1.0
+            };
             sign * (t - taken.map(|i| a[i]).sum::<f64>()).max(0.0).powi(3)
         };
         (0..8).map(term).sum::<f64>() / (6.0 * a[0] * a[1] * a[2])

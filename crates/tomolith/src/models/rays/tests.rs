@@ -147,6 +147,7 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
                     rays_per_pixel: 3,
                     reflections,
                     least_power: 0.02,
+                    ..Params::default()
                 };
                 let grid = VolumeGrid::centered([9, 14, 13], 0.2);
                 let model = rays(vial.as_ref(), light(5, 7, 11, 0.2), &optics, &params, grid);
@@ -473,6 +474,7 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
                     rays_per_pixel: 3,
                     reflections: true,
                     least_power: 0.02,
+                    ..Params::default()
                 };
                 let light = light(5, 7, 11, 0.2);
                 let model = rays(vial.as_ref(), light, &optics, &params, grid.clone())
