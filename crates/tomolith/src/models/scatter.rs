@@ -19,7 +19,7 @@
 //! | `paths_per_pixel` | 1 to 4096 | 4 | paths of a pixel in a frame |
 //! | `accumulation` | `rays/accumulation.rs` | `"integral"` | how energy is accumulated along a path |
 //! | `seed` | – | 1 | which paths |
-//! | `renew` | 0 to 10000 | RENEW | iterations of an optimisation after which other paths are drawn; 0: never |
+//! | `renew` | 0 to 10000 | 10 | iterations of an optimisation after which other paths are drawn; 0: never |
 //! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
@@ -95,7 +95,7 @@ impl Default for Params {
             paths_per_pixel: 4,
             accumulation: Accumulation::Integral,
             seed: 1,
-            renew: 0,
+            renew: 10,
             least_power: 0.05,
             reflections: false,
             orders: 64,

@@ -25,15 +25,16 @@ struct Share {
 /// Bins of `factor` pixels along an axis of `count`, centred on it like the pixels.
 fn shares(count: usize, factor: usize) -> (usize, Vec<Share>) {
     let bins = count.div_ceil(factor);
-    // First pixel in the first bin, in pixels; a half where the counts differ by an odd number
-    let before = (bins * factor - count) as f64 / 2.0;
+    // In halves of a pixel, where every edge of pixels and bins is whole
+    let before = bins * factor - count;
     let of_pixel = |i: usize| {
-        let low = (i as f64 + before) / factor as f64;
-        let bin = low.floor();
-        let in_first = ((bin + 1.0 - low) * factor as f64).min(1.0);
+        let low = 2 * i + before;
+        let bin = low / (2 * factor);
+        let room = 2 * factor * (bin + 1) - low;
+        let in_first = room.min(2) as f32 / 2.0;
         Share {
-            bin: bin as usize,
-            parts: [in_first as f32, (1.0 - in_first) as f32],
+            bin,
+            parts: [in_first, 1.0 - in_first],
         }
     };
     (bins, (0..count).map(of_pixel).collect())
@@ -203,6 +204,9 @@ mod tests {
         assert_eq!(bins, 3);
         let parts: Vec<(usize, [f32; 2])> = shares.iter().map(|s| (s.bin, s.parts)).collect();
         let (whole, half) = ([1.0, 0.0], [0.5, 0.5]);
+        // Bins that end with the pixels have nothing beyond
+        let (bins, shares) = super::shares(12, 3);
+        assert!(shares.iter().all(|s| s.parts == whole && s.bin < bins));
         assert_eq!(
             parts,
             [(0, whole), (0, half), (1, whole), (1, half), (2, whole)]
