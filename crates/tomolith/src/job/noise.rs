@@ -8,8 +8,7 @@ use super::judge::{Room, dose_by, print};
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::grid::{Patterns, Volume};
-use crate::metrics::Measure;
-use crate::metrics::iou;
+use crate::metrics::{Measure, iou, pw};
 use crate::models::{Choice, Run, scatter};
 use crate::target::label;
 use serde::Serialize;
@@ -26,6 +25,10 @@ pub(crate) struct Noise {
     pub(crate) training_iou: Measure,
     /// IoU on independent paths.
     pub(crate) independent_iou: Measure,
+    /// Process window on the paths of the optimisation.
+    pub(crate) training_pw: Measure,
+    /// Process window on independent paths.
+    pub(crate) independent_pw: Measure,
     /// Noise of a voxel of the part in the judgement, over the part's mean response.
     pub(crate) part: f64,
     /// Noise of a voxel of the void, over the part's mean response.
@@ -67,21 +70,28 @@ impl Noise {
                 cancel,
             )?)
         };
-        let iou_of = |response: &Volume<f32>| -> Result<Measure> {
-            Ok(iou::KIND.metric.measure(&print(scene, voxels, response)?))
+        let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
+            let print = print(scene, voxels, response)?;
+            Ok([
+                iou::KIND.metric.measure(&print),
+                pw::KIND.metric.measure(&print),
+            ])
         };
-        let training_iou = iou_of(&response(&training)?)?;
+        let [training_iou, training_pw] = measures(&response(&training)?)?;
         let first = response(&judging)?;
         let second = response(&scatter::Params {
             seed: judging.seed.wrapping_add(1),
             ..judging.clone()
         })?;
+        let [independent_iou, independent_pw] = measures(&first)?;
         let [part, void] = differences(&first, &second, &voxels.labels);
         Ok(Some(Noise {
             training_paths: training.paths_per_pixel,
             judging_paths: judging.paths_per_pixel,
             training_iou,
-            independent_iou: iou_of(&first)?,
+            independent_iou,
+            training_pw,
+            independent_pw,
             part,
             void,
         }))
@@ -105,10 +115,12 @@ impl fmt::Display for Noise {
         let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
         write!(
             f,
-            "IoU {} on the paths of the optimisation ({} a pixel), {} on independent ones ({} a pixel; noise of a voxel {:.2} % in the part, {:.2} % in the void)",
+            "IoU {}, PW {} on the paths of the optimisation ({} a pixel); {}, {} on independent ones ({} a pixel, noise of a voxel {:.2} % in the part, {:.2} % in the void)",
             number(self.training_iou),
+            number(self.training_pw),
             self.training_paths,
             number(self.independent_iou),
+            number(self.independent_pw),
             self.judging_paths,
             100.0 * self.part,
             100.0 * self.void
@@ -170,6 +182,8 @@ mod tests {
             judging_paths: 64,
             training_iou: Some(1.0),
             independent_iou: Some(independent),
+            training_pw: Some(0.2),
+            independent_pw: Some(0.05),
             part: 0.012,
             void: 0.03,
         };
