@@ -242,11 +242,9 @@ fn line(scene: &Scene, folder: &Path, with_paths: bool) -> Result<String, Box<dy
         let clear = job(&scene.job(0.0), folder, &format!("{}-clear", scene.name))?;
         run(&clear, false, &mut Silent, &cancel)?;
         let patterns = clear.folder().join("patterns.npz");
-        let other = job(
-            &scene.job(scene.albedo),
-            folder,
-            &format!("{}-other", scene.name),
-        )?;
+        // Cut where they print best: their dose is another one
+        let best = scene.job(scene.albedo).replace("\nthreshold = ", "\n# ");
+        let other = job(&best, folder, &format!("{}-other", scene.name))?;
         let summary = simulate(&other, &patterns, &mut Silent, &cancel)?;
         write!(text, "   {}", show(&summary, &other.folder())?)?;
         if with_paths {

@@ -232,7 +232,8 @@ fn smaller_cells_change_less_and_less() {
     };
     let finest = with(0.0625);
     let [coarse, middle] = [0.375, 0.1875].map(|edge| difference(&with(edge), &finest).0);
-    assert!(middle < 0.5 * coarse && coarse < 0.01, "{coarse} {middle}");
+    // Pixels of noise on cells of three by three pixels: the worst that patterns can be
+    assert!(middle < 0.25 * coarse && coarse < 0.02, "{coarse} {middle}");
 }
 
 #[test]
