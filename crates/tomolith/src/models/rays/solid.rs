@@ -2,7 +2,7 @@
 //!
 //! # Model
 //! A mesh is crossed in f64, inside is where its winding number is above 0. A ray that meets an edge may count a crossing
-//! twice or not at all; then the winding number does not come back to 0, and the ray is moved aside by [`ASIDE`]. A form is
+//! twice or not at all; then the winding number does not come back to 0, and the ray is moved aside by `ASIDE`. A form is
 //! followed by its distance: no step is longer than that, and none shorter than 1/64 of a voxel, so chords below may be
 //! missed; roots are found to 1e-9 of a voxel.
 //!
