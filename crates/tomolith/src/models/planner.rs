@@ -180,14 +180,14 @@ pub fn plan(
     };
     let solid = setup.solid.map(|shape| Solid::new(shape, &grid));
     let solid = solid.transpose()?.map(Arc::new);
-    let mut model = optical(&way, setup, lights.clone(), grid.clone(), solid.as_ref())?;
     if let Some(wanted) = wanted {
-        let rows = useful_rows(model.as_ref(), wanted, run)?;
+        let straight = straight(&way, setup, lights.clone(), grid.clone(), solid.as_ref())?;
+        let rows = useful_rows(straight.as_ref(), wanted, run)?;
         for (light, rows) in lights.iter_mut().zip(rows) {
             light.active = Some(rows);
         }
-        model = optical(&way, setup, lights, grid, solid.as_ref())?;
     }
+    let model = optical(&way, setup, lights, grid, solid.as_ref())?;
     let why = match (choice, setup.beyond_parallel()) {
         (Choice::Rays(_), None) => {
             "as asked; [model.parallel] covers these optics too and is faster"
@@ -201,6 +201,24 @@ pub fn plan(
         reason: format!("{}: {why}", model.describe()),
         model,
     })
+}
+
+/// The straight light of a model: which pixels meet a voxel. Scattered light meets all of them.
+fn straight(
+    way: &Optical<'_>,
+    setup: Setup<'_>,
+    lights: Vec<Light>,
+    grid: VolumeGrid,
+    solid: Option<&Arc<Solid>>,
+) -> Result<Box<dyn DoseModel<Field = HostField>>> {
+    match way {
+        Optical::Orders(_) => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
+        Optical::Scatter(params) => {
+            let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
+            Ok(boxed(model, solid))
+        }
+        Optical::Parallel | Optical::Rays(_) => optical(way, setup, lights, grid, solid),
+    }
 }
 
 /// A stored matrix as a model.
@@ -217,6 +235,14 @@ fn stored(matrix: &matrix::Params, lights: Vec<Light>, grid: VolumeGrid) -> Resu
     })
 }
 
+/// Rays, with cells where a surface cuts voxels.
+fn boxed(model: Rays, solid: Option<&Arc<Solid>>) -> Box<dyn DoseModel<Field = HostField>> {
+    match solid {
+        Some(solid) => Box::new(model.with_cells(Arc::clone(solid))),
+        None => Box::new(model),
+    }
+}
+
 /// A model of the optics, not a stored one.
 fn optical(
     way: &Optical<'_>,
@@ -225,18 +251,15 @@ fn optical(
     grid: VolumeGrid,
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-    let boxed = |model: Rays| -> Box<dyn DoseModel<Field = HostField>> {
-        match solid {
-            Some(solid) => Box::new(model.with_cells(Arc::clone(solid))),
-            None => Box::new(model),
-        }
-    };
     let rays = |params: &_| {
         let (vial, optics) = (setup.vial, setup.optics);
-        Rays::new(vial, lights.clone(), optics, params, grid.clone()).map(boxed)
+        Rays::new(vial, lights.clone(), optics, params, grid.clone())
+            .map(|model| boxed(model, solid))
     };
-    let scatter =
-        |params| scatter::model(setup.vial, &lights, setup.optics, params, grid.clone()).map(boxed);
+    let scatter = |params| {
+        scatter::model(setup.vial, &lights, setup.optics, params, grid.clone())
+            .map(|model| boxed(model, solid))
+    };
     match way {
         Optical::Scatter(params) => scatter(params),
         Optical::Orders(params) => {
@@ -255,6 +278,7 @@ mod tests {
     use crate::grid::PatternGrid;
     use crate::kind::Section;
     use crate::optics::motion::Motion;
+    use crate::optics::phase::rayleigh::Rayleigh;
     use crate::optics::resin::Resin;
     use crate::optics::vial::index_matched::IndexMatched;
     use crate::target::Placement;
@@ -327,6 +351,49 @@ mod tests {
             let found = planned(choice, setup, light());
             assert!(found.contains(expected), "{found} instead of {expected}");
         }
+    }
+
+    #[test]
+    fn scattering_adds_no_unknowns_to_the_silhouette_and_goes_order_by_order_where_it_can() {
+        let grid = VolumeGrid::centered([6, 8, 8], 0.15);
+        let mut wanted = Volume::filled(grid.clone(), 0u8);
+        wanted.values[grid.index(3, 4, 4)] = 1;
+        let pixels = |choice: &Choice, scatters: bool, cone: bool| {
+            let mut optics = [Optics::collimated(0.1)];
+            let mut light = light();
+            if scatters {
+                light.resin.attenuation_per_mm = 0.5;
+                optics[0].scattering = Some(Scattering {
+                    per_mm: 0.3,
+                    phase: Arc::new(Rayleigh {}),
+                });
+            }
+            if cone {
+                optics[0].motion.tilt_rad = 0.05;
+            }
+            let setup = Setup {
+                vial: &VIAL,
+                optics: &optics,
+                solid: None,
+            };
+            let lights = vec![light];
+            let wanted = Some(&wanted);
+            let plan = plan(choice, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
+            (plan.model.patterns()[0].len(), plan.reason)
+        };
+        let any = Choice::Cheapest;
+        let (level, _) = pixels(&any, false, false);
+        let (orders, reason) = pixels(&any, true, false);
+        assert!(
+            orders == level && reason.starts_with("orders"),
+            "{orders} {level} {reason}"
+        );
+        let (leaning, _) = pixels(&any, false, true);
+        let (paths, reason) = pixels(&any, true, true);
+        assert!(
+            paths == leaning && reason.starts_with("rays, 4"),
+            "{paths} {leaning} {reason}"
+        );
     }
 
     #[test]

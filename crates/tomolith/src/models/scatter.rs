@@ -163,7 +163,40 @@ pub fn model(
     params: &Params,
     grid: VolumeGrid,
 ) -> Result<Rays> {
-    let emission = Emission {
+    let scattered = Scattered {
+        seed: params.seed,
+        smooth: params.smooth,
+        renew: params.renew,
+    };
+    Rays::build(
+        vial,
+        lights,
+        optics,
+        &emission(params, Some(scattered)),
+        grid,
+    )
+}
+
+/// The straight light of [`model`] alone.
+///
+/// # Errors
+/// As [`Rays::new`].
+pub(super) fn straight(
+    vial: &dyn Vial,
+    lights: &[Light],
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<Rays> {
+    let whole = Params {
+        accumulation: Accumulation::Integral,
+        ..params.clone()
+    };
+    Rays::build(vial, lights, optics, &emission(&whole, None), grid)
+}
+
+fn emission(params: &Params, scattered: Option<Scattered>) -> Emission {
+    Emission {
         rays_per_pixel: params.paths_per_pixel,
         accumulation: params.accumulation,
         limits: Limits {
@@ -172,11 +205,6 @@ pub fn model(
             orders: params.orders,
             ..Limits::default()
         },
-        scattered: Some(Scattered {
-            seed: params.seed,
-            smooth: params.smooth,
-            renew: params.renew,
-        }),
-    };
-    Rays::build(vial, lights, optics, &emission, grid)
+        scattered,
+    }
 }
