@@ -160,10 +160,6 @@ impl LinearOperator for SmallModel {
         Ok(())
     }
 
-    fn frames(&self) -> usize {
-        self.entries.len()
-    }
-
     fn z_coupling(&self) -> ZCoupling {
         ZCoupling::None
     }

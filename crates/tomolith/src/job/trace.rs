@@ -9,7 +9,8 @@ use crate::models::parallel::Light;
 use crate::models::planner::Setup;
 use crate::models::rays::{Params, Rays};
 use crate::models::{Choice, Run, scatter};
-use crate::optics::space::{Account, Leg};
+use crate::optics::account::Account;
+use crate::optics::space::Leg;
 use serde::Serialize;
 
 /// A pixel of a job.

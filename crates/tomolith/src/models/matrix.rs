@@ -524,10 +524,6 @@ impl LinearOperator for MatrixModel {
         cancelled(run)
     }
 
-    fn frames(&self) -> usize {
-        self.patterns.iter().map(|p| p.grid.frames()).sum()
-    }
-
     fn z_coupling(&self) -> ZCoupling {
         if self.depth > 1 {
             ZCoupling::None

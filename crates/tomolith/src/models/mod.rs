@@ -224,7 +224,9 @@ pub trait LinearOperator: Send + Sync {
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()>;
     /// Number of frames of all lights.
-    fn frames(&self) -> usize;
+    fn frames(&self) -> usize {
+        self.patterns().iter().map(|p| p.grid.frames()).sum()
+    }
     /// How far a row reaches along z.
     fn z_coupling(&self) -> ZCoupling;
     /// As [`DoseModel::renew`].

@@ -109,6 +109,30 @@ impl Setup<'_> {
         Ok(Way::Optical(way))
     }
 
+    /// Why this way was taken, for people.
+    fn why(
+        &self,
+        way: &Optical<'_>,
+        choice: &Choice,
+        lights: &[Light],
+        grid: &VolumeGrid,
+    ) -> String {
+        match (choice, way, self.beyond_parallel()) {
+            (Choice::Rays(_), _, None) => {
+                "as asked; [model.parallel] covers these optics too and is faster".into()
+            }
+            (Choice::Scatter(_), _, None) => "as asked; nothing scatters".into(),
+            (_, Optical::Scatter(_), Some(reason)) => match self.beyond_orders(lights, grid) {
+                Some(other) => format!("{reason} and {other}"),
+                None => format!("{reason}; as asked, [model.orders] covers it without noise"),
+            },
+            (_, _, Some(reason)) => reason.into(),
+            (_, _, None) => {
+                "collimated light and a vial that does not change along z, so one slice's geometry serves all heights".into()
+            }
+        }
+    }
+
     /// Whether light is scattered anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {
@@ -187,16 +211,8 @@ pub fn plan(
             light.active = Some(rows);
         }
     }
+    let why = setup.why(&way, choice, &lights, &grid);
     let model = optical(&way, setup, lights, grid, solid.as_ref())?;
-    let why = match (choice, setup.beyond_parallel()) {
-        (Choice::Rays(_), None) => {
-            "as asked; [model.parallel] covers these optics too and is faster"
-        }
-        (_, Some(reason)) => reason,
-        (_, None) => {
-            "collimated light and a vial that does not change along z, so one slice's geometry serves all heights"
-        }
-    };
     Ok(Plan {
         reason: format!("{}: {why}", model.describe()),
         model,
@@ -393,6 +409,10 @@ mod tests {
         assert!(
             paths == leaning && reason.starts_with("rays, 4"),
             "{paths} {leaning} {reason}"
+        );
+        assert!(
+            reason.ends_with("the resin scatters and light is not normal to the axis"),
+            "{reason}"
         );
     }
 

@@ -1,5 +1,6 @@
 //! Optics: what stands between a projector's pixel and the resin.
 
+pub mod account;
 pub mod interface;
 pub mod motion;
 pub mod obstacle;

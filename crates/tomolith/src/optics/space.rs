@@ -37,6 +37,7 @@
 //! assert!((path.account.absorbed - expected).abs() < 1e-12);
 //! ```
 
+use super::account::Account;
 use super::interface::Polarisation;
 use super::obstacle::{Material, Obstacle};
 use super::phase::Scattering;
@@ -46,7 +47,6 @@ use super::resin::Resin;
 use super::surface::{Crossing, Surface, cross, dot, unit};
 use super::trace::Bath;
 use super::vial::{Curve, Medium, Vial};
-use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// A straight piece of a ray through resin.
@@ -84,50 +84,6 @@ impl Default for Limits {
             interfaces: 64,
             orders: 64,
         }
-    }
-}
-
-/// Where the power of a ray went; all add up to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Account {
-    /// Taken by the resin, active or not.
-    pub absorbed: f64,
-    /// Taken by a bath before the vial.
-    pub bath: f64,
-    /// Reflected at walls and not followed.
-    pub reflected: f64,
-    /// Left the vial after it had passed resin.
-    pub transmitted: f64,
-    /// Never met resin.
-    pub missed: f64,
-    /// Ended at a black body.
-    pub blocked: f64,
-    /// Given up: too weak, or too many interfaces.
-    pub dropped: f64,
-}
-
-impl Account {
-    /// Sum of all entries.
-    #[must_use]
-    pub fn total(&self) -> f64 {
-        self.absorbed
-            + self.bath
-            + self.reflected
-            + self.transmitted
-            + self.missed
-            + self.blocked
-            + self.dropped
-    }
-
-    /// Adds another account, `share` times.
-    pub fn add(&mut self, other: &Account, share: f64) {
-        self.absorbed += share * other.absorbed;
-        self.bath += share * other.bath;
-        self.reflected += share * other.reflected;
-        self.transmitted += share * other.transmitted;
-        self.missed += share * other.missed;
-        self.blocked += share * other.blocked;
-        self.dropped += share * other.dropped;
     }
 }
 
@@ -652,191 +608,4 @@ fn least_axis(d: [f64; 3]) -> [f64; 3] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::surface::Net;
-    use super::super::trace::Tracer;
-    use super::super::vial::cylinder::Cylinder;
-    use super::super::vial::double_tube::DoubleTube;
-    use super::super::vial::square::Square;
-    use super::*;
-    use crate::io::mesh::samples::cuboid;
-    use std::sync::Arc;
-
-    const GLASS: Cylinder = Cylinder {
-        inner_radius_mm: 7.5,
-        outer_radius_mm: 8.0,
-        refractive_index: 1.54,
-    };
-
-    fn resin() -> Resin {
-        Resin::absorbing(1.49, 0.1)
-    }
-
-    fn tracer(vial: &dyn Vial, polarisation: Polarisation, limits: Limits) -> SpaceTracer {
-        SpaceTracer::new(vial, resin(), 1.0, polarisation, limits)
-    }
-
-    fn level(u: f64, azimuth: f64) -> Ray {
-        let (sin, cos) = azimuth.sin_cos();
-        Ray {
-            from: [-u * sin, u * cos, 0.4],
-            direction: [-cos, -sin, 0.0],
-        }
-    }
-
-    #[test]
-    fn level_rays_do_what_the_tracer_of_the_plane_says() {
-        let square = Square {
-            inner_width_mm: 10.0,
-            outer_width_mm: 12.4,
-            refractive_index: 1.54,
-        };
-        let double = DoubleTube {
-            radii_mm: [9.0, 8.0, 3.0, 2.5],
-            outer_refractive_index: 1.5,
-            inner_refractive_index: 1.52,
-            core_refractive_index: 1.0,
-        };
-        for vial in [&GLASS as &dyn Vial, &square, &double] {
-            for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
-                let plane = Tracer::new(vial, resin(), 1.0, polarisation);
-                let space = tracer(vial, polarisation, Limits::default());
-                for i in 0..60 {
-                    let (u, azimuth) = (0.13 * f64::from(i) - 3.9, 0.21 * f64::from(i));
-                    let (a, b) = (plane.trace(u, azimuth), space.trace(level(u, azimuth)));
-                    assert_eq!(a.legs.len(), b.legs.len(), "{vial:?} {u}");
-                    for (a, b) in a.legs.iter().zip(&b.legs) {
-                        assert!((a.length - b.length).abs() < 1e-9, "{vial:?} {u}");
-                        assert!((a.power - b.power).abs() < 1e-9, "{vial:?} {u}");
-                        assert!((a.from[0] - b.ray.from[0]).abs() < 1e-9);
-                        assert!((a.direction[1] - b.ray.direction[1]).abs() < 1e-9);
-                    }
-                    assert!((b.account.total() - 1.0).abs() < 1e-12);
-                    assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-9);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_the_axis() {
-        // n·(component along z) and n·(moment about z) are invariants of a round vial
-        let space = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
-        let direction = unit([-1.0, 0.1, -0.25]);
-        let ray = Ray {
-            from: [0.0, 3.1, 0.2],
-            direction,
-        };
-        let moment = |ray: &Ray| ray.from[0] * ray.direction[1] - ray.from[1] * ray.direction[0];
-        let leg = space.trace(ray).legs[0];
-        assert!((leg.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
-        assert!((moment(&leg.ray) - moment(&ray) / 1.49).abs() < 1e-12);
-    }
-
-    #[test]
-    fn with_reflections_all_light_is_found_again() {
-        let limits = Limits {
-            reflections: true,
-            least_power: 1e-7,
-            interfaces: 200,
-            ..Limits::default()
-        };
-        let mut clear = resin();
-        clear.absorption_per_mm = 0.0;
-        clear.attenuation_per_mm = 0.0;
-        // Through the axis of a clear vial all interfaces are plain: their incoherent sum has a closed form
-        let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarisation::S, limits);
-        let path = space.trace(level(0.0, 0.3));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
-        assert!(path.account.dropped < 1e-4, "{:?}", path.account);
-        let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
-        // Two walls of two interfaces each, then the pair of them; R/T adds up along incoherent interfaces
-        let ratios =
-            2.0 * (r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49)));
-        let transmitted: f64 = 1.0 / (1.0 + ratios);
-        // The last ray of every order leaves the vial after resin, forwards or backwards: only the first reflections miss it
-        let sum: f64 = path.legs.iter().map(|leg| leg.power).sum();
-        assert!(sum > transmitted);
-        let without_resin = path.account.missed;
-        assert!(
-            (path.account.transmitted + without_resin + path.account.dropped - 1.0).abs() < 1e-12
-        );
-        // What leaves backwards before any resin: the first two interfaces alone
-        let two = r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49));
-        assert!((without_resin - two / (1.0 + two)).abs() < 1e-6);
-    }
-
-    #[test]
-    fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts_it() {
-        use super::super::phase::isotropic::Isotropic;
-        let per_mm = 0.5;
-        let mut dull = resin();
-        dull.attenuation_per_mm = 0.1 + per_mm;
-        let scattering = Scattering {
-            per_mm,
-            phase: Arc::new(Isotropic {}),
-        };
-        let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
-        let run = |orders: usize| {
-            let limits = Limits {
-                orders,
-                least_power: 0.0,
-                ..Limits::default()
-            };
-            SpaceTracer::new(&vial, dull, 1.0, Polarisation::Unpolarised, limits)
-                .in_scattering(Some(scattering.clone()))
-        };
-        // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
-        let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
-        let ray = level(0.0, 0.0);
-        let (mut depth, mut cosine) = (0.0, 0.0);
-        let paths: u32 = 20_000;
-        for i in 0..paths {
-            let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
-            assert!((path.account.total() - 1.0).abs() < 1e-12);
-            assert!((path.legs[1].power - expected).abs() < 1e-12);
-            depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
-            cosine += path.legs[1].ray.direction[2] / f64::from(paths);
-        }
-        // Mean free path below 4 mm: 1/μ − 4/(e^(4μ) − 1), and no direction is preferred
-        let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
-        assert!((depth - mean).abs() < 0.04, "{depth} {mean}");
-        assert!(cosine.abs() < 0.02);
-        // With all orders the power that is dropped is small, and the account is whole
-        let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
-        assert!((path.account.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
-    }
-
-    #[test]
-    fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_do_nothing() {
-        let body = Surface::Net(Arc::new(
-            Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
-        ));
-        let with = |material| {
-            tracer(&GLASS, Polarisation::Unpolarised, Limits::default()).with_obstacles(vec![
-                Obstacle {
-                    surface: body.clone(),
-                    material,
-                },
-            ])
-        };
-        let plain = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
-        let ray = level(0.3, 0.0);
-        let whole = plain.trace(ray);
-        let shadow = with(Material::Black).trace(ray);
-        assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
-        assert!((shadow.account.total() - 1.0).abs() < 1e-12);
-        assert!(shadow.account.blocked > 0.1 && shadow.legs.len() == 1);
-        let matched = with(Material::Dielectric {
-            refractive_index: 1.49,
-        })
-        .trace(ray);
-        let gap = 2.0 / -matched.legs[0].ray.direction[0];
-        let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
-        assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);
-        let mirror = with(Material::Mirror).trace(ray);
-        assert_eq!(mirror.legs.len(), 2);
-        assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
-        assert!((mirror.account.total() - 1.0).abs() < 1e-12);
-    }
-}
+mod tests;

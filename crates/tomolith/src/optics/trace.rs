@@ -20,6 +20,7 @@
 //! assert!((path.account.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
 //! ```
 
+use super::account::Account;
 use super::interface::{Polarisation, Transmittance, refract};
 use super::resin::Resin;
 use super::vial::{Curve, Medium, Vial, Wall};
@@ -52,29 +53,6 @@ impl Bath {
     fn way(self, position: [f64; 2], direction: [f64; 2], distance: f64) -> f64 {
         let entry = enter(Curve::Circle(self.radius_mm), position, direction);
         entry.map_or(0.0, |(entry, ..)| (distance - entry).max(0.0))
-    }
-}
-
-/// Where the power of a ray went; the five add up to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Account {
-    /// Taken by the resin, active or not.
-    pub absorbed: f64,
-    /// Taken by an absorbing bath before the vial.
-    pub bath: f64,
-    /// Reflected at walls, total reflection included.
-    pub reflected: f64,
-    /// Left the vial after it had passed resin.
-    pub transmitted: f64,
-    /// Never met resin.
-    pub missed: f64,
-}
-
-impl Account {
-    /// Sum of all entries.
-    #[must_use]
-    pub fn total(&self) -> f64 {
-        self.absorbed + self.bath + self.reflected + self.transmitted + self.missed
     }
 }
 

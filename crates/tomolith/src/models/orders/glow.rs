@@ -6,7 +6,7 @@ use super::convolver::{Convolver, Kernel};
 use super::far::Far;
 use super::flight::{Flight, Pattern};
 use super::harmonics::{Harmonic, coefficients};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
 use crate::models::coarse::Coarse;
 use crate::models::parallel::{Light, Parallel};
@@ -99,6 +99,7 @@ impl Glow {
         let (bins, binned) = Bins::new(&light, edge);
         let mu = light.resin.attenuation_per_mm;
         let cells = Cells::new(vial, (edge, mu), bins.heights_mm(), &fine.grid);
+        cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
         let convolver = Convolver::new([nx, ny, nz], layout.row);
@@ -277,6 +278,9 @@ fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
     )
 }
 
+/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten.
+const MOST_CELLS: usize = 1 << 24;
+
 /// The cells of order 1, and how many of them make one of the later orders.
 struct Cells {
     grid: VolumeGrid,
@@ -309,5 +313,20 @@ impl Cells {
             },
             factor,
         }
+    }
+
+    /// Refuses more cells than a machine can hold.
+    fn must_be_few(&self) -> Result<()> {
+        let [nz, ny, nx] = self.grid.shape;
+        let found = nz.saturating_mul(ny).saturating_mul(nx);
+        if found <= MOST_CELLS {
+            return Ok(());
+        }
+        let edge = self.grid.pitch_mm * (found as f64 / MOST_CELLS as f64).cbrt();
+        Err(Error::config(
+            "model.orders.cell_mm",
+            format!("{nz} × {ny} × {nx} cells of {} mm", self.grid.pitch_mm),
+            format!("at most {MOST_CELLS} cells: about {edge:.2} mm or more, or [model.scatter]"),
+        ))
     }
 }

@@ -210,10 +210,6 @@ impl LinearOperator for Orders {
         Ok(())
     }
 
-    fn frames(&self) -> usize {
-        self.straight.frames()
-    }
-
     fn z_coupling(&self) -> ZCoupling {
         ZCoupling::Full
     }

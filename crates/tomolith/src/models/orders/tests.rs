@@ -244,15 +244,22 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
         inner_refractive_index: 1.5,
         core_refractive_index: 1.33,
     };
-    let refused = |vial: &dyn Vial, shape: [usize; 3], scattering| {
+    let refused = |vial: &dyn Vial, shape: [usize; 3], scattering, cell_mm| {
         let grid = VolumeGrid::centered(shape, 0.3);
         let light = light(3, 4, 4, 0.3, 0.2);
-        let model = model(vial, vec![light], &[scattering], &Params::default(), grid);
+        let params = Params { cell_mm };
+        let model = model(vial, vec![light], &[scattering], &params, grid);
         model.err().unwrap().to_string()
     };
     let rayleigh = of(Rayleigh {}, 0.2);
-    assert!(refused(&tube, [4, 8, 8], rayleigh.clone()).contains("in sight"));
-    assert!(refused(&BATH, [1, 8, 8], rayleigh).contains("single slice"));
+    assert!(refused(&tube, [4, 8, 8], rayleigh.clone(), None).contains("in sight"));
+    assert!(refused(&BATH, [1, 8, 8], rayleigh.clone(), None).contains("single slice"));
     let peaked = of(HenyeyGreenstein { g: 0.5 }, 0.2);
-    assert!(refused(&BATH, [4, 8, 8], peaked).contains("forward lobe"));
+    assert!(refused(&BATH, [4, 8, 8], peaked, None).contains("forward lobe"));
+    // 6 mm across and high in cells of 1 µm: told what would do, before any array
+    let many = refused(&BATH, [4, 8, 8], rayleigh, Some(1e-3));
+    assert!(
+        many.contains("model.orders.cell_mm") && many.contains("0.02 mm or more"),
+        "{many}"
+    );
 }

@@ -530,10 +530,6 @@ impl LinearOperator for Parallel {
         Ok(())
     }
 
-    fn frames(&self) -> usize {
-        self.lights.iter().map(|plan| plan.views.frames).sum()
-    }
-
     fn z_coupling(&self) -> ZCoupling {
         ZCoupling::None
     }

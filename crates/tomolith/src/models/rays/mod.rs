@@ -68,12 +68,13 @@ use crate::models::parallel::{Kernel, Light};
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling,
 };
+use crate::optics::account::Account;
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::Obstacle;
 use crate::optics::phase::Scattering;
 use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
-use crate::optics::space::{Account, Leg, Limits, SpaceTracer};
+use crate::optics::space::{Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use accumulation::Accumulation;
 use rayon::prelude::*;
@@ -650,10 +651,6 @@ impl LinearOperator for Rays {
             }
         }
         Ok(())
-    }
-
-    fn frames(&self) -> usize {
-        self.patterns.iter().map(|p| p.grid.frames()).sum()
     }
 
     fn renew(&self, iteration: usize) -> bool {

@@ -3,10 +3,11 @@
 use super::Emission;
 use crate::grid::PatternGrid;
 use crate::models::parallel::Light;
+use crate::optics::account::Account;
 use crate::optics::motion::{Motion, turned};
 use crate::optics::projector::{Projector, Ray};
 use crate::optics::random::Stream;
-use crate::optics::space::{Account, Leg, SpaceTracer};
+use crate::optics::space::{Leg, SpaceTracer};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
