@@ -1,6 +1,7 @@
 //! Optics: what stands between a projector's pixel and the resin.
 
 pub mod account;
+pub mod edges;
 pub mod interface;
 pub mod motion;
 pub mod obstacle;
