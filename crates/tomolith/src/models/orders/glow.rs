@@ -323,10 +323,11 @@ impl Cells {
             return Ok(());
         }
         let edge = self.grid.pitch_mm * (found as f64 / MOST_CELLS as f64).cbrt();
+        let edge = (edge * 1e3).ceil() / 1e3;
         Err(Error::config(
             "model.orders.cell_mm",
             format!("{nz} × {ny} × {nx} cells of {} mm", self.grid.pitch_mm),
-            format!("at most {MOST_CELLS} cells: about {edge:.2} mm or more, or [model.scatter]"),
+            format!("at most {MOST_CELLS} cells: about {edge} mm or more, or [model.scatter]"),
         ))
     }
 }
