@@ -599,6 +599,71 @@ const WRONG: &[Wrong] = &[
         &["resin.phase.raleigh", "did you mean `rayleigh`?"],
     ),
     (
+        "angles = 30",
+        "angles = 30\noffset_mm = [0, 2000]",
+        "offset_mm",
+        &["light[0].offset_mm[1]", "-1000 to 1000"],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\noffset_mm = [0, -0.9]",
+        "pixels",
+        &[
+            "light[0].pixels",
+            "the field reaches 0.300 mm along the axis",
+            "another offset_mm",
+        ],
+    ),
+    (
+        "pixel_pitch_mm = 0.1",
+        "pixel_pitch_mm = [0.1, 0]",
+        "pixel_pitch",
+        &["light[0].projector.collimated.pixel_pitch_mm[1]", "> 0"],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\nselection.columns = [40, 9]",
+        "selection",
+        &[
+            "light[0].selection.columns",
+            "found [40, 9], but there are 48",
+        ],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\nselection.rows = [0, 14]",
+        "pixels",
+        &[
+            "light[0].pixels",
+            "the field reaches 0.200 mm along the axis",
+        ],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\nselection.least_contribution = 1.5",
+        "selection",
+        &["light[0].selection.least_contribution", "0 to 0.999"],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\nselection.corner_radius_mm = 0.2",
+        "selection",
+        &[
+            "light[0].selection.corner_radius_mm",
+            "its outer wall has none",
+        ],
+    ),
+    (
+        "angles = 30",
+        "angles = 30\nselection.mask = \"none.png\"",
+        "selection",
+        &[
+            "light[0].selection.mask",
+            "none.png",
+            "a file that can be read",
+        ],
+    ),
+    (
         "[stop]",
         "[motion]\ntilt_deg = 95\n[stop]",
         "tilt",

@@ -462,3 +462,76 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
     );
     assert!(!bench.path("wrong.toml").exists());
 }
+
+/// What an optimisation wants pixels to be, [angle, row, column]: the job with these keys of its light, and further tables.
+fn wanted(bench: &Bench, name: &str, light: &str, tables: &str) -> Vec<f32> {
+    let job = JOB.replace("pixels = [32, 16]", light) + tables;
+    fs::write(bench.path(&format!("{name}.toml")), job).unwrap();
+    bench.expect(0, &format!("run {name}.toml --quiet --output {name}"));
+    let file = bench.path(name).join("patterns.npz");
+    let mut arrays = tomolith::io::npy::read_patterns(&file).unwrap();
+    arrays.remove(0).raw.unwrap()
+}
+
+#[test]
+fn a_part_of_the_projector_is_a_smaller_image_beside_the_axis() {
+    let bench = Bench::new();
+    let inside = |row: usize, column: usize| (1..14).contains(&row) && (4..30).contains(&column);
+    let image: Vec<f64> = (0..16 * 32)
+        .map(|i| f64::from(u8::from(inside(i / 32, i % 32))))
+        .collect();
+    fs::write(bench.path("mask.npy"), npy("16, 32", &image)).unwrap();
+    let crop = "pixels = [32, 16]\nselection = { columns = [4, 26], rows = [1, 13] }";
+    let mask = "pixels = [32, 16]\nselection.mask = \"mask.npy\"";
+    // Columns 4 to 29 have their middle 0.1 mm beside that of 32, rows 1 to 13 theirs 0.05 mm above that of 16
+    let beside = "pixels = [26, 13]\noffset_mm = [0.1, 0.05]";
+    for (model, tables) in [("parallel", ""), ("rays", "[model.rays]\n")] {
+        let run =
+            |name: &str, light: &str| wanted(&bench, &format!("{model}-{name}"), light, tables);
+        let cropped = run("crop", crop);
+        assert_eq!(cropped, run("mask", mask));
+        let beside = run("beside", beside);
+        let most = cropped.iter().copied().fold(0.0, f32::max);
+        let mut inner = beside.iter();
+        for (i, &value) in cropped.iter().enumerate() {
+            if inside(i / 32 % 16, i % 32) {
+                let other = inner.next().unwrap();
+                assert!((value - other).abs() < 1e-3 * most, "{i}: {value} {other}");
+            } else {
+                assert_eq!(value, 0.0);
+            }
+        }
+        assert!(most > 0.0 && inner.next().is_none());
+    }
+}
+
+#[test]
+fn pixels_that_may_not_be_lit_or_cannot_be_or_bring_little_stay_dark() {
+    let bench = Bench::new();
+    let image = |value: f64, at: [usize; 2]| {
+        let here = |i: usize| [i / 32, i % 32] == at;
+        let values: Vec<f64> = (0..16 * 32)
+            .map(|i| if here(i) { value } else { 1.0 - value })
+            .collect();
+        npy("16, 32", &values)
+    };
+    fs::write(bench.path("mask.npy"), image(0.0, [7, 15])).unwrap();
+    fs::write(bench.path("dead.npy"), image(1.0, [8, 17])).unwrap();
+    let plain = wanted(&bench, "plain", "pixels = [32, 16]", "");
+    let chosen = wanted(
+        &bench,
+        "chosen",
+        "pixels = [32, 16]\nselection = { mask = \"mask.npy\", least_contribution = 0.3 }",
+        "[printer]\ndead_pixels = \"dead.npy\"\n",
+    );
+    let lit = |values: &[f32], [row, column]: [usize; 2]| {
+        (0..24).any(|frame| values[(frame * 16 + row) * 32 + column] > 0.0)
+    };
+    for at in [[7, 15], [8, 17]] {
+        assert!(lit(&plain, at) && !lit(&chosen, at), "{at:?}");
+    }
+    assert!(lit(&chosen, [7, 16]) && lit(&chosen, [8, 16]));
+    let count = |values: &[f32]| values.iter().filter(|v| **v > 0.0).count();
+    let (few, all) = (count(&chosen), count(&plain));
+    assert!(few > 0 && few + 48 < all, "{few} {all}");
+}

@@ -22,7 +22,7 @@ fn optics(name: &str) -> Optics {
         "tilted by 6.8°" => optics.motion.tilt_rad = 6.8f64.to_radians(),
         "cones of 0.05" => {
             optics.projector = Arc::new(Telecentric {
-                pixel_pitch_mm: 0.025,
+                pixel_pitch_mm: [0.025; 2],
                 aperture_radius_mm: 5.0,
                 working_distance_mm: 100.0,
                 focus_mm: 0.0,

@@ -53,7 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 frame_arc: 0.0,
                 rows: 1,
                 columns: sino.ncols(),
-                pitch_mm: 1.0,
+                pitch_mm: [1.0; 2],
+                offset_mm: [0.0; 2],
             };
             let mut light = Light::new(pixels.clone(), Resin::pure_radon(1.5));
             light.kernel = kernel;

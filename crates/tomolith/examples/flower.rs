@@ -155,7 +155,8 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         frame_arc: 0.0,
         rows: 1,
         columns: setting.voxels,
-        pitch_mm: grid.pitch_mm,
+        pitch_mm: [grid.pitch_mm; 2],
+        offset_mm: [0.0; 2],
     };
     let mut light = Light::new(pixels, Resin::pure_radon(1.5));
     light.kernel = setting.kernel;

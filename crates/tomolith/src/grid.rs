@@ -146,12 +146,14 @@ pub struct PatternGrid {
     pub rows: usize,
     /// Columns; they grow along (−sin α, cos α, 0).
     pub columns: usize,
-    /// Distance of columns and of rows in the vial, mm.
-    pub pitch_mm: f64,
+    /// Distance of columns and of rows at the vial, mm.
+    pub pitch_mm: [f64; 2],
+    /// Where the middle of the image stands beside the rotation axis [u, z], mm.
+    pub offset_mm: [f64; 2],
 }
 
 impl PatternGrid {
-    /// `count` frames over the full turn from `start` (rad); the vial turns clockwise, so azimuths grow.
+    /// `count` frames over the full turn from `start` (rad), of square pixels about the axis; the vial turns clockwise, so azimuths grow.
     #[must_use]
     pub fn full_turn(count: usize, start: f64, rows: usize, columns: usize, pitch_mm: f64) -> Self {
         PatternGrid {
@@ -161,7 +163,8 @@ impl PatternGrid {
             frame_arc: TAU / count.max(1) as f64,
             rows,
             columns,
-            pitch_mm,
+            pitch_mm: [pitch_mm; 2],
+            offset_mm: [0.0; 2],
         }
     }
 
@@ -192,13 +195,36 @@ impl PatternGrid {
     /// z of the centre of row `row`, mm (row 0 is the highest).
     #[must_use]
     pub fn row_z(&self, row: usize) -> f64 {
-        -sample(row, self.rows, self.pitch_mm)
+        self.offset_mm[1] - sample(row, self.rows, self.pitch_mm[1])
     }
 
     /// Lateral coordinate u of the centre of column `column`, mm.
     #[must_use]
     pub fn column_u(&self, column: usize) -> f64 {
-        sample(column, self.columns, self.pitch_mm)
+        self.offset_mm[0] + sample(column, self.columns, self.pitch_mm[0])
+    }
+
+    /// Lowest and highest corner [u, z] of the image, mm.
+    #[must_use]
+    pub fn field_mm(&self) -> [[f64; 2]; 2] {
+        let half = [
+            self.columns as f64 * self.pitch_mm[0] / 2.0,
+            self.rows as f64 * self.pitch_mm[1] / 2.0,
+        ];
+        [-1.0, 1.0].map(|side| std::array::from_fn(|i| self.offset_mm[i] + side * half[i]))
+    }
+
+    /// The one pitch of square pixels, mm; None where columns and rows differ.
+    #[must_use]
+    pub fn square_pitch_mm(&self) -> Option<f64> {
+        let [u, z] = self.pitch_mm;
+        (u == z).then_some(u)
+    }
+
+    /// Area of a pixel, mm².
+    #[must_use]
+    pub fn pixel_mm2(&self) -> f64 {
+        self.pitch_mm[0] * self.pitch_mm[1]
     }
 }
 

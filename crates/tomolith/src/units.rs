@@ -50,6 +50,55 @@ impl Mm {
     }
 }
 
+/// Distances of columns and of rows, mm: one length for square pixels, or both.
+///
+/// ```
+/// use tomolith::units::Pitch;
+/// let square: Pitch = serde_json::from_str("\"20 um\"").unwrap();
+/// let flat: Pitch = serde_json::from_str("[0.04, \"20 um\"]").unwrap();
+/// assert_eq!((square.0, flat.0), ([0.02, 0.02], [0.04, 0.02]));
+/// assert!(serde_json::from_str::<Pitch>("[0.04]").is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pitch(pub [f64; 2]);
+
+impl Serialize for Pitch {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [columns, rows] = self.0;
+        if columns == rows {
+            Mm(columns).serialize(serializer)
+        } else {
+            self.0.serialize(serializer)
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Pitch {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let lengths = if value.is_array() {
+            serde_json::from_value::<[Mm; 2]>(value)
+        } else {
+            serde_json::from_value::<Mm>(value).map(|pitch| [pitch; 2])
+        };
+        let lengths = lengths.map_err(serde::de::Error::custom)?;
+        Ok(Pitch(lengths.map(|mm| mm.0)))
+    }
+}
+
+impl schemars::JsonSchema for Pitch {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Pitch".into()
+    }
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let one = generator.subschema_for::<Mm>();
+        schemars::json_schema!({
+            "description": "One length for square pixels, or that of columns and that of rows",
+            "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }]
+        })
+    }
+}
+
 impl<'de> Deserialize<'de> for Mm {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Visitor;

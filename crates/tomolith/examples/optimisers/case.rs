@@ -91,7 +91,7 @@ impl Case {
         };
         let setup = Setup {
             vial: &vial,
-            optics: &[Optics::collimated(light.pixels.pitch_mm)],
+            optics: &[Optics::collimated(light.pixels.pitch_mm[0])],
             solid: None,
         };
         let plan = planner::plan(

@@ -27,7 +27,7 @@
 //! ```
 
 use super::placing::{Placing, size_of, turn};
-use super::printer::PrinterSpec;
+use super::printer::{PrinterSpec, device_pitch};
 use super::quantise::Quantised;
 use crate::error::{Error, Result, nearest_name};
 use crate::grid::PatternGrid;
@@ -97,7 +97,7 @@ impl Calibration {
             canvas: [1, 1],
             pattern: size_of(field),
             pattern_pitch: field.pitch_mm,
-            pitch: spec.pixel_pitch_mm.map_or(field.pitch_mm, |pitch| pitch.0),
+            pitch: device_pitch(spec, field),
             turn: turn(spec.quarter_turns, spec.rotation_deg),
             flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
             offset: spec.offset_px,
@@ -128,7 +128,7 @@ impl Calibration {
                 f64::from(u8::from(light(u - self.axis_mm, z)))
             })
         };
-        let line = HALF_LINE * self.placing.pitch;
+        let line = HALF_LINE * f64::midpoint(self.placing.pitch[0], self.placing.pitch[1]);
         let values = match name {
             "border" => on_device(&|x, y| {
                 let edge = (columns as f64 / 2.0 - x.abs()).min(rows as f64 / 2.0 - y.abs());
@@ -180,8 +180,11 @@ impl Calibration {
                 });
             }
         };
-        let mut grid = PatternGrid::full_turn(1, 0.0, rows, columns, self.placing.pitch);
-        grid.frame_arc = 0.0;
+        let grid = PatternGrid {
+            frame_arc: 0.0,
+            pitch_mm: self.placing.pitch,
+            ..PatternGrid::full_turn(1, 0.0, rows, columns, 1.0)
+        };
         Ok(Quantised {
             grid,
             bits: self.bits,
@@ -195,9 +198,7 @@ impl Calibration {
 
     /// Half the size of the patterns, mm.
     fn half_mm(&self) -> [f64; 2] {
-        self.placing
-            .pattern
-            .map(|n| n as f64 * self.placing.pattern_pitch / 2.0)
+        self.placing.half()
     }
 
     /// Mean over each device pixel of a picture that is given at places in device pixels from the middle.

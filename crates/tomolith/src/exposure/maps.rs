@@ -5,8 +5,8 @@ use crate::io::image::read_grey;
 use crate::io::npy::read_matrix;
 use std::path::Path;
 
-/// A map of the canvas' size `[columns, rows]`, row 0 on top: finite numbers, 0 or more.
-pub(super) fn read_map(path: &Path, canvas: [usize; 2]) -> Result<Vec<f32>> {
+/// A map of this size `[columns, rows]`, row 0 on top: finite numbers, 0 or more; `as_what` has that size.
+pub(crate) fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>> {
     let is_array = path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("npy"));
@@ -21,11 +21,11 @@ pub(super) fn read_map(path: &Path, canvas: [usize; 2]) -> Result<Vec<f32>> {
         path: path.to_owned(),
         found,
         accepted: format!(
-            "a map of {} × {} numbers, 0 or more, as the canvas",
-            canvas[0], canvas[1]
+            "a map of {} × {} numbers, 0 or more, as the {as_what}",
+            size[0], size[1]
         ),
     };
-    if [columns, rows] != canvas {
+    if [columns, rows] != size {
         return Err(bad(format!("{columns} × {rows} pixels")));
     }
     match values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {

@@ -16,6 +16,7 @@ mod tone;
 
 pub use budget::{Budget, Exposure};
 pub use calibration::{CALIBRATIONS, Calibration};
+pub(crate) use maps::read_map;
 pub use movie::{frame_rate, movie_name, shown_rate};
 pub use printer::{Printer, PrinterSpec, Rotation};
 pub use quantise::{Quantised, quantise};

@@ -5,16 +5,16 @@
 //! Its place on the device, in pixels right (X) and up (Y) of the canvas' middle, is
 //!
 //! ```text
-//! (X, Y) = R(90°·turns + angle) · S · (u + a + w·sin(φ − α_k), z)/pitch + offset + copy
+//! (X, Y) = P⁻¹ · R(90°·turns + angle) · S · (u + a + w·sin(φ − α_k), z) + offset + copy
 //! ```
 //!
 //! S = diag(±1, ±1) the flips, R a counter-clockwise turn of the image as it is looked at (row 0 on top), a the axis
-//! offset, w and φ size and azimuth of the wobble, α_k the azimuth of frame k, pitch the size of a device pixel at the
-//! vial. The wobble is that of a vial whose middle is w away from the axis of the stage, at azimuth φ of the resin frame:
+//! offset, w and φ size and azimuth of the wobble, α_k the azimuth of frame k, P = diag(right, up) the size of a device pixel
+//! at the vial. The wobble is that of a vial whose middle is w away from the axis of the stage, at azimuth φ of the resin frame:
 //! seen from α_k it lies w·sin(φ − α_k) to the right.
 //!
 //! # Light between pixels
-//! Both grids are of squares on which light is even. With A_ij the area that device pixel j shares with pattern pixel i,
+//! Both grids are of rectangles on which light is even. With A_ij the area that device pixel j shares with pattern pixel i,
 //! a device pixel shows the mean of the pattern over itself, and a pattern pixel gets the mean of the device over itself:
 //!
 //! ```text
@@ -37,11 +37,11 @@ const SLACK: f64 = 1e-6;
 pub(super) struct Placing {
     /// Columns and rows of the canvas.
     pub(super) canvas: [usize; 2],
-    /// Columns and rows of a pattern, and their pitch, mm.
+    /// Columns and rows of a pattern, and their pitches, mm.
     pub(super) pattern: [usize; 2],
-    pub(super) pattern_pitch: f64,
-    /// Size of a device pixel at the vial, mm.
-    pub(super) pitch: f64,
+    pub(super) pattern_pitch: [f64; 2],
+    /// Size of a device pixel at the vial [right, up], mm.
+    pub(super) pitch: [f64; 2],
     /// Turn of the image: cosine and sine.
     pub(super) turn: [f64; 2],
     /// Signs of u and z before the turn.
@@ -59,25 +59,23 @@ pub(super) fn turn(quarters: u32, degrees: f64) -> [f64; 2] {
 impl Placing {
     /// The place on the device of a point of the pattern, pixels right and up of the middle.
     pub(super) fn place_of(&self, u: f64, z: f64) -> [f64; 2] {
-        let [x, y] = [
-            self.flips[0] * u / self.pitch,
-            self.flips[1] * z / self.pitch,
-        ];
+        let [x, y] = [self.flips[0] * u, self.flips[1] * z];
         let [cos, sin] = self.turn;
         [
-            cos * x - sin * y + self.offset[0],
-            sin * x + cos * y + self.offset[1],
+            (cos * x - sin * y) / self.pitch[0] + self.offset[0],
+            (sin * x + cos * y) / self.pitch[1] + self.offset[1],
         ]
     }
 
     /// The point of the pattern plane (u, z in mm, without the axis' offset) at a place on the device, in pixels right
     /// and up of the middle.
     pub(super) fn to_plane(&self, x: f64, y: f64) -> [f64; 2] {
-        let (x, y) = (x - self.offset[0], y - self.offset[1]);
+        let x = (x - self.offset[0]) * self.pitch[0];
+        let y = (y - self.offset[1]) * self.pitch[1];
         let [cos, sin] = self.turn;
         [
-            self.flips[0] * (cos * x + sin * y) * self.pitch,
-            self.flips[1] * (cos * y - sin * x) * self.pitch,
+            self.flips[0] * (cos * x + sin * y),
+            self.flips[1] * (cos * y - sin * x),
         ]
     }
 
@@ -87,14 +85,14 @@ impl Placing {
         let [columns, rows] = self.canvas.map(|n| n as f64);
         let [u, z] = self.to_plane(column - columns / 2.0, rows / 2.0 - row);
         [
-            (u - shift) / self.pattern_pitch + self.pattern[0] as f64 / 2.0,
-            self.pattern[1] as f64 / 2.0 - z / self.pattern_pitch,
+            (u - shift) / self.pattern_pitch[0] + self.pattern[0] as f64 / 2.0,
+            self.pattern[1] as f64 / 2.0 - z / self.pattern_pitch[1],
         ]
     }
 
     /// Half the size of the patterns, mm.
-    fn half(&self) -> [f64; 2] {
-        self.pattern.map(|n| n as f64 * self.pattern_pitch / 2.0)
+    pub(super) fn half(&self) -> [f64; 2] {
+        std::array::from_fn(|i| self.pattern[i] as f64 * self.pattern_pitch[i] / 2.0)
     }
 
     /// Columns and rows that a canvas needs so that no pixel of a pattern is outside for these shifts.
@@ -118,14 +116,21 @@ impl Placing {
         };
         let [u, z] = here.to_plane(dx, dy);
         let [half_u, half_z] = self.half();
-        u.abs() < 2.0 * half_u - SLACK * self.pitch && z.abs() < 2.0 * half_z - SLACK * self.pitch
+        let slack = SLACK * self.pitch[0].min(self.pitch[1]);
+        u.abs() < 2.0 * half_u - slack && z.abs() < 2.0 * half_z - slack
     }
 
     /// By which part of a pixel (right, down) patterns miss the device's pixels; None when the grids differ in pitch or
     /// are turned, so that no shift would bring them onto each other.
     pub(super) fn miss(&self, shift: f64) -> Option<[f64; 2]> {
-        let square = self.turn.contains(&0.0);
-        if !square || (self.pitch / self.pattern_pitch - 1.0).abs() > 1e-9 {
+        let [u, z] = self.pattern_pitch;
+        let [right, up] = match self.turn {
+            [_, 0.0] => [u, z],
+            [0.0, _] => [z, u],
+            _ => return None,
+        };
+        let differ = |a: f64, b: f64| (a / b - 1.0).abs() > 1e-9;
+        if differ(self.pitch[0], right) || differ(self.pitch[1], up) {
             return None;
         }
         let corner = self.to_pattern(0.0, 0.0, shift);
@@ -135,7 +140,7 @@ impl Placing {
     /// Pairs of device and pattern pixels that share light when the pattern is shifted by `shift` mm along u.
     pub(super) fn overlaps(&self, shift: f64) -> Overlaps {
         let mut found = Overlaps {
-            scale: (self.pattern_pitch / self.pitch).powi(2),
+            scale: self.pattern_pitch[0] * self.pattern_pitch[1] / (self.pitch[0] * self.pitch[1]),
             device: Vec::new(),
             ends: Vec::new(),
             pattern: Vec::new(),
@@ -320,8 +325,8 @@ mod tests {
         Placing {
             canvas,
             pattern,
-            pattern_pitch: 0.1,
-            pitch: 0.1,
+            pattern_pitch: [0.1; 2],
+            pitch: [0.1; 2],
             turn: turn(0, 0.0),
             flips: [1.0, 1.0],
             offset: [0.0; 2],
@@ -382,6 +387,13 @@ mod tests {
             shown(&turned, &pattern, 0.0),
             [f(2), f(5), f(1), f(4), f(0), f(3)]
         );
+        let flat = Placing {
+            pitch: [0.1, 0.2],
+            pattern_pitch: [0.2, 0.1],
+            ..turned.clone()
+        };
+        assert_eq!(shown(&flat, &pattern, 0.0), shown(&turned, &pattern, 0.0));
+        assert_eq!(flat.miss(0.0), Some([0.0, 0.0]));
         let flipped = Placing {
             flips: [-1.0, 1.0],
             ..turned
@@ -395,29 +407,33 @@ mod tests {
     #[test]
     fn light_is_neither_lost_nor_made_at_any_scale_and_angle() {
         let pattern: Vec<f32> = (0..35).map(|i| 1.0 + (i % 9) as f32).collect();
-        for (pitch, degrees, quarters, shift) in [
-            (0.1, 0.0, 0, 0.033),
-            (0.07, 0.0, 3, 0.0),
-            (0.23, 3.0, 1, -0.02),
-            (0.1, -20.0, 2, 0.04),
+        for (pitch, pattern_pitch, degrees, quarters, shift) in [
+            ([0.1; 2], [0.1; 2], 0.0, 0, 0.033),
+            ([0.07; 2], [0.1; 2], 0.0, 3, 0.0),
+            ([0.23; 2], [0.1; 2], 3.0, 1, -0.02),
+            ([0.1; 2], [0.1; 2], -20.0, 2, 0.04),
+            ([0.05, 0.08], [0.2, 0.1], 7.0, 1, 0.01),
         ] {
             let placing = Placing {
                 pitch,
+                pattern_pitch,
                 turn: turn(quarters, degrees),
                 flips: [1.0, -1.0],
                 offset: [0.3, -0.4],
                 ..plain([40, 40], [7, 5])
             };
             let device = shown(&placing, &pattern, shift);
-            let sent: f64 = device.iter().sum::<f64>() * pitch * pitch;
-            let wanted: f64 = pattern.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
+            let area = |pitch: [f64; 2]| pitch[0] * pitch[1];
+            let sent: f64 = device.iter().sum::<f64>() * area(pitch);
+            let light: f64 = pattern.iter().map(|&v| f64::from(v)).sum();
+            let wanted = light * area(pattern_pitch);
             assert!(
                 (sent / wanted - 1.0).abs() < 1e-6,
-                "{pitch} {degrees}: {sent} {wanted}"
+                "{pitch:?} {degrees}: {sent} {wanted}"
             );
             let mut back = vec![0.0; pattern.len()];
             placing.overlaps(shift).back(|j| device[j], &mut back);
-            let got: f64 = back.iter().sum::<f64>() * 0.01;
+            let got: f64 = back.iter().sum::<f64>() * area(pattern_pitch);
             assert!(got < wanted && got > 0.7 * wanted, "{got} of {wanted}");
             // An even device comes back even: every pattern pixel is covered once
             let mut even = vec![0.0; pattern.len()];

@@ -51,7 +51,8 @@ use super::quantise::Quantised;
 use super::tone::{Curve, Tone};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns};
-use crate::units::Mm;
+use crate::models::selection::PixelMask;
+use crate::units::{Mm, Pitch};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -84,9 +85,9 @@ pub struct PrinterSpec {
     /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub canvas: Option<[usize; 2]>,
-    /// Size of a device pixel at the vial; the light's pixel pitch when left out.
+    /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pixel_pitch_mm: Option<Mm>,
+    pub pixel_pitch_mm: Option<Pitch>,
     /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
     pub offset_px: [f64; 2],
     /// Mirrors left and right, before the turn.
@@ -190,7 +191,7 @@ impl PrinterSpec {
                 &accepted,
             )?;
         }
-        if let Some(Mm(pitch)) = self.pixel_pitch_mm {
+        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
             finite(
                 "pixel_pitch_mm",
                 pitch,
@@ -307,7 +308,7 @@ impl PrinterSpec {
         }
         self.pixel_pitch_mm
             .iter_mut()
-            .for_each(|pitch| pitch.0 *= factor);
+            .for_each(|pitch| pitch.0 = pitch.0.map(|mm| factor * mm));
         let lengths = self
             .offset_px
             .iter_mut()
@@ -413,6 +414,7 @@ impl Printer {
             rows: placing.canvas[1],
             columns: placing.canvas[0],
             pitch_mm: placing.pitch,
+            offset_mm: [0.0; 2],
         }
     }
 
@@ -525,6 +527,32 @@ impl Printer {
         Ok(patterns)
     }
 
+    /// Which pixels of the patterns the device can light at all, for the first copy: those that lie on dead pixels alone it cannot.
+    /// None when it can light every one.
+    #[must_use]
+    pub fn lightable(&self) -> Option<PixelMask> {
+        let brightness = self.brightness.as_ref()?;
+        if brightness.iter().all(|&bright| bright > 0.0) {
+            return None;
+        }
+        let (rows, columns) = (self.pattern.rows, self.pattern.columns);
+        let frames = match &self.overlaps {
+            Some(_) => 1,
+            None => self.pattern.frames(),
+        };
+        let of_frame = |frame: usize| {
+            let mut light = vec![0.0; rows * columns];
+            self.overlaps(frame, 0)
+                .back(|device| self.bright(device), &mut light);
+            light
+        };
+        let light: Vec<Vec<f64>> = (0..frames).into_par_iter().map(of_frame).collect();
+        let mask = PixelMask::new([frames, rows, columns], |frame, row, column| {
+            light[frame][row * columns + column] > 0.0
+        });
+        (!mask.is_open()).then_some(mask)
+    }
+
     /// Sum of the intensities of all device pixels over one pass of the frames, where white is 1.
     #[must_use]
     pub fn emitted(&self, frames: &Quantised) -> f64 {
@@ -553,6 +581,17 @@ fn same_shape(what: &str, expected: &PatternGrid, found: &PatternGrid) -> Result
     })
 }
 
+/// Size of a device pixel, mm: that of the patterns' pixels as they are turned, unless the table says another.
+pub(super) fn device_pitch(spec: &PrinterSpec, pattern: &PatternGrid) -> [f64; 2] {
+    let [u, z] = pattern.pitch_mm;
+    let turned = if spec.quarter_turns.is_multiple_of(2) {
+        [u, z]
+    } else {
+        [z, u]
+    };
+    spec.pixel_pitch_mm.map_or(turned, |pitch| pitch.0)
+}
+
 /// Where each copy lies; refuses a canvas that cannot hold them.
 fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result<Vec<Placing>> {
     let most = shifts.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -562,9 +601,7 @@ fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result
         canvas: spec.canvas.unwrap_or([1, 1]),
         pattern: size_of(pattern),
         pattern_pitch: pattern.pitch_mm,
-        pitch: spec
-            .pixel_pitch_mm
-            .map_or(pattern.pitch_mm, |pitch| pitch.0),
+        pitch: device_pitch(spec, pattern),
         turn: turn(spec.quarter_turns, spec.rotation_deg),
         flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
         offset: [spec.offset_px[0] + copy[0], spec.offset_px[1] + copy[1]],
@@ -668,7 +705,9 @@ fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<Curve>> {
 /// Flat field and dead pixels as one map.
 fn brightness(spec: &PrinterSpec, base: &Path, canvas: [usize; 2]) -> Result<Option<Vec<f32>>> {
     let read = |key: &str, file: &Option<PathBuf>| {
-        let map = file.as_ref().map(|file| read_map(&base.join(file), canvas));
+        let map = file
+            .as_ref()
+            .map(|file| read_map(&base.join(file), canvas, "canvas"));
         map.transpose().map_err(|e| at_key(key, e))
     };
     let mut map = read("flat_field", &spec.flat_field)?;

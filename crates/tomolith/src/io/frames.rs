@@ -132,11 +132,15 @@ fn write_frame(path: &Path, set: &FrameSet<'_>, frame: usize) -> std::io::Result
         png::BitDepth::Eight
     });
     encoder.set_compression(png::Compression::Fast);
+    let [u, z] = grid.pitch_mm;
+    let pitch = grid
+        .square_pitch_mm()
+        .map_or_else(|| format!("{u} {z}"), |pitch| pitch.to_string());
     for (key, text) in [
         ("bits", set.bits.to_string()),
         ("full_scale", set.full_scale.to_string()),
         ("azimuth_rad", grid.azimuths[frame].to_string()),
-        ("pitch_mm", grid.pitch_mm.to_string()),
+        ("pitch_mm", pitch),
     ] {
         encoder.add_text_chunk(format!("tomolith:{key}"), text)?;
     }

@@ -6,7 +6,7 @@
 //! | `bits` | i64, one number | the bit depth that the levels stand for |
 //! | `full_scale` | f64, one number | the pattern value of white, mJ/mm² (relative like all doses) |
 //! | `azimuth_rad` | f64, per frame | from where the light of the frame arrives in the resin frame |
-//! | `pitch_mm` | f64, one number | size of a pixel at the vial |
+//! | `pitch_mm` | f64, one number, or [right, up] where they differ | size of a pixel at the vial |
 //!
 //! With several lights every name ends in `_` and the name of the light. In Python `numpy.load("frames.npz")["frames"]` is
 //! ready to be sent.
@@ -68,7 +68,9 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
                 vec![f64::from(set.full_scale)],
             )?;
             add(&mut npz, &name("azimuth_rad"), set.grid.azimuths.clone())?;
-            add(&mut npz, &name("pitch_mm"), vec![set.grid.pitch_mm])?;
+            let pitch = set.grid.square_pitch_mm();
+            let pitch = pitch.map_or_else(|| set.grid.pitch_mm.to_vec(), |pitch| vec![pitch]);
+            add(&mut npz, &name("pitch_mm"), pitch)?;
         }
         npz.finish().map_err(other)?;
         Ok(())

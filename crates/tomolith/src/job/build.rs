@@ -1,7 +1,9 @@
 //! Tables → objects: vial, lights, and whether the target fits them.
 
+use super::selection::selection_of;
 use super::spec::{JobSpec, LightSpec, MapSpec, Region, VialCommon};
 use crate::error::{Error, Result};
+use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::io::csr::Csr;
 use crate::io::mesh::read_mesh;
@@ -9,6 +11,7 @@ use crate::io::npy::read_levels;
 use crate::kind::Section;
 use crate::models::parallel::{Kernel, Light};
 use crate::models::planner::Setup;
+use crate::models::selection::Selection;
 use crate::models::{Choice, MODELS, matrix, rays, scatter};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::Gradient;
@@ -78,7 +81,7 @@ impl Optics {
         let bath = bath_of(spec, vial.as_ref())?;
         let map = spec.resin.map.as_ref().map(|map| map_of(map, base));
         let map = map.transpose()?.map(Arc::new);
-        let lights = spec
+        let mut lights: Vec<Light> = spec
             .light
             .iter()
             .zip(&paths)
@@ -93,6 +96,13 @@ impl Optics {
                 light
             })
             .collect();
+        for (i, (light, own)) in lights.iter_mut().zip(&spec.light).enumerate() {
+            let key = format!("light[{i}].selection");
+            let place = (key.as_str(), base);
+            let pixels = &light.pixels;
+            light.selection =
+                selection_of(&own.selection, place, pixels, vial.as_ref(), &paths[i])?;
+        }
         Ok(Optics {
             vial,
             lights,
@@ -108,6 +118,20 @@ impl Optics {
             optics: &self.paths,
             solid: None,
         }
+    }
+
+    /// Leaves pixels dark that the machines of the lights cannot light; says so.
+    pub(crate) fn leave_dark(&mut self, printers: &[Printer]) -> Vec<String> {
+        let mut notes = Vec::new();
+        for (i, (light, printer)) in self.lights.iter_mut().zip(printers).enumerate() {
+            if let Some(mask) = printer.lightable() {
+                light.selection.masks.push(Arc::new(mask));
+                notes.push(format!(
+                    "light[{i}]: pixels that lie on dead pixels of the printer stay dark"
+                ));
+            }
+        }
+        notes
     }
 
     /// Puts the inserts of a target into the light.
@@ -237,7 +261,8 @@ impl Optics {
     /// to the plane is the same outside and inside.
     fn reach_mm(&self) -> (f64, usize) {
         let reach = |(i, light): (usize, &Light)| {
-            let half_field = light.pixels.columns as f64 * light.pixels.pitch_mm / 2.0;
+            let [low, high] = field_mm(light);
+            let half_field = high[0].min(-low[0]).max(0.0);
             let resin = light.resin.refractive_index;
             let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
             let (sin, cos) = self.tilt_rad().sin_cos();
@@ -261,23 +286,26 @@ impl Optics {
         let tilt = self.tilt_rad().abs();
         let [low, high] = shape.bounds_mm();
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
-        let seen = high[2].max(-low[2]) * tilt.cos() + out * tilt.sin();
-        let half = |light: &Light| light.pixels.rows as f64 * light.pixels.pitch_mm / 2.0;
-        let small = self
-            .lights
-            .iter()
-            .enumerate()
-            .filter(|(_, l)| tilt > 0.0 && seen > half(l));
-        small
-            .map(|(i, light)| {
-                format!(
-                    "light[{i}]: the axis leans by {:.1}°, so the target reaches up to {seen:.3} mm in the field, which ends at \
-                     {:.3} mm: some of it may not be lit from all sides",
+        let sides = |light: &Light| {
+            let field = field_mm(light);
+            let seen = |up: f64| up * tilt.cos() + out * tilt.sin();
+            [
+                ("up", seen(high[2]), field[1][1]),
+                ("down", seen(-low[2]), -field[0][1]),
+            ]
+        };
+        let mut warnings = Vec::new();
+        for (i, light) in self.lights.iter().enumerate() {
+            let beyond = |(_, seen, end): &(&str, f64, f64)| tilt > 0.0 && seen > end;
+            if let Some((way, seen, end)) = sides(light).into_iter().find(beyond) {
+                warnings.push(format!(
+                    "light[{i}]: the axis leans by {:.1}°, so the target reaches {way} to {seen:.3} mm in the field, which ends at \
+                     {end:.3} mm: some of it may not be lit from all sides",
                     tilt.to_degrees(),
-                    half(light)
-                )
-            })
-            .collect()
+                ));
+            }
+        }
+        warnings
     }
 
     /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised.
@@ -297,12 +325,14 @@ impl Optics {
             ));
         }
         for (i, light) in self.lights.iter().enumerate() {
-            let half = |pixels: usize| pixels as f64 * light.pixels.pitch_mm / 2.0;
+            let field = field_mm(light);
             // Seen by a projector that the axis leans towards or away from, it is at least this high
-            let up = high[2].max(-low[2]) * self.tilt_rad().cos();
+            let seen = |up: f64| up * self.tilt_rad().cos();
             for (name, extent, field) in [
-                ("sideways", out, half(light.pixels.columns)),
-                ("along the axis", up, half(light.pixels.rows)),
+                // A field on one side of the axis lights all of a part that turns
+                ("sideways", out, field[1][0].max(-field[0][0])),
+                ("along the axis", seen(high[2]), field[1][1]),
+                ("along the axis", seen(-low[2]), -field[0][1]),
             ] {
                 if extent > field * (1.0 + 1e-9) {
                     return Err(Error::config(
@@ -310,7 +340,7 @@ impl Optics {
                         format!(
                             "the field reaches {field:.3} mm {name}, the target {extent:.3} mm"
                         ),
-                        "a field larger than the target: more pixels, a larger pitch, or a smaller target",
+                        accepted(light),
                     ));
                 }
             }
@@ -435,6 +465,20 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
         }
     }
     Ok(Some(gradient))
+}
+
+/// Lowest and highest corner [u, z] of what a light may light, mm.
+fn field_mm(light: &Light) -> [[f64; 2]; 2] {
+    light.selection.field_mm(&light.pixels)
+}
+
+/// What would make the field of a light larger than a target.
+fn accepted(light: &Light) -> &'static str {
+    if light.selection.masks.is_empty() && light.pixels.offset_mm == [0.0; 2] {
+        "a field larger than the target: more pixels, a larger pitch, or a smaller target"
+    } else {
+        "a field larger than the target: more pixels, another offset_mm or selection of the light, or a smaller target"
+    }
 }
 
 /// The absorbing bath of a job.
@@ -566,7 +610,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
     Ok(obstacles)
 }
 
-fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: f64) -> Light {
+fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = &spec.resin;
@@ -582,6 +626,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: f64) -> Light {
             rows,
             columns,
             pitch_mm,
+            offset_mm: light.offset_mm.map(|mm| mm.0),
         },
         resin: Resin {
             refractive_index: resin.refractive_index,
@@ -602,6 +647,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: f64) -> Light {
         kernel: Kernel::default(),
         sub_angles: light.sub_angles,
         active: None,
+        selection: Selection::default(),
     }
 }
 
@@ -710,6 +756,48 @@ mod tests {
                 "{tilt}: {passes} {reach}"
             );
             assert_eq!(light, 0);
+        }
+    }
+
+    #[test]
+    fn an_image_beside_the_axis_reaches_as_far_as_its_nearer_edge_and_lights_as_far_as_its_farther_one()
+     {
+        let optics = |changes: &[&str]| Optics::new(&spec(changes), Path::new("")).unwrap();
+        // 128 columns of 0.05 mm reach 3.2 mm to each side; 2.5 mm are left on one
+        let (expected, _) = optics(&["light.pixels=[100, 64]"]).reach_mm();
+        for change in [
+            "light.offset_mm=[0.7, 0]",
+            "light.offset_mm=[-0.7, 0.1]",
+            "light.selection.columns=[14, 114]",
+        ] {
+            let (reach, _) = optics(&[change]).reach_mm();
+            assert!(
+                (reach - expected).abs() < 1e-9,
+                "{change}: {reach} {expected}"
+            );
+        }
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let held = |changes: &[&str]| optics(changes).must_hold(gear.as_ref());
+        // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
+        assert_eq!(
+            key(held(&["light.pixels=[60, 64]"]).unwrap_err()),
+            "light[0].pixels"
+        );
+        held(&["light.pixels=[60, 64]", "light.offset_mm=[1.01, 0]"]).unwrap();
+        // 64 rows reach 1.6 mm up and down, the gear 1.5 mm
+        held(&["light.offset_mm=[0, -0.09]"]).unwrap();
+        for change in ["light.offset_mm=[0, 0.11]", "light.selection.rows=[3, 61]"] {
+            assert_eq!(
+                key(held(&[change]).unwrap_err()),
+                "light[0].pixels",
+                "{change}"
+            );
         }
     }
 

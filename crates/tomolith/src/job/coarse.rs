@@ -9,6 +9,7 @@ use super::optimise::{limits, starting_patterns};
 use super::scene::Scene;
 use crate::error::Result;
 use crate::grid::{PatternGrid, Patterns, VolumeGrid};
+use crate::models::darkened::darken;
 use crate::models::parallel::Light;
 use crate::models::{Run, planner};
 use crate::optimize::start::given::Given;
@@ -80,12 +81,13 @@ fn solve_level(
         Some(&voxels.wanted()),
         run,
     )?;
-    let model = plan.model.as_ref();
+    let (model, dark) = (plan.model.as_ref(), &plan.dark);
     let objective = scene.objective(&model.outputs()[0], &voxels)?;
     let mut x = match start {
         Some(given) => starting_patterns(scene, &voxels, model, given, run)?,
         None => starting_patterns(scene, &voxels, model, scene.start()?.as_ref(), run)?,
     };
+    darken(&mut x, dark);
     let mut optimizer = scene.optimizer()?;
     let limits = limits(&scene.spec, &x, optimizer.normalises());
     let mut problem =
@@ -105,6 +107,7 @@ fn solve_level(
         None,
         &mut [],
     )?;
+    darken(&mut x, dark);
     let patterns = model
         .patterns()
         .iter()
@@ -125,15 +128,24 @@ fn coarser_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
 /// The same light with every `factor`-th frame and pixels `factor` times as large.
 fn coarser_light(light: &Light, factor: usize) -> Light {
     let pixels = &light.pixels;
+    let (rows, columns) = (
+        pixels.rows.div_ceil(factor),
+        pixels.columns.div_ceil(factor),
+    );
     Light {
         pixels: PatternGrid {
             azimuths: pixels.azimuths.iter().copied().step_by(factor).collect(),
             frame_arc: pixels.frame_arc * factor as f64,
-            rows: pixels.rows.div_ceil(factor),
-            columns: pixels.columns.div_ceil(factor),
-            pitch_mm: pixels.pitch_mm * factor as f64,
+            rows,
+            columns,
+            pitch_mm: pixels.pitch_mm.map(|mm| mm * factor as f64),
+            offset_mm: pixels.offset_mm,
         },
         active: None,
+        selection: light.selection.mapped(|mask| {
+            let fewer = mask.every(factor);
+            fewer.coarser(factor, rows, columns)
+        }),
         ..light.clone()
     }
 }

@@ -382,12 +382,11 @@ impl<'a> Shown<'a> {
                 None => frames.sum(),
             };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
-            let area_mm2 = grid.pitch_mm * grid.pitch_mm;
             let budget = exposure(spec, i, gel_dose).budget(
                 white,
                 emitted,
                 grid.rows * grid.columns,
-                area_mm2,
+                grid.pixel_mm2(),
             );
             ShownLight {
                 bits: frames.bits,

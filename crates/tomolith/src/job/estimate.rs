@@ -93,13 +93,17 @@ impl Extent {
         let corner = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
         let radius = corner.min(optics.vial.resin_wall().inscribed_radius());
         let active = |light: &crate::models::parallel::Light| {
-            let pitch = light.pixels.pitch_mm;
+            let [across, along] = light.pixels.pitch_mm;
+            let field = light.selection.field_mm(&light.pixels);
+            let lit = |axis: usize, pitch: f64| {
+                ((field[1][axis] - field[0][axis]) / pitch).round() as usize
+            };
             // Refraction lets a narrower bundle fill the same part
-            let columns = (2.0 * radius / pitch).ceil() as usize + 1;
+            let columns = (2.0 * radius / across).ceil() as usize + 1;
             let (sin, cos) = optics.tilt_rad().abs().sin_cos();
             let seen = (high[2] - low[2]) * cos + 2.0 * radius * sin;
-            let rows = (seen / pitch).ceil() as usize + 1;
-            light.pixels.frames() * light.pixels.columns.min(columns) * light.pixels.rows.min(rows)
+            let rows = (seen / along).ceil() as usize + 1;
+            light.pixels.frames() * lit(0, across).min(columns) * lit(1, along).min(rows)
         };
         Extent {
             grid: grid.clone(),
@@ -300,6 +304,7 @@ fn trial(scene: &Scene, voxels: &Voxels, frames: usize, run: &Run) -> Result<pla
         let step = light.pixels.frames().div_ceil(frames).max(1);
         let azimuths = &mut light.pixels.azimuths;
         *azimuths = azimuths.iter().copied().step_by(step).collect();
+        light.selection = light.selection.mapped(|mask| mask.every(step));
     }
     // A matrix is known for its own pixels only: what the geometry would take stands for it
     let choice = match &scene.optics.model {

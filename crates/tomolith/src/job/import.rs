@@ -221,8 +221,14 @@ pub fn import(theirs: &str) -> Result<Imported> {
     target(root.need_table("target")?, &mut ours)?;
     let [shape, pitch] = resolution;
     ours.add("[grid]", json!({ "shape": shape, "pitch_mm": pitch }));
-    let scatters = vial(root.need_table("vial")?, &mut ours)?;
-    projector(root.need_table("projector")?, &mut ours)?;
+    let (scatters, half_width) = vial(root.need_table("vial")?, &mut ours)?;
+    let corner = root.table("filter_corner")?;
+    let corner = corner.map(|keys| filter_corner(keys, half_width));
+    projector(
+        root.need_table("projector")?,
+        corner.transpose()?,
+        &mut ours,
+    )?;
     loss(root.table("loss")?, &mut ours)?;
     optimizer(root.table("optimizer")?, &mut ours)?;
     model(&mut root, scatters, &mut ours)?;
@@ -320,13 +326,14 @@ fn target(mut keys: Keys, ours: &mut Ours) -> Result<()> {
     keys.finish()
 }
 
-/// The vial and what is in it; whether it scatters.
-fn vial(mut keys: Keys, ours: &mut Ours) -> Result<bool> {
+/// The vial and what is in it; whether it scatters, and half the outer width of a square one.
+fn vial(mut keys: Keys, ours: &mut Ours) -> Result<(bool, Option<f64>)> {
     let kind = keys.need_text("type")?;
     let medium = keys.need_table("medium")?;
     let surrounding = keys.number_or("ior_surrounding", 1.0)?;
     let obstacles = keys.take("occlusions");
     let (heading, walls) = walls(&kind, &mut keys)?;
+    let half_width = walls["outer_width_mm"].as_f64().map(|width| width / 2.0);
     keys.leave_out(
         &["height"],
         "walls are as high as light reaches",
@@ -346,7 +353,7 @@ fn vial(mut keys: Keys, ours: &mut Ours) -> Result<bool> {
         ));
     }
     occlusions(obstacles, ours)?;
-    Ok(scatters)
+    Ok((scatters, half_width))
 }
 
 fn walls(kind: &str, keys: &mut Keys) -> Result<(&'static str, Value)> {
@@ -490,20 +497,78 @@ fn material_of(mut keys: Keys) -> Result<Value> {
     Ok(material)
 }
 
-fn projector(mut keys: Keys, ours: &mut Ours) -> Result<()> {
-    let kind = keys.need_text("type")?;
-    let patterns = keys.text("patterns")?;
-    keys.take("filter_nonzero");
-    let (columns, rows) = (keys.count("resx", 256)?, keys.count("resy", 256)?);
-    let frames = keys.count("n_patterns", 1000)?;
-    for (key, whole) in [("cropx", columns), ("cropy", rows)] {
-        let crop = keys.count(key, whole)?;
-        if crop != whole {
-            return keys.wrong(key, crop, "all of the pixels; crop the canvas in [printer]");
+/// The radius about the corners of a square vial.
+fn filter_corner(mut keys: Keys, half_width: Option<f64>) -> Result<f64> {
+    let (distance, radius) = (keys.need_number("dist")?, keys.number_or("radius", 0.1)?);
+    match half_width {
+        Some(half) if (distance - half).abs() < 1e-6 * half => {}
+        Some(half) => {
+            let accepted =
+                format!("{half}, half of vial.w_ext: corners are those of the vial here");
+            return keys.wrong("dist", distance, &accepted);
+        }
+        None => {
+            return keys.wrong(
+                "dist",
+                distance,
+                "a square vial: corners are those of the vial here",
+            );
         }
     }
-    keys.take("crop_offset_x");
-    keys.take("crop_offset_y");
+    keys.finish()?;
+    Ok(radius)
+}
+
+/// The first and the count of the pixels of a crop along one axis; None for all of them.
+fn crop(
+    keys: &mut Keys,
+    [size, offset]: [&'static str; 2],
+    whole: u64,
+) -> Result<Option<[u64; 2]>> {
+    let (count, first) = (keys.count(size, whole)?, keys.count(offset, 0)?);
+    if count == 0 || first.saturating_add(count) > whole {
+        return keys.wrong(
+            size,
+            format!("{count} from {first} on"),
+            &format!("a crop within the {whole} pixels"),
+        );
+    }
+    Ok((count < whole).then_some([first, count]))
+}
+
+fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) -> Result<()> {
+    let kind = keys.need_text("type")?;
+    let patterns = keys.text("patterns")?;
+    keys.leave_out(
+        &["filter_nonzero"],
+        "pixels that are dark at the start may be lit later here",
+        &mut ours.notes,
+    );
+    let (columns, rows) = (keys.count("resx", 256)?, keys.count("resy", 256)?);
+    let frames = keys.count("n_patterns", 1000)?;
+    let mut selection = json!({});
+    let crops = [
+        (
+            "columns",
+            crop(&mut keys, ["cropx", "crop_offset_x"], columns)?,
+        ),
+        ("rows", crop(&mut keys, ["cropy", "crop_offset_y"], rows)?),
+    ];
+    for (key, crop) in crops {
+        if let Some(crop) = crop {
+            selection[key] = json!(crop);
+        }
+    }
+    if selection != json!({}) {
+        ours.notes.push(
+            "patterns keep all pixels, those beyond the crop are dark: a light of the crop's pixels with offset_mm is the same in \
+             smaller files"
+                .into(),
+        );
+    }
+    if let Some(radius) = corner {
+        selection["corner_radius_mm"] = json!(radius);
+    }
     keys.take("sampler");
     let motion = keys.need_text("motion")?;
     if motion != "circular" {
@@ -523,10 +588,11 @@ fn projector(mut keys: Keys, ours: &mut Ours) -> Result<()> {
     );
     let optics = optics(&kind, &mut keys, (columns, distance))?;
     keys.finish()?;
-    ours.add(
-        "[[light]]",
-        json!({ "pixels": [columns, rows], "angles": frames, "rotation": sense, "projector": optics }),
-    );
+    let mut light = json!({ "pixels": [columns, rows], "angles": frames, "rotation": sense, "projector": optics });
+    if selection != json!({}) {
+        light["selection"] = selection;
+    }
+    ours.add("[[light]]", light);
     if let Some(file) = patterns {
         ours.add("[start.patterns]", json!({ "file": file }));
     } else {
@@ -688,12 +754,13 @@ mod tests {
         "vial": { "type": "square", "w_int": 10.191, "w_ext": 12.408, "ior": 1.54, "medium": {
             "ior": 1.347, "extinction": 0.09, "albedo": 0.9, "phase": { "type": "rayleigh" } },
             "occlusions": [{ "filename": "rod.ply" }, { "filename": "lens.ply", "bsdf": { "type": "dielectric", "int_ior": 1.52 } }] },
-        "projector": { "type": "lens", "n_patterns": 200, "resx": 200, "resy": 20, "fov": 5.0, "aperture_radius": 0.5,
+        "projector": { "type": "lens", "n_patterns": 200, "resx": 200, "resy": 20,
+            "cropx": 120, "crop_offset_x": 30, "fov": 5.0, "aperture_radius": 0.5,
             "focus_distance": 150, "distance": 152, "motion": "circular", "clockwise": true },
         "sensor": { "type": "dda", "scalex": 5, "scaley": 4, "scalez": 1.25, "film": { "type": "vfilm", "resx": 80, "resy": 100, "resz": 25 } },
         "target": { "filename": "box_hole.ply", "size": 4.0, "box_center_x": 0.5 },
         "loss": { "type": "threshold", "tl": 0.35, "tu": 0.55, "weight_sparsity": 0.1 },
-        "filter_radon": true, "spp": 4, "spp_grad": 16, "max_depth": 6, "n_steps": 30, "output": "out/theirs" }"#;
+        "filter_radon": true, "filter_corner": { "dist": 6.204, "radius": 0.2 }, "spp": 4, "spp_grad": 16, "max_depth": 6, "n_steps": 30, "output": "out/theirs" }"#;
 
     #[test]
     fn every_key_of_a_job_finds_its_place() {
@@ -713,6 +780,8 @@ mod tests {
             .as_f64()
             .unwrap();
         assert!((pitch - 300.0 * 2.5f64.to_radians().tan() / 200.0).abs() < 1e-12);
+        let selection = json!({ "columns": [30, 120], "corner_radius_mm": 0.2 });
+        assert_eq!(at("/light/0/selection"), selection);
         assert_eq!(at("/objective/threshold/upper"), json!(0.55));
         assert_eq!(at("/penalties/0/sparsity/exponent"), json!(4.0));
         assert_eq!(at("/stop/iterations"), json!(30));
@@ -739,10 +808,11 @@ mod tests {
             ("\"albedo\": 0.9", "\"albedo\": 1.1", "vial.medium.albedo"),
             ("\"scalez\": 1.25", "\"scalez\": 1.0", "sensor"),
             (
-                "\"resx\": 200",
-                "\"cropx\": 100, \"resx\": 200",
+                "\"crop_offset_x\": 30",
+                "\"crop_offset_x\": 81",
                 "projector.cropx",
             ),
+            ("\"dist\": 6.204", "\"dist\": 6.1", "filter_corner.dist"),
             (
                 "\"type\": \"dielectric\"",
                 "\"type\": \"roughconductor\"",

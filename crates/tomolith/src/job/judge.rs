@@ -16,6 +16,7 @@ use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
+use crate::models::selection::Selection;
 use crate::models::{Choice, DoseLayout, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
@@ -321,6 +322,7 @@ pub(super) fn dose_by(
 ) -> Result<Volume<f32>> {
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
+        light.selection = Selection::default();
     }
     let model = planner::plan(
         choice,

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::Choice;
 use crate::models::parallel::Light;
+use crate::models::selection::Selection;
 use crate::optics::account::Account;
 
 /// Frames, rows and columns that are looked at.
@@ -58,19 +59,20 @@ pub(super) fn must_arrive(optics: &Optics) -> Result<Vec<String>> {
 fn thinned(light: &Light) -> Light {
     let grid = &light.pixels;
     let step = grid.frames().div_ceil(FRAMES).max(1);
-    // The smaller of the two, so that the field stays within that of the light
-    let pitch = (grid.columns as f64 / grid.columns.min(ACROSS) as f64)
-        .min(grid.rows as f64 / grid.rows.min(ACROSS) as f64)
-        * grid.pitch_mm;
-    let count = |pixels: usize| ((pixels as f64 * grid.pitch_mm / pitch).floor() as usize).max(1);
+    let [columns, rows] = [grid.columns, grid.rows].map(|count| count.min(ACROSS));
+    let wider = [
+        grid.columns as f64 / columns as f64,
+        grid.rows as f64 / rows as f64,
+    ];
     Light {
         pixels: PatternGrid {
             azimuths: grid.azimuths.iter().copied().step_by(step).collect(),
-            rows: count(grid.rows),
-            columns: count(grid.columns),
-            pitch_mm: pitch,
+            rows,
+            columns,
+            pitch_mm: std::array::from_fn(|i| wider[i] * grid.pitch_mm[i]),
             ..grid.clone()
         },
+        selection: Selection::default(),
         sub_angles: 1,
         active: None,
         ..light.clone()

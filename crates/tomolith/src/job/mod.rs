@@ -31,6 +31,7 @@ pub mod read;
 pub mod resources;
 mod scene;
 pub mod schema;
+mod selection;
 pub mod spec;
 mod stages;
 pub mod trace;
@@ -120,7 +121,7 @@ folder = "out/part"
         let spec = read(FULL).unwrap();
         assert_eq!(
             spec.light[0].projector.build("").unwrap().pixel_pitch_mm(),
-            0.05
+            [0.05; 2]
         );
         assert_eq!(spec.light[0].angles.count(), 180);
         assert_eq!(

@@ -84,11 +84,15 @@ pub(crate) fn optimise(
     progress.event(&Event::Note {
         text: plan.reason.clone(),
     });
-    let dark = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
-    let model: Box<dyn DoseModel<Field = HostField>> = match &dark {
+    let of_bodies = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
+    let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
         Some(dark) => Box::new(Darkened::new(plan.model, dark)),
         None => plan.model,
     };
+    let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);
+    for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
+        *dark |= left_out;
+    }
     let model = model.as_ref();
     let objective = scene.objective(&model.outputs()[0], voxels)?;
     let mut start = match coarse::solve(scene, cancel)? {
@@ -98,7 +102,7 @@ pub(crate) fn optimise(
         }
         None => starting_patterns(scene, voxels, model, scene.start()?.as_ref(), cancel)?,
     };
-    darken(&mut start, dark.as_deref().unwrap_or_default());
+    darken(&mut start, &dark);
     let mut optimizer = scene.optimizer()?;
     let limits = limits(spec, &start, optimizer.normalises());
     let penalties = scene.penalties(model.patterns())?;
@@ -150,7 +154,7 @@ pub(crate) fn optimise(
         &mut [&mut watch],
     );
     let qualities = watch.qualities;
-    darken(&mut x, dark.as_deref().unwrap_or_default());
+    darken(&mut x, &dark);
     let raw: Vec<Patterns> = model
         .patterns()
         .iter()
@@ -511,14 +515,17 @@ fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     Ok(hash(bytemuck::cast_slice(&parts)))
 }
 
-/// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light.
-const FILES: [&str; 6] = [
+/// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.
+const FILES: [&str; 9] = [
     "file",
     "absorption",
     "attenuation",
     "outer",
     "inner",
     "mesh",
+    "mask",
+    "flat_field",
+    "dead_pixels",
 ];
 
 /// Hashes of the contents of all files that tables name, in the order of their keys.

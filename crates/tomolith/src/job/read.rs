@@ -123,6 +123,9 @@ impl Job {
         for obstacle in &mut spec.obstacles {
             obstacle.mesh = absolute(&self.base().join(&obstacle.mesh));
         }
+        for mask in spec.light.iter_mut().flat_map(|l| &mut l.selection.mask) {
+            *mask = absolute(&base.join(&*mask));
+        }
         if let Some(map) = &mut spec.resin.map {
             for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
                 *file = absolute(&self.base().join(&*file));
@@ -146,6 +149,7 @@ impl Job {
         for light in &mut spec.light {
             light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
             light.projector.coarsen(TOY);
+            light.selection.coarsen(TOY as usize);
             match &mut light.angles {
                 Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
                 Angles::List(list) => list.truncate(TOY_FRAMES),

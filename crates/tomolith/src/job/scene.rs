@@ -88,6 +88,7 @@ impl Scene {
         let mut optics = Optics::new(&spec, &job.base())?;
         optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
+        let unlit = optics.leave_dark(printers.as_deref().unwrap_or_default());
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
@@ -131,7 +132,7 @@ impl Scene {
             base: job.base(),
             name: spec.target.name(),
             warnings: [shape.warnings(), optics.leaning(shape.as_ref()), light].concat(),
-            notes: Vec::new(),
+            notes: unlit,
             spec,
             shape,
             has_cells,
@@ -709,7 +710,8 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
         }),
         (None, Some(counts)) => default_grid(bounds, Resolution::Shape(*counts)).map_err(under),
         (pitch, None) => {
-            let pitch = pitch.map_or(optics.lights[0].pixels.pitch_mm, |pitch| pitch.0);
+            let [across, along] = optics.lights[0].pixels.pitch_mm;
+            let pitch = pitch.map_or(across.min(along), |pitch| pitch.0);
             let grid = default_grid(bounds, Resolution::Pitch(pitch)).map_err(under)?;
             Ok(cut(&grid, optics.vial.resin_wall().inscribed_radius()))
         }
@@ -725,7 +727,7 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
 /// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
 /// target (`[low, high]` along z, mm) stays where it is.
 fn on_rows(grid: VolumeGrid, rows: &PatternGrid, target: [f64; 2]) -> VolumeGrid {
-    let edge = rows.rows as f64 / 2.0 * rows.pitch_mm;
+    let edge = rows.field_mm()[1][1];
     let up = (edge - grid.bounds_mm()[0][2]) / grid.pitch_mm;
     // Rounding of lengths decides neither whether nor, at half a voxel, which way
     let part = up - (up - ROUNDING).round();

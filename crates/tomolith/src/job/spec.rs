@@ -17,7 +17,7 @@ use crate::optics::projector::{PROJECTORS, Projector};
 use crate::optics::vial::ended::EndSpec;
 use crate::optimize::checkpoint;
 use crate::target::TargetSpec;
-use crate::units::Mm;
+use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -99,7 +99,7 @@ pub struct JobSpec {
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct GridSpec {
-    /// Edge of a voxel; the pixel pitch of the first light when neither pitch nor shape is given.
+    /// Edge of a voxel; the (smaller) pixel pitch of the first light when neither pitch nor shape is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_mm: Option<Mm>,
     /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
@@ -217,6 +217,9 @@ pub struct LightSpec {
     pub wavelength_nm: f64,
     /// Pixels of a pattern, [columns, rows].
     pub pixels: [usize; 2],
+    /// Where the middle of the image stands beside the rotation axis [along the columns, up]; on it when left out.
+    #[serde(default, skip_serializing_if = "is_about_axis")]
+    pub offset_mm: [Mm; 2],
     /// From where the patterns come: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
     pub angles: Angles,
     /// A frame is exposed while the vial turns through its arc: the optimisation averages it at this many angles.
@@ -228,8 +231,47 @@ pub struct LightSpec {
     /// Polarisation at the walls of the vial.
     #[serde(default)]
     pub polarisation: Polarisation,
+    /// Which pixels may be lit; the others stay dark. All that can help the part when left out.
+    #[serde(default, skip_serializing_if = "SelectionSpec::is_default")]
+    pub selection: SelectionSpec,
     /// The optics, `projector.KIND`.
     pub projector: ProjectorSpec,
+}
+
+/// Which pixels of a light may be lit.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct SelectionSpec {
+    /// Columns that may be lit, [first, count]; the optical axis stays in the middle of all columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub columns: Option<[usize; 2]>,
+    /// Rows that may be lit, [first, count], row 0 = top; the optical axis stays in the middle of all rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rows: Option<[usize; 2]>,
+    /// Image of all pixels, relative to the job file (.png, .tif or .npy): those that are 0 (black) stay dark.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mask: Option<PathBuf>,
+    /// Pixels whose middle ray meets the vial nearer than this to an edge of its outer wall stay dark (square vials and meshes).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner_radius_mm: Option<Mm>,
+    /// Pixels that bring the part less light than this share of the best pixel's stay dark, 0 to below 1.
+    pub least_contribution: f64,
+}
+
+impl SelectionSpec {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The same for pixels so many times as large; its mask is left out.
+    pub(crate) fn coarsen(&mut self, factor: usize) {
+        for [first, count] in self.columns.iter_mut().chain(&mut self.rows) {
+            let end = (*first + *count).div_ceil(factor);
+            *first /= factor;
+            *count = end - *first;
+        }
+        self.mask = None;
+    }
 }
 
 /// The optics of a light: one kind, `projector.KIND`.
@@ -251,9 +293,10 @@ impl ProjectorSpec {
     pub(crate) fn coarsen(&mut self, factor: f64) {
         for parameters in self.0.as_object_mut().into_iter().flatten() {
             if let Some(pitch) = parameters.1.get_mut("pixel_pitch_mm")
-                && let Ok(Mm(mm)) = serde_json::from_value(pitch.clone())
+                && let Ok(Pitch(mm)) = serde_json::from_value(pitch.clone())
             {
-                *pitch = (factor * mm).into();
+                let larger = Pitch(mm.map(|mm| factor * mm));
+                *pitch = serde_json::to_value(larger).unwrap_or_default();
             }
         }
     }
@@ -403,6 +446,9 @@ pub struct OutputSpec {
 
 fn one() -> usize {
     1
+}
+fn is_about_axis(offset: &[Mm; 2]) -> bool {
+    offset.iter().all(|mm| mm.0 == 0.0)
 }
 fn violet() -> f64 {
     405.0

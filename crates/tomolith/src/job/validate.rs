@@ -1,6 +1,6 @@
 //! Ranges of every key, before any work.
 
-use super::spec::{Angles, BoundsSpec, JobSpec, LightSpec};
+use super::spec::{Angles, BoundsSpec, JobSpec, LightSpec, SelectionSpec};
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::shown_rate;
@@ -199,6 +199,11 @@ fn light(light: &LightSpec) -> Result<()> {
     for (i, n) in light.pixels.into_iter().enumerate() {
         count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
     }
+    for (i, mm) in light.offset_mm.into_iter().enumerate() {
+        let key = format!("offset_mm[{i}]");
+        within(&key, mm.0, -1000.0, 1000.0, "mm, -1000 to 1000")?;
+    }
+    selection(light).map_err(|e| e.under("selection"))?;
     count("sub_angles", light.sub_angles, 1, MOST_SUB_ANGLES)?;
     match &light.angles {
         Angles::Even {
@@ -243,6 +248,42 @@ fn light(light: &LightSpec) -> Result<()> {
             })
         }
     }
+}
+
+fn selection(light: &LightSpec) -> Result<()> {
+    let SelectionSpec {
+        columns,
+        rows,
+        corner_radius_mm,
+        least_contribution,
+        ..
+    } = &light.selection;
+    for (key, range, all) in [
+        ("columns", columns, light.pixels[0]),
+        ("rows", rows, light.pixels[1]),
+    ] {
+        match *range {
+            Some([first, count]) if count == 0 || first.saturating_add(count) > all => {
+                return Err(Error::config(
+                    key,
+                    format!("found [{first}, {count}], but there are {all}"),
+                    format!("the first, from 0, and a count of at least 1, within the {all}"),
+                ));
+            }
+            _ => {}
+        }
+    }
+    optional(corner_radius_mm.map(|mm| mm.0), |mm| {
+        positive("corner_radius_mm", mm, "mm")
+    })?;
+    let accepted = "a share of the best pixel's, 0 to 0.999";
+    within(
+        "least_contribution",
+        *least_contribution,
+        0.0,
+        0.999,
+        accepted,
+    )
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {

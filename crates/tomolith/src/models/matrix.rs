@@ -367,8 +367,9 @@ impl<'m> Impulses<'m> {
     }
 
     fn rows_apart(&self, grid: &PatternGrid, halo: f64) -> usize {
-        let reach = grid.pitch_mm + self.output.grid.pitch_mm + 2.0 * halo;
-        ((reach / grid.pitch_mm).ceil() as usize + 1).min(grid.rows)
+        let pitch = grid.pitch_mm[1];
+        let reach = pitch + self.output.grid.pitch_mm + 2.0 * halo;
+        ((reach / pitch).ceil() as usize + 1).min(grid.rows)
     }
 
     /// Notes what is lit: a slice belongs to the nearest of the lit rows.

@@ -5,11 +5,12 @@
 //! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
+use super::darkened::Darkened;
 use super::matrix::{self, MatrixModel};
 use super::parallel::{self, Light, Parallel};
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
-use super::selection::useful_rows;
+use super::selection::{chosen, contributions, layouts, narrow};
 use super::{Choice, DoseModel, Run, orders, scatter};
 use crate::error::{Error, Result};
 use crate::field::HostField;
@@ -27,6 +28,8 @@ pub struct Plan {
     pub model: Box<dyn DoseModel<Field = HostField>>,
     /// One sentence for people.
     pub reason: String,
+    /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
+    pub dark: Vec<bool>,
 }
 
 /// What light passes from the projectors to the resin.
@@ -203,7 +206,7 @@ impl Setup<'_> {
 /// The model that a job asks for.
 ///
 /// With `wanted` (file order `[z, y, x]`, not 0 where something is to be printed), only pixels whose light meets such a
-/// voxel become unknowns; the others stay dark.
+/// voxel become unknowns; the others stay dark, as do those that the selection of a light leaves out.
 ///
 /// # Errors
 /// As [`Parallel::new`], [`Rays::new`], [`orders::model`], [`Solid::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Config`] for
@@ -217,24 +220,39 @@ pub fn plan(
     run: &Run,
 ) -> Result<Plan> {
     let way = match setup.way(choice, &lights, &grid)? {
-        Way::Stored(params) => return stored(params, lights, grid),
+        Way::Stored(params) => return stored(params, &lights, grid, wanted, run),
         Way::Optical(way) => way,
     };
     let solid = setup.solid.map(|shape| Solid::new(shape, &grid));
     let solid = solid.transpose()?.map(Arc::new);
+    let mut dark = Vec::new();
+    if lights.iter().any(|light| light.selection.is_any()) {
+        let all = layouts(&lights);
+        dark = narrow(&mut lights, &all, None);
+    }
     if let Some(wanted) = wanted {
         let straight = straight(&way, setup, lights.clone(), grid.clone(), solid.as_ref())?;
-        let rows = useful_rows(straight.as_ref(), wanted, run)?;
-        for (light, rows) in lights.iter_mut().zip(rows) {
-            light.active = Some(rows);
-        }
+        let brought = contributions(straight.as_ref(), wanted, run)?;
+        dark = narrow(&mut lights, straight.patterns(), Some(brought.as_slice()));
     }
     let why = setup.why(&way, choice, &lights, &grid);
-    let model = optical(&way, setup, lights, grid, solid.as_ref())?;
+    let model = darkened(optical(&way, setup, lights, grid, solid.as_ref())?, &dark);
     Ok(Plan {
         reason: format!("{}: {why}", model.describe()),
         model,
+        dark,
     })
+}
+
+/// A model some of whose pixels stay dark, if there are such.
+fn darkened(
+    model: Box<dyn DoseModel<Field = HostField>>,
+    dark: &[bool],
+) -> Box<dyn DoseModel<Field = HostField>> {
+    if dark.is_empty() {
+        return model;
+    }
+    Box::new(Darkened::new(model, dark))
 }
 
 /// The straight light of a model: which pixels meet a voxel. Scattered light meets all of them.
@@ -255,17 +273,33 @@ fn straight(
     }
 }
 
-/// A stored matrix as a model.
-fn stored(matrix: &matrix::Params, lights: Vec<Light>, grid: VolumeGrid) -> Result<Plan> {
-    let pixels = lights.into_iter().map(|light| light.pixels).collect();
+/// A stored matrix as a model. All its pixels are unknowns, but those that the selection of a light leaves out.
+fn stored(
+    matrix: &matrix::Params,
+    lights: &[Light],
+    grid: VolumeGrid,
+    wanted: Option<&Volume<u8>>,
+    run: &Run,
+) -> Result<Plan> {
+    let pixels = lights.iter().map(|light| light.pixels.clone()).collect();
     let model = MatrixModel::new(&Csr::read(&matrix.file)?, pixels, grid)?;
+    let mut dark = Vec::new();
+    if lights.iter().any(|light| light.selection.is_any()) {
+        let selections: Vec<_> = lights.iter().map(|l| l.selection.clone()).collect();
+        let brought = wanted.map(|wanted| contributions(&model, wanted, run));
+        let brought = brought.transpose()?;
+        let brought = brought.as_ref().map(HostField::as_slice);
+        let patterns = DoseModel::patterns(&model);
+        dark = chosen(patterns, &selections, brought)
+            .into_iter()
+            .map(|chosen| !chosen)
+            .collect();
+    }
+    let model = darkened(Box::new(model), &dark);
     Ok(Plan {
-        reason: format!(
-            "{} from {}",
-            DoseModel::describe(&model),
-            matrix.file.display()
-        ),
-        model: Box::new(model),
+        reason: format!("{} from {}", model.describe(), matrix.file.display()),
+        model,
+        dark,
     })
 }
 

@@ -1,24 +1,191 @@
-//! Which pixels can help: those whose light meets a voxel that is to be printed.
+//! Which pixels are unknowns: those that may be lit, and can help. All others stay dark.
 //!
-//! The adjoint of an indicator is positive exactly for the pixels that bring light there, through whatever optics the
-//! model has (Nicolet et al. 2024 call the straight case a Radon filter). All others are no unknowns and stay dark.
+//! *Can help.* The adjoint of an indicator is positive exactly for the pixels that bring light to a voxel that is to be printed,
+//! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
+//! `least_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
+//!
+//! *May be lit.* [`PixelMask`]s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
+//!
+//! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
+//! them that are not are held dark ([`Darkened`](super::darkened::Darkened)): they have no effect and no derivative.
+//!
+//! ```
+//! use tomolith::grid::PatternGrid;
+//! use tomolith::models::selection::PixelMask;
+//! let pixels = PatternGrid::full_turn(2, 0.0, 3, 4, 0.1);
+//! let crop = PixelMask::new([1, 3, 4], |_, row, column| row < 2 && column != 1);
+//! let [low, high] = crop.field_mm(&pixels);
+//! assert!((low[0] + 0.2).abs() < 1e-12 && (low[1] + 0.05).abs() < 1e-12); // the lowest row is out
+//! assert!((high[0] - 0.2).abs() < 1e-12 && (high[1] - 0.15).abs() < 1e-12);
+//! ```
 
-use super::layout::PixelRun;
+use super::layout::{PatternLayout, PixelRun};
+use super::parallel::Light;
 use super::{DoseModel, Run};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
-use crate::grid::Volume;
+use crate::grid::{PatternGrid, Volume};
+use rayon::prelude::*;
+use std::sync::Arc;
 
-/// For each light the rows `(bottom, count)`, per (frame, column), whose light meets a voxel of `wanted` (file order
-/// `[z, y, x]`, any value but 0): the run from the lowest to the highest such row. Of cut voxels the inside cells are wanted.
+/// Which pixels of a light may be unknowns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Selection {
+    /// A pixel may be lit where all of them allow it.
+    pub masks: Vec<Arc<PixelMask>>,
+    /// Share of the best pixel's light that a pixel must bring to the part, 0 to below 1.
+    pub least_contribution: f64,
+}
+
+/// Pixels that may be lit, `[frame, row, column]`; an axis of length 1 stands for all frames, rows or columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelMask {
+    shape: [usize; 3],
+    open: Vec<bool>,
+}
+
+impl PixelMask {
+    /// The pixels that `open(frame, row, column)` chooses, row 0 = top.
+    #[must_use]
+    pub fn new(
+        shape: [usize; 3],
+        open: impl Fn(usize, usize, usize) -> bool + Sync + Send,
+    ) -> Self {
+        let [frames, rows, columns] = shape;
+        let at = |i: usize| open(i / (rows * columns), i / columns % rows, i % columns);
+        PixelMask {
+            shape,
+            open: (0..frames * rows * columns)
+                .into_par_iter()
+                .map(at)
+                .collect(),
+        }
+    }
+
+    /// Whether a pixel may be lit.
+    ///
+    /// # Panics
+    /// When the mask is not for a light with such a pixel.
+    #[must_use]
+    pub fn allows(&self, at: [usize; 3]) -> bool {
+        let [frame, row, column] =
+            std::array::from_fn(|axis| if self.shape[axis] == 1 { 0 } else { at[axis] });
+        self.open[(frame * self.shape[1] + row) * self.shape[2] + column]
+    }
+
+    /// Whether every pixel may be lit.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        !self.open.contains(&false)
+    }
+
+    /// Whether it is the same in all frames.
+    #[must_use]
+    pub fn is_still(&self) -> bool {
+        self.shape[0] == 1
+    }
+
+    /// Lowest and highest corner [u, z] of the pixels that may be lit in some frame, mm; inverted when there is none.
+    #[must_use]
+    pub fn field_mm(&self, pixels: &PatternGrid) -> [[f64; 2]; 2] {
+        let half = pixels.pitch_mm.map(|pitch| pitch / 2.0);
+        let mut field = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for row in 0..pixels.rows {
+            for column in 0..pixels.columns {
+                if (0..self.shape[0]).any(|frame| self.allows([frame, row, column])) {
+                    let middle = [pixels.column_u(column), pixels.row_z(row)];
+                    for axis in 0..2 {
+                        field[0][axis] = field[0][axis].min(middle[axis] - half[axis]);
+                        field[1][axis] = field[1][axis].max(middle[axis] + half[axis]);
+                    }
+                }
+            }
+        }
+        field
+    }
+
+    /// The same for every `step`-th frame.
+    #[must_use]
+    pub fn every(&self, step: usize) -> Self {
+        let [frames, rows, columns] = self.shape;
+        PixelMask::new(
+            [frames.div_ceil(step), rows, columns],
+            |frame, row, column| self.allows([frame * step, row, column]),
+        )
+    }
+
+    /// The same for pixels `factor` times as large about the same middle, as many as `rows` and `columns`: they may be lit where one
+    /// of these may, whose middle lies in them.
+    #[must_use]
+    pub fn coarser(&self, factor: usize, rows: usize, columns: usize) -> Self {
+        let within = |i: usize, n: usize, m: usize| {
+            let from_middle = (i as f64 - (n as f64 - 1.0) / 2.0) / factor as f64;
+            (from_middle + m as f64 / 2.0).floor() as usize
+        };
+        let [frames, fine_rows, fine_columns] = self.shape;
+        let rows = if fine_rows == 1 { 1 } else { rows };
+        let columns = if fine_columns == 1 { 1 } else { columns };
+        let mut open = vec![false; frames * rows * columns];
+        for (i, _) in self.open.iter().enumerate().filter(|(_, open)| **open) {
+            let row = within(i / fine_columns % fine_rows, fine_rows, rows);
+            let column = within(i % fine_columns, fine_columns, columns);
+            let frame = i / (fine_rows * fine_columns);
+            open[(frame * rows + row) * columns + column] = true;
+        }
+        PixelMask {
+            shape: [frames, rows, columns],
+            open,
+        }
+    }
+}
+
+impl Selection {
+    /// Whether it leaves anything dark.
+    #[must_use]
+    pub fn is_any(&self) -> bool {
+        !self.masks.is_empty() || self.least_contribution > 0.0
+    }
+
+    /// Whether a pixel `[frame, row, column]` may be lit.
+    #[must_use]
+    pub fn allows(&self, at: [usize; 3]) -> bool {
+        self.masks.iter().all(|mask| mask.allows(at))
+    }
+
+    /// Lowest and highest corner [u, z] of what may be lit in all frames alike, mm.
+    #[must_use]
+    pub fn field_mm(&self, pixels: &PatternGrid) -> [[f64; 2]; 2] {
+        let whole = pixels.field_mm();
+        let still = self.masks.iter().filter(|mask| mask.is_still());
+        let fields = still.map(|mask| mask.field_mm(pixels));
+        fields.fold(whole, |[low, high], field| {
+            [
+                std::array::from_fn(|i| low[i].max(field[0][i])),
+                std::array::from_fn(|i| high[i].min(field[1][i])),
+            ]
+        })
+    }
+
+    /// The same with every mask changed.
+    #[must_use]
+    pub fn mapped(&self, change: impl Fn(&PixelMask) -> PixelMask) -> Self {
+        Selection {
+            masks: self.masks.iter().map(|m| Arc::new(change(m))).collect(),
+            ..self.clone()
+        }
+    }
+}
+
+/// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
+/// inside cells are wanted.
 ///
 /// # Errors
 /// [`Error::Cancelled`], [`Error::Shape`].
-pub fn useful_rows(
+pub fn contributions(
     model: &dyn DoseModel<Field = HostField>,
     wanted: &Volume<u8>,
     run: &Run,
-) -> Result<Vec<Vec<(u32, u32)>>> {
+) -> Result<HostField> {
     let layout = &model.outputs()[0];
     if wanted.grid.shape != layout.grid.shape {
         return Err(Error::Shape {
@@ -38,17 +205,267 @@ pub fn useful_rows(
     let mut seen = model.new_patterns()?;
     let dark = seen.zeros_like();
     model.pullback(&dark, &HostField::from_slice(&mask), &mut seen, run)?;
-    let useful = |run: &PixelRun| {
-        let values = &seen.as_slice()[run.offset..][..run.count as usize];
-        let first = values.iter().position(|&v| v > 0.0);
-        let last = values.iter().rposition(|&v| v > 0.0);
+    Ok(seen)
+}
+
+/// Which pixels of these fields are chosen, given what each brings; None: all bring something.
+#[must_use]
+pub fn chosen(
+    patterns: &[PatternLayout],
+    selections: &[Selection],
+    contributions: Option<&[f32]>,
+) -> Vec<bool> {
+    let mut chosen = Vec::with_capacity(patterns.iter().map(PatternLayout::len).sum());
+    for (layout, selection) in patterns.iter().zip(selections) {
+        let brought = contributions.map(|all| &all[layout.range()]);
+        let best = brought.map_or(0.0, |b| b.par_iter().copied().reduce(|| 0.0, f32::max));
+        let least = (f64::from(best) * selection.least_contribution) as f32;
+        let helps = move |i: usize| brought.is_none_or(|b| b[i] > 0.0 && b[i] >= least);
+        let (rows, columns) = (layout.grid.rows, layout.grid.columns);
+        let of_run = |(slot, run): (usize, &PixelRun)| {
+            let (bottom, first) = (run.bottom as usize, run.offset - layout.offset);
+            (0..run.count as usize).map(move |i| {
+                let at = [slot / columns, rows - 1 - bottom - i, slot % columns];
+                helps(first + i) && selection.allows(at)
+            })
+        };
+        chosen.par_extend(layout.runs.par_iter().enumerate().flat_map_iter(of_run));
+    }
+    chosen
+}
+
+/// For each light the rows `(bottom, count)` of each (frame, column), from the lowest to the highest that is chosen.
+#[must_use]
+pub fn rows_of(patterns: &[PatternLayout], chosen: &[bool]) -> Vec<Vec<(u32, u32)>> {
+    let rows = |run: &PixelRun| {
+        let own = &chosen[run.offset..][..run.count as usize];
+        let first = own.iter().position(|&c| c);
+        let last = own.iter().rposition(|&c| c);
         first
             .zip(last)
             .map_or((0, 0), |(a, b)| (run.bottom + a as u32, (b - a + 1) as u32))
     };
-    Ok(model
-        .patterns()
+    patterns
         .iter()
-        .map(|p| p.runs.iter().map(useful).collect())
-        .collect())
+        .map(|layout| layout.runs.iter().map(rows).collect())
+        .collect()
+}
+
+/// Where the active pixels of lights lie in a field.
+pub(super) fn layouts(lights: &[Light]) -> Vec<PatternLayout> {
+    let mut offset = 0;
+    let layout = |light: &Light| {
+        let layout = light.layout(offset);
+        offset += layout.len();
+        layout
+    };
+    lights.iter().map(layout).collect()
+}
+
+/// Makes the active rows of lights those of the chosen pixels; the pixels between them that stay dark all the same, in the order
+/// of the field of these rows, where a selection asks for it.
+pub(super) fn narrow(
+    lights: &mut [Light],
+    patterns: &[PatternLayout],
+    contributions: Option<&[f32]>,
+) -> Vec<bool> {
+    let selections: Vec<Selection> = lights.iter().map(|l| l.selection.clone()).collect();
+    let chosen = chosen(patterns, &selections, contributions);
+    let rows = rows_of(patterns, &chosen);
+    let mut dark = Vec::new();
+    for ((light, layout), rows) in lights.iter_mut().zip(patterns).zip(rows) {
+        let is_any = light.selection.is_any();
+        for (run, &(bottom, count)) in layout.runs.iter().zip(&rows).filter(|(_, r)| r.1 > 0) {
+            let first = run.offset + (bottom - run.bottom) as usize;
+            let own = &chosen[first..first + count as usize];
+            dark.extend(own.iter().map(|&chosen| is_any && !chosen));
+        }
+        light.active = Some(rows);
+    }
+    if dark.contains(&true) {
+        dark
+    } else {
+        Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VolumeGrid;
+    use crate::models::matrix;
+    use crate::models::parallel::Parallel;
+    use crate::models::rays::{self, Optics};
+    use crate::models::{Choice, planner};
+    use crate::models::{orders, scatter};
+    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
+    use crate::optics::resin::Resin;
+    use crate::optics::vial::index_matched::IndexMatched;
+
+    const VIAL: IndexMatched = IndexMatched { radius_mm: 2.0 };
+
+    fn light() -> Light {
+        let pixels = PatternGrid::full_turn(5, 0.1, 12, 16, 0.1);
+        Light::new(pixels, Resin::absorbing(1.48, 0.2))
+    }
+
+    /// Three rows at the bottom, and one pixel near the middle, may not be lit.
+    fn mask() -> Arc<PixelMask> {
+        Arc::new(PixelMask::new([1, 12, 16], |_, row, column| {
+            row < 9 && [row, column] != [6, 8]
+        }))
+    }
+
+    fn part(grid: &VolumeGrid) -> Volume<u8> {
+        let mut part = Volume::filled(grid.clone(), 0u8);
+        for iz in 1..6 {
+            part.values[grid.index(iz, 4, 4)] = 1;
+            part.values[grid.index(iz, 5, 4)] = 1;
+        }
+        part
+    }
+
+    #[test]
+    fn the_unknowns_of_every_model_are_those_that_may_be_lit_and_reach_the_part() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let part = part(&grid);
+        for (choice, scatters) in [
+            (
+                Choice::Parallel(crate::models::parallel::Params::default()),
+                false,
+            ),
+            (Choice::Rays(rays::Params::default()), false),
+            (Choice::Scatter(scatter::Params::default()), true),
+            (Choice::Orders(orders::Params::default()), true),
+        ] {
+            let mut optics = [Optics::collimated(0.1)];
+            let mut light = light();
+            if scatters {
+                light.resin.attenuation_per_mm = 0.5;
+                optics[0].scattering = Some(Scattering {
+                    per_mm: 0.3,
+                    phase: Arc::new(Rayleigh {}),
+                });
+            }
+            let setup = planner::Setup {
+                vial: &VIAL,
+                optics: &optics,
+                solid: None,
+            };
+            let planned = |light: Light| {
+                let (lights, grid) = (vec![light], grid.clone());
+                planner::plan(&choice, setup, lights, grid, Some(&part), &Run::new()).unwrap()
+            };
+            let plain = planned(light.clone());
+            light.selection.masks = vec![mask()];
+            let masked = planned(light.clone());
+            // The gradient of an even dose is what was there, and 0 where no pixel may be lit
+            let gradient = |plan: &planner::Plan| {
+                let model = plan.model.as_ref();
+                let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
+                c.fill(1.0);
+                let at = x.zeros_like();
+                model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
+                model.patterns()[0].patterns_of(x.as_slice())
+            };
+            let (before, after) = (gradient(&plain), gradient(&masked));
+            let mut lost = 0;
+            for (i, (&b, &a)) in before.values.iter().zip(&after.values).enumerate() {
+                let (row, column) = (i / 16 % 12, i % 16);
+                let expected = if mask().allows([0, row, column]) {
+                    b
+                } else {
+                    0.0
+                };
+                assert!(
+                    (a - expected).abs() <= 1e-6 * b.abs(),
+                    "{choice:?} {row} {column}"
+                );
+                lost += usize::from(b != a);
+            }
+            assert!(lost > 5, "{choice:?}: {lost}");
+            assert!(masked.model.patterns()[0].len() < plain.model.patterns()[0].len());
+            // Light of a pixel that may not be lit has no effect
+            let mut x = masked.model.new_patterns().unwrap();
+            x.fill(1.0);
+            assert_eq!(masked.dark.len(), x.len());
+            let mut kept = x.clone();
+            super::super::darkened::darken(&mut kept, &masked.dark);
+            assert_ne!(kept.as_slice(), x.as_slice());
+            let dose = |x: &HostField| {
+                let mut dose = masked.model.new_dose().unwrap();
+                masked.model.dose(x, &mut dose, &Run::new()).unwrap();
+                dose.as_slice().to_vec()
+            };
+            assert_eq!(dose(&x), dose(&kept));
+        }
+    }
+
+    #[test]
+    fn pixels_of_a_stored_matrix_that_may_not_be_lit_stay_dark() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("matrix.npz");
+        matrix::export(&all, &file, &Run::new(), &mut |_| {}).unwrap();
+        let optics = [Optics::collimated(0.1)];
+        let setup = planner::Setup {
+            vial: &VIAL,
+            optics: &optics,
+            solid: None,
+        };
+        let mut light = light();
+        light.selection.masks = vec![mask()];
+        let choice = Choice::Matrix(matrix::Params { file });
+        let plan = planner::plan(&choice, setup, vec![light], grid, None, &Run::new()).unwrap();
+        let mut x = plan.model.new_patterns().unwrap();
+        let mut c = plan.model.new_dose().unwrap();
+        c.fill(1.0);
+        let at = x.zeros_like();
+        plan.model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
+        let gradient = plan.model.patterns()[0].patterns_of(x.as_slice());
+        let mut lit = 0;
+        for (i, &value) in gradient.values.iter().enumerate() {
+            let may = mask().allows([0, i / 16 % 12, i % 16]);
+            assert!(may || value == 0.0);
+            lit += usize::from(value > 0.0);
+        }
+        assert!(lit > 200, "{lit}");
+    }
+
+    #[test]
+    fn pixels_that_bring_less_than_their_share_of_the_best_one_stay_dark() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let part = part(&grid);
+        let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
+        let brought = contributions(&all, &part, &Run::new()).unwrap();
+        let best = brought.as_slice().iter().copied().fold(0.0, f32::max);
+        let mut lit = Vec::new();
+        for least in [0.0, 0.3, 0.999] {
+            let mut light = light();
+            light.selection.least_contribution = least;
+            let selections = [light.selection.clone()];
+            let chosen = chosen(all.patterns(), &selections, Some(brought.as_slice()));
+            for (&chosen, &brought) in chosen.iter().zip(brought.as_slice()) {
+                let enough = brought > 0.0 && f64::from(brought) >= least * f64::from(best);
+                assert_eq!(chosen, enough);
+            }
+            lit.push(chosen.iter().filter(|c| **c).count());
+        }
+        assert!(lit[0] > lit[1] && lit[1] > lit[2] && lit[2] > 0, "{lit:?}");
+    }
+
+    #[test]
+    fn a_coarser_mask_lies_over_the_finer_one() {
+        // 7 rows in 4, 10 columns in 5: rows 0 | 1 2 | 3 4 | 5 6 have their middles in one each
+        let fine = PixelMask::new([4, 7, 10], |frame, row, column| {
+            frame % 2 == 0 && row == 3 && column < 3
+        });
+        let coarse = fine.coarser(2, 4, 5).every(2);
+        let open: Vec<[usize; 3]> = (0..2 * 4 * 5)
+            .map(|i| [i / 20, i / 5 % 4, i % 5])
+            .filter(|&at| coarse.allows(at))
+            .collect();
+        assert_eq!(open, [[0, 2, 0], [0, 2, 1], [1, 2, 0], [1, 2, 1]]);
+    }
 }

@@ -2,6 +2,7 @@
 
 pub mod absorption_map;
 pub mod account;
+pub mod edges;
 pub mod gradient;
 pub mod interface;
 pub mod motion;

@@ -228,6 +228,11 @@ impl Net {
         Ok(Net { triangles, tree })
     }
 
+    /// The corners of every triangle, mm.
+    pub fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> + '_ {
+        self.triangles.iter().map(|triangle| triangle.0)
+    }
+
     fn first_hit(&self, ray: &Ray) -> Option<Crossing> {
         let mut nearest: Option<(f64, usize)> = None;
         let mut hit = RayHit::none();

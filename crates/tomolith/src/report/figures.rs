@@ -507,7 +507,7 @@ pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
         patterns.values[(frame * grid.rows + row) * columns + columns - 1 - up]
     });
     let uri = picture.data_uri(&light_palette());
-    let half = 0.5 * columns as f64 * grid.pitch_mm;
+    let half = 0.5 * columns as f64 * grid.pitch_mm[0];
     let tick = nice_length(half);
     let (left, top, width, height) = (56.0, 8.0, 606.0, 236.0);
     let bottom = top + height;
@@ -540,7 +540,7 @@ pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
             "<path class=\"tick\" d=\"M{left} {y:.1}h-5\"/><text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
             left - 8.0,
             y + 4.0,
-            significant(u, 2)
+            significant(grid.offset_mm[0] + u, 2)
         );
     }
     let x_label = if evenly {

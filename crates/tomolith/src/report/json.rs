@@ -52,7 +52,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
                 "frames": grid.frames(),
                 "rows": grid.rows,
                 "columns": grid.columns,
-                "pitch_mm": number(grid.pitch_mm),
+                "pitch_mm": grid.square_pitch_mm().map_or_else(|| json!(grid.pitch_mm), number),
                 "bits": light.bits,
                 "full_scale": number(f64::from(light.full_scale)),
                 "canvas": light.canvas,

@@ -51,7 +51,7 @@ pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Pattern
             .par_chunks(BLOCK)
             .map(|b| b.iter().map(|&x| f64::from(x)).sum())
             .collect();
-        sums.iter().sum::<f64>() * light.grid.pitch_mm.powi(2)
+        sums.iter().sum::<f64>() * light.grid.pixel_mm2()
     });
     LightBudget {
         sent: sent.sum(),

@@ -45,9 +45,11 @@ impl Bins {
     pub(super) fn new(light: &Light, edge_mm: f64) -> (Self, Light) {
         let pixels = light.layout(0);
         let grid = &pixels.grid;
-        let factor = ((edge_mm / grid.pitch_mm).floor() as usize).max(1);
-        let (columns, of_column) = shares(grid.columns, factor);
-        let (rows, of_row) = shares(grid.rows, factor);
+        let [across, along] = grid
+            .pitch_mm
+            .map(|pitch| ((edge_mm / pitch).floor() as usize).max(1));
+        let (columns, of_column) = shares(grid.columns, across);
+        let (rows, of_row) = shares(grid.rows, along);
         // Rows are counted from below, and the shares are symmetric
         let lit = lit_rows(&pixels).map_or(0..0, |lit| {
             of_row[lit.start].bin..(of_row[lit.end - 1].bin + 2).min(rows)
@@ -56,7 +58,10 @@ impl Bins {
         let larger = PatternGrid {
             columns,
             rows,
-            pitch_mm: factor as f64 * grid.pitch_mm,
+            pitch_mm: [
+                across as f64 * grid.pitch_mm[0],
+                along as f64 * grid.pitch_mm[1],
+            ],
             ..grid.clone()
         };
         let light = Light {
@@ -77,8 +82,8 @@ impl Bins {
     pub(super) fn heights_mm(&self) -> [f64; 2] {
         let grid = &self.layout.grid;
         let run = self.layout.runs.first().copied().unwrap_or_default();
-        let low = grid.row_z(grid.rows - 1) - grid.pitch_mm / 2.0;
-        let edge = |row: u32| low + f64::from(row) * grid.pitch_mm;
+        let low = grid.field_mm()[0][1];
+        let edge = |row: u32| low + f64::from(row) * grid.pitch_mm[1];
         [edge(run.bottom), edge(run.bottom + run.count)]
     }
 
@@ -103,8 +108,7 @@ impl Bins {
 
     /// Value of a bin per value of a pixel that lies in it.
     fn scale(&self) -> f32 {
-        let factor = self.layout.grid.pitch_mm / self.pixels.grid.pitch_mm;
-        (1.0 / (factor * factor)) as f32
+        (self.pixels.grid.pixel_mm2() / self.layout.grid.pixel_mm2()) as f32
     }
 
     /// Bins of mean values of pixels, these times the weight of their (frame, column).

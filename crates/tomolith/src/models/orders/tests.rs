@@ -1,7 +1,7 @@
 use super::*;
 use crate::check;
 use crate::check::model::noise;
-use crate::grid::{PatternGrid, Volume};
+use crate::grid::{PatternGrid, Patterns, Volume};
 use crate::models::rays::Optics;
 use crate::models::{DoseModel, scatter};
 use crate::optics::phase::Phase;
@@ -262,4 +262,44 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
         many.contains("model.orders.cell_mm") && many.contains("0.026 mm or more"),
         "{many}"
     );
+}
+
+#[test]
+fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
+    // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows
+    let scattering = of(Rayleigh {}, 0.2);
+    let grid = VolumeGrid::centered([12, 12, 12], 0.16);
+    let params = Params {
+        cell_mm: Some(0.49),
+    };
+    let mut by_height = Vec::new();
+    for factor in [1, 3] {
+        let mut light = light(5, 36 / factor, 24, 0.12, 0.2);
+        light.pixels.pitch_mm = [0.12, 0.04 * factor as f64];
+        light.pixels.offset_mm = [0.06, 0.08];
+        let values: Vec<f32> = (0..light.pixels.len())
+            .map(|i| (factor * (i / 24 % (36 / factor)) / 3) as f32)
+            .collect();
+        let patterns = Patterns {
+            grid: light.pixels.clone(),
+            values,
+        };
+        let model = model(
+            &BATH,
+            vec![light],
+            std::slice::from_ref(&scattering),
+            &params,
+            grid.clone(),
+        )
+        .unwrap();
+        check::model::model(&model, 3).unwrap();
+        let layout = &LinearOperator::patterns(&model)[0];
+        let mut x = vec![0.0; layout.len()];
+        layout.fill_field(&patterns, &mut x);
+        by_height.push(dose(&model, &x).values);
+    }
+    let most = by_height[0].iter().copied().fold(0.0, f32::max);
+    for (a, b) in by_height[0].iter().zip(&by_height[1]) {
+        assert!(most > 0.0 && (a - b).abs() < 1e-5 * most, "{a} {b}");
+    }
 }

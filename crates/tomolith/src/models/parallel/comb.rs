@@ -72,10 +72,12 @@ impl Comb {
         // Minor coordinate of the ray at u in row 0: offset + u·per_mm, voxels
         let offset = (slope * low[along] - low[across]) / h;
         let per_mm = (sideways[across] - slope * sideways[along]) / h;
-        let per_voxel = 1.0 / (per_mm.abs() * pixels.pitch_mm);
-        let half = pixels.columns as f64 / 2.0;
+        let pitch = pixels.pitch_mm[0];
+        let per_voxel = 1.0 / (per_mm.abs() * pitch);
+        // Strip coordinate of the ray through the axis
+        let axis = pixels.columns as f64 / 2.0 - per_mm.signum() * pixels.offset_mm[0] / pitch;
         let comb = Comb {
-            first: half - (offset + 0.5 * slope) * per_voxel,
+            first: axis - (offset + 0.5 * slope) * per_voxel,
             per_voxel,
             per_row: -slope * per_voxel,
             reversed: per_mm < 0.0,

@@ -114,10 +114,11 @@ impl Heights {
     /// Overlaps of the rows of `pixels` (lowest first) with the slices of `grid`.
     pub(super) fn new(pixels: &PatternGrid, grid: &VolumeGrid, wide: Option<Avx512>) -> Self {
         let (rows, lanes) = (pixels.rows, grid.shape[0]);
-        let row_low = |i: usize| (i as f64 - rows as f64 / 2.0) * pixels.pitch_mm;
+        let (low, pitch) = (pixels.field_mm()[0][1], pixels.pitch_mm[1]);
+        let row_low = |i: usize| low + i as f64 * pitch;
         let lane_low = |i: usize| grid.z(i) - grid.pitch_mm / 2.0;
         let overlap = |lane: usize, row: usize| {
-            let high = (row_low(row) + pixels.pitch_mm).min(lane_low(lane) + grid.pitch_mm);
+            let high = (row_low(row) + pitch).min(lane_low(lane) + grid.pitch_mm);
             let width = high - row_low(row).max(lane_low(lane));
             // Touching faces share rounding errors, not light
             if width > 1e-9 * grid.pitch_mm {

@@ -249,7 +249,8 @@ mod tests {
             frame_arc: 0.0,
             rows: nz,
             columns: 45,
-            pitch_mm: 0.1,
+            pitch_mm: [0.1; 2],
+            offset_mm: [0.0; 2],
         };
         let mut light = Light::new(pixels, Resin::absorbing(1.5, 0.3));
         light.map = Some(Arc::new(map));

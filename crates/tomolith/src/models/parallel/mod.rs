@@ -75,6 +75,7 @@ use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::kind::Kind;
+use crate::models::selection::Selection;
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling,
 };
@@ -134,6 +135,8 @@ pub struct Light {
     pub sub_angles: usize,
     /// Rows that may be lit, per (frame, column): `(bottom, count)` counted from the lowest row. None: all.
     pub active: Option<Vec<(u32, u32)>>,
+    /// Which pixels the [planner](crate::models::planner) makes unknowns; it sets `active`.
+    pub selection: Selection,
 }
 
 impl Light {
@@ -150,6 +153,7 @@ impl Light {
             kernel: Kernel::DistanceDriven,
             sub_angles: 1,
             active: None,
+            selection: Selection::default(),
         }
     }
 

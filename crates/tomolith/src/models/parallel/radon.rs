@@ -141,13 +141,13 @@ impl Rays {
         let half_span = half_chord * direction[along].abs() / h;
         let reach = self
             .kernel
-            .reach(pixels.pitch_mm / (2.0 * h * direction[along].abs()));
+            .reach(pixels.pitch_mm[0] / (2.0 * h * direction[along].abs()));
         Some(Strip {
             column: column as u32,
             upward: direction[along] > 0.0,
             edges: [-reach, reach].map(|beyond| [(offset + beyond) as f32, slope as f32]),
             span: [(middle - half_span) as f32, (middle + half_span) as f32],
-            power: (pixels.pitch_mm * self.weight / (h * h)) as f32,
+            power: (pixels.pitch_mm[0] * self.weight / (h * h)) as f32,
             row_mm: (h / direction[along].abs()) as f32,
         })
     }
@@ -384,7 +384,8 @@ mod tests {
             frame_arc: 0.0,
             rows: 1,
             columns: 13,
-            pitch_mm: 1.0,
+            pitch_mm: [1.0; 2],
+            offset_mm: [0.0; 2],
         };
         let grid = VolumeGrid::centered([1, 9, 9], 1.0);
         let image: Vec<f32> = (0..81)
@@ -434,7 +435,8 @@ mod tests {
             frame_arc: 0.0,
             rows: 1,
             columns: 5,
-            pitch_mm: 0.3,
+            pitch_mm: [0.3; 2],
+            offset_mm: [0.0; 2],
         };
         let grid = VolumeGrid::centered([1, 20, 20], 0.1);
         let way = 2.0 / 0.4f64.cos();

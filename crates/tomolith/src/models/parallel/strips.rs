@@ -138,7 +138,7 @@ fn bundles(tracer: &Tracer, pixels: &PatternGrid, azimuth: f64) -> Vec<Bundle> {
     let mut bundles = Vec::with_capacity(pixels.columns);
     for column in 0..pixels.columns {
         let u = pixels.column_u(column);
-        let half = pixels.pitch_mm / 2.0;
+        let half = pixels.pitch_mm[0] / 2.0;
         cut(
             tracer,
             azimuth,

@@ -5,7 +5,8 @@ use super::tiles::{Bounds, meeting};
 use super::views::Views;
 use super::*;
 use crate::check;
-use crate::grid::Volume;
+use crate::grid::{Patterns, Volume};
+use crate::models::selection;
 use crate::optics::trace::Tracer;
 use crate::optics::vial::{
     cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
@@ -98,8 +99,10 @@ fn masked_pixels_leave_an_exact_pair() {
         Resin::absorbing(1.48, 0.2),
     );
     let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
-    let rows = crate::models::selection::useful_rows(&all, &wanted, &Run::new()).unwrap();
-    light.active = Some(rows[0].clone());
+    let brought = selection::contributions(&all, &wanted, &Run::new()).unwrap();
+    let selections = [selection::Selection::default()];
+    let chosen = selection::chosen(&all.patterns, &selections, Some(brought.as_slice()));
+    light.active = Some(selection::rows_of(&all.patterns, &chosen)[0].clone());
     let masked = Parallel::new(vials()[1].as_ref(), vec![light], grid.clone()).unwrap();
     check::model::model(&masked, 5).unwrap();
     let (active, every) = (masked.patterns[0].len(), all.patterns[0].len());
@@ -159,7 +162,7 @@ fn absorbed(vial: &dyn Vial, light: &Light, azimuth: f64, column: usize) -> f64 
         light.surrounding_index,
         light.polarisation,
     );
-    let (u, p) = (light.pixels.column_u(column), light.pixels.pitch_mm);
+    let (u, p) = (light.pixels.column_u(column), light.pixels.pitch_mm[0]);
     let n = 400;
     let ray = |i: usize| {
         tracer
@@ -609,4 +612,131 @@ fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
         }
     }
     assert!(met > 100 && met < 40 * tiles.len(), "{met}");
+}
+
+/// Patterns of numbers that look random.
+fn patterns(grid: &PatternGrid) -> Patterns {
+    Patterns {
+        values: check::model::noise(9, grid.len())
+            .iter()
+            .map(|v| v.abs())
+            .collect(),
+        grid: grid.clone(),
+    }
+}
+
+/// The dose of patterns by a model of one light.
+fn dose_by(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, patterns: &Patterns) -> Vec<f32> {
+    let light = Light {
+        pixels: patterns.grid.clone(),
+        ..light.clone()
+    };
+    let model = Parallel::new(vial, vec![light], grid.clone()).unwrap();
+    let mut x = LinearOperator::new_patterns(&model).unwrap();
+    model.patterns[0].fill_field(patterns, x.as_mut_slice());
+    dose_of(&model, x.as_slice()).values
+}
+
+fn assert_alike(a: &[f32], b: &[f32], tolerance: f32, what: &str) {
+    let most = a.iter().copied().fold(0.0, f32::max);
+    assert!(most > 0.0, "{what}");
+    let off = a
+        .iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f32::max);
+    assert!(off <= tolerance * most, "{what}: {off} of {most}");
+}
+
+#[test]
+fn an_image_beside_the_axis_is_a_part_of_a_larger_one() {
+    // 14 columns and 10 rows, three columns to the right and two rows down of the axis: the last of 20 columns, the lowest of 14 rows
+    for pitch in [[0.1, 0.1], [0.08, 0.15]] {
+        let large = PatternGrid {
+            pitch_mm: pitch,
+            ..PatternGrid::full_turn(6, 0.2, 14, 20, 0.1)
+        };
+        let small = PatternGrid {
+            rows: 10,
+            columns: 14,
+            offset_mm: [3.0 * pitch[0], -2.0 * pitch[1]],
+            ..large.clone()
+        };
+        let given = patterns(&small);
+        let mut within = Patterns::dark(large);
+        for (i, &value) in given.values.iter().enumerate() {
+            let (frame, row, column) = (i / 140, i / 14 % 10, i % 14);
+            within.values[(frame * 14 + row + 4) * 20 + column + 6] = value;
+        }
+        for vial in vials() {
+            for (resin, slices) in [
+                (Resin::absorbing(1.48, 0.2), 14),
+                (Resin::absorbing(1.48, 0.2), 1),
+                (Resin::pure_radon(1.48), 14),
+                (Resin::pure_radon(1.48), 1),
+            ] {
+                let light = Light::new(small.clone(), resin);
+                let mut grid = VolumeGrid::centered([slices, 21, 22], 0.1);
+                grid.center_mm[2] = -0.1;
+                let [a, b] = [&given, &within].map(|p| dose_by(vial.as_ref(), &light, &grid, p));
+                assert_alike(&a, &b, 2e-6, &format!("{vial:?} {pitch:?} {slices}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn pixels_twice_as_high_or_wide_are_two_equal_ones() {
+    let square = PatternGrid::full_turn(5, 0.2, 12, 32, 0.06);
+    let grid = VolumeGrid::centered([9, 25, 26], 0.08);
+    let repeated = |rows: usize, columns: usize| {
+        let larger = PatternGrid {
+            rows: square.rows / rows,
+            columns: square.columns / columns,
+            pitch_mm: [0.06 * columns as f64, 0.06 * rows as f64],
+            ..square.clone()
+        };
+        let given = patterns(&larger);
+        let mut each = Patterns::dark(square.clone());
+        for (i, value) in each.values.iter_mut().enumerate() {
+            let (frame, row, column) = (i / (12 * 32), i / 32 % 12 / rows, i % 32 / columns);
+            *value = given.values[(frame * larger.rows + row) * larger.columns + column];
+        }
+        [given, each]
+    };
+    for vial in vials() {
+        let light = Light::new(square.clone(), Resin::absorbing(1.48, 0.2));
+        let [a, b] = repeated(3, 1).map(|p| dose_by(vial.as_ref(), &light, &grid, &p));
+        assert_alike(&a, &b, 2e-6, &format!("{vial:?}"));
+    }
+    // Straight light that nothing weakens has no detail within a column, far from where the resin ends
+    let wide = IndexMatched { radius_mm: 30.0 };
+    let light = Light::new(square.clone(), Resin::pure_radon(1.48));
+    let [a, b] = repeated(1, 2).map(|p| dose_by(&wide, &light, &grid, &p));
+    assert_alike(&a, &b, 1e-5, "wide");
+}
+
+#[test]
+fn pixels_that_are_not_square_leave_the_energy_of_their_area_and_are_an_exact_pair() {
+    // Strongly absorbing resin, all of it in the grid
+    let pixels = PatternGrid {
+        pitch_mm: [0.13, 0.05],
+        offset_mm: [-0.31, 0.12],
+        ..PatternGrid::full_turn(3, 0.1, 8, 9, 0.1)
+    };
+    let grid = VolumeGrid::centered([20, 46, 46], 0.1);
+    let light = Light::new(pixels.clone(), Resin::absorbing(1.48, 9.0));
+    let even = Patterns {
+        values: vec![2.0; pixels.len()],
+        grid: pixels.clone(),
+    };
+    let dose = dose_by(vials()[0].as_ref(), &light, &grid, &even);
+    let energy: f64 = dose.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3();
+    let sent = 2.0 * 3.0 * (8.0 * 0.05) * (9.0 * 0.13);
+    assert!((energy / sent - 1.0).abs() < 1e-5, "{energy} of {sent}");
+    for vial in vials() {
+        let light = Light::new(pixels.clone(), Resin::absorbing(1.48, 0.3));
+        let model = Parallel::new(vial.as_ref(), vec![light], grid.clone()).unwrap();
+        check::model::model(&model, 3).unwrap();
+    }
 }

@@ -1,8 +1,8 @@
 //! Views: frames that see the plane along the same lines.
 //!
 //! In pure Radon, light through an index-matched vial is the same along a line whichever way it runs. A frame and the one
-//! from the opposite side (azimuth + π) then light the same voxels with the same weights, their columns reversed. They are
-//! one *view*: the dose of both is that of the sum of their pixels, and one adjoint serves both. Geometry, lanes and kernels
+//! from the opposite side (azimuth + π) then light the same voxels with the same weights, their columns reversed, if these lie
+//! evenly about the axis. They are one *view*: the dose of both is that of the sum of their pixels, and one adjoint serves both. Geometry, lanes and kernels
 //! know views only; what a beam calls its frame is its view. Everywhere else a view is a frame.
 
 use super::{Light, is_straight};
@@ -31,7 +31,11 @@ impl Views {
             let turn = (b - a).rem_euclid(TAU);
             (turn - PI).abs() < SAME
         };
-        let reversible = light.resin.pure_radon && light.bath.is_none() && is_straight(vial, light);
+        let about_axis = light.pixels.offset_mm[0] == 0.0;
+        let reversible = about_axis
+            && light.resin.pure_radon
+            && light.bath.is_none()
+            && is_straight(vial, light);
         Views {
             frames: azimuths.len(),
             columns: light.pixels.columns,

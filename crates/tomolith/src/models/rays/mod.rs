@@ -158,7 +158,9 @@ impl Optics {
     #[must_use]
     pub fn collimated(pixel_pitch_mm: f64) -> Self {
         Optics {
-            projector: Arc::new(Collimated { pixel_pitch_mm }),
+            projector: Arc::new(Collimated {
+                pixel_pitch_mm: [pixel_pitch_mm; 2],
+            }),
             motion: Motion::default(),
             obstacles: Vec::new(),
             scattering: None,
@@ -419,8 +421,7 @@ impl Rays {
     ) -> Lit {
         let (source, layout) = (&self.sources[light], &self.patterns[light]);
         let columns = layout.grid.columns;
-        let pitch = layout.grid.pitch_mm;
-        let area = pitch * pitch / source.rays() as f64;
+        let area = layout.grid.pixel_mm2() / source.rays() as f64;
         let of_pair = |pair: usize| {
             let run = layout.runs[pair];
             let (mut found, mut pieces) = (Vec::new(), Pieces::default());

@@ -120,10 +120,10 @@ impl Source {
     }
 
     fn ray(&self, column: usize, row: usize, sample: &Sample, azimuth: f64) -> Ray {
-        let pitch = self.pixels.pitch_mm;
+        let [across, along] = self.pixels.pitch_mm;
         let point = [
-            self.pixels.column_u(column) + sample.within[0] * pitch,
-            self.pixels.row_z(self.pixels.rows - 1 - row) + sample.within[1] * pitch,
+            self.pixels.column_u(column) + sample.within[0] * across,
+            self.pixels.row_z(self.pixels.rows - 1 - row) + sample.within[1] * along,
         ];
         let ray = self.projector.ray(point, sample.aperture);
         self.motion.seen_from_vial(ray, azimuth)

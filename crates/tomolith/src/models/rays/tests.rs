@@ -1,7 +1,7 @@
 use super::*;
 use crate::check;
 use crate::field::Field;
-use crate::grid::{PatternGrid, Volume};
+use crate::grid::{PatternGrid, Patterns, Volume};
 use crate::io::mesh::samples::{ball, cuboid};
 use crate::kind::Section;
 use crate::models::DoseModel;
@@ -72,7 +72,7 @@ fn optics() -> Vec<(&'static str, Optics)> {
         ..Motion::default()
     };
     let cone = Telecentric {
-        pixel_pitch_mm: 0.2,
+        pixel_pitch_mm: [0.2; 2],
         aperture_radius_mm: 2.0,
         working_distance_mm: 20.0,
         focus_mm: 0.1,
@@ -113,7 +113,7 @@ fn optics() -> Vec<(&'static str, Optics)> {
         (
             "diverging, tilted",
             Optics {
-                projector: Arc::new(Diverging::new(0.2, 12.0)),
+                projector: Arc::new(Diverging::new([0.2; 2], 12.0)),
                 motion: leaning,
                 ..plain.clone()
             },
@@ -258,7 +258,7 @@ fn brute_force_where(model: &Rays, x: &[f32], counts: impl Fn(&Leg, f64) -> bool
     let mut dose = vec![0.0; grid.len()];
     let patterns = &model.patterns[0];
     let (columns, h) = (patterns.grid.columns, grid.pitch_mm);
-    let area = patterns.grid.pitch_mm.powi(2) / model.sources[0].rays() as f64;
+    let area = patterns.grid.pixel_mm2() / model.sources[0].rays() as f64;
     for (pair, run) in patterns.runs.iter().enumerate() {
         for i in 0..run.count as usize {
             let value = f64::from(x[run.offset + i]);
@@ -337,8 +337,19 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
 #[test]
 fn with_many_rays_it_is_what_parallel_says() {
     // What is left is the error of `parallel` itself at this pitch: see docs/validation.md
-    for (vial, left) in vials().into_iter().zip([0.015, 0.015, 0.015, 0.06]) {
-        let light = light(6, 8, 24, 0.13);
+    let bounds = [0.015, 0.015, 0.015, 0.06];
+    let square = ([0.13, 0.13], [0.0, 0.0]);
+    // Pixels that are not square, beside the axis
+    let flat = ([0.13, 0.09], [0.21, -0.1]);
+    let mut cases: Vec<_> = vials()
+        .into_iter()
+        .zip(bounds)
+        .map(|c| (c, square))
+        .collect();
+    cases.extend(vials().into_iter().zip([0.02; 2]).map(|c| (c, flat)));
+    for ((vial, left), (pitch_mm, offset_mm)) in cases {
+        let mut light = light(6, 8, 24, 0.13);
+        (light.pixels.pitch_mm, light.pixels.offset_mm) = (pitch_mm, offset_mm);
         let grid = VolumeGrid::centered([6, 16, 16], 0.15);
         let parallel = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
         let mut x = DoseModel::new_patterns(&parallel).unwrap();
@@ -705,5 +716,79 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
         for (a, b) in expected.values.iter().zip(&mean.values) {
             assert!((a - b).abs() < 1e-6 * largest);
         }
+    }
+}
+
+#[test]
+fn an_image_beside_the_axis_is_a_part_of_a_larger_one_for_every_optics() {
+    // 7 columns and 5 rows, two columns to the right and one row up: the last of 11 columns, the highest of 7 rows
+    let large = PatternGrid {
+        pitch_mm: [0.2, 0.26],
+        ..PatternGrid::full_turn(3, 0.2, 7, 11, 0.2)
+    };
+    let small = PatternGrid {
+        rows: 5,
+        columns: 7,
+        offset_mm: [0.4, 0.26],
+        ..large.clone()
+    };
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let params = Params::default();
+    let values: Vec<f32> = (0..small.len())
+        .map(|i| 1.0 + (i as f32 * 0.7).sin())
+        .collect();
+    let given = Patterns {
+        values,
+        grid: small.clone(),
+    };
+    let mut within = Patterns::dark(large);
+    for (i, &value) in given.values.iter().enumerate() {
+        let (frame, row, column) = (i / 35, i / 7 % 5, i % 7);
+        within.values[(frame * 7 + row) * 11 + column + 4] = value;
+    }
+    for vial in vials() {
+        for (name, optics) in optics() {
+            let [a, b] = [&given, &within].map(|patterns| {
+                let light = Light {
+                    pixels: patterns.grid.clone(),
+                    ..light(1, 1, 1, 0.2)
+                };
+                let model = rays(vial.as_ref(), light, &optics, &params, grid.clone());
+                let mut x = LinearOperator::new_patterns(&model).unwrap();
+                model.patterns[0].fill_field(patterns, x.as_mut_slice());
+                if patterns.grid == small {
+                    check::model::model(&model, 3).unwrap();
+                }
+                dose(&model, &x)
+            });
+            let most = a.values.iter().copied().fold(0.0, f32::max);
+            for (a, b) in a.values.iter().zip(&b.values) {
+                assert!(
+                    most > 0.0 && (a - b).abs() < 2e-6 * most,
+                    "{vial:?} {name}: {a} {b}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn pixels_that_are_not_square_leave_the_energy_of_their_area() {
+    let grid = VolumeGrid::centered([40, 40, 40], 0.1);
+    for (name, optics) in optics() {
+        let mut light = light(1, 3, 3, 0.2);
+        light.pixels.pitch_mm = [0.3, 0.12];
+        light.pixels.offset_mm = [-0.2, 0.1];
+        let model = rays(&GLASS, light, &optics, &Params::default(), grid.clone());
+        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        x.fill(1.0);
+        let dose = dose(&model, &x);
+        let absorbed: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
+        let (sent, account) = (9.0 * 0.3 * 0.12, model.account(0, 0));
+        assert!(
+            (absorbed / sent - account.absorbed).abs() < 1e-4,
+            "{name}: {} {account:?}",
+            absorbed / sent
+        );
     }
 }

@@ -6,12 +6,11 @@
 //! # Parameters
 //! | key | unit | range | meaning |
 //! |---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows |
+//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows: one number, or both |
 
-use super::{BuildProjector, Projector, Ray};
+use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use crate::kind::Kind;
-use crate::optics::vial::positive;
-use crate::units::Mm;
+use crate::units::Pitch;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -19,11 +18,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collimated {
     /// Distance of columns and of rows, mm.
-    pub pixel_pitch_mm: f64,
+    pub pixel_pitch_mm: [f64; 2],
 }
 
 impl Projector for Collimated {
-    fn pixel_pitch_mm(&self) -> f64 {
+    fn pixel_pitch_mm(&self) -> [f64; 2] {
         self.pixel_pitch_mm
     }
 
@@ -43,8 +42,8 @@ impl Projector for Collimated {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// Distance of columns and of rows at the vial, mm, > 0.
-    pub pixel_pitch_mm: Mm,
+    /// Distance of columns and of rows at the vial, mm, > 0: one number, or [columns, rows].
+    pub pixel_pitch_mm: Pitch,
 }
 
 /// Row of [`PROJECTORS`](super::PROJECTORS).
@@ -56,7 +55,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Collimated {
-            pixel_pitch_mm: positive(section, "pixel_pitch_mm", params.pixel_pitch_mm.0)?,
+            pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
         }))
     },
 };

@@ -7,14 +7,14 @@
 //! # Parameters
 //! | key | unit | range | meaning |
 //! |---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows at the rotation axis |
+//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows: one number, or both at the rotation axis |
 //! | `distance_mm` | mm | > 0 | from the point to the rotation axis |
 
 use super::lens::Lens;
-use super::{BuildProjector, Projector, Ray};
+use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use crate::kind::Kind;
 use crate::optics::vial::positive;
-use crate::units::Mm;
+use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,7 @@ pub struct Diverging(Lens);
 impl Diverging {
     /// A cone whose pixels have `pixel_pitch_mm` at the rotation axis, `distance_mm` from its tip.
     #[must_use]
-    pub fn new(pixel_pitch_mm: f64, distance_mm: f64) -> Self {
+    pub fn new(pixel_pitch_mm: [f64; 2], distance_mm: f64) -> Self {
         Diverging(Lens {
             pixel_pitch_mm,
             aperture_radius_mm: 0.0,
@@ -36,7 +36,7 @@ impl Diverging {
 }
 
 impl Projector for Diverging {
-    fn pixel_pitch_mm(&self) -> f64 {
+    fn pixel_pitch_mm(&self) -> [f64; 2] {
         self.0.pixel_pitch_mm
     }
 
@@ -49,8 +49,8 @@ impl Projector for Diverging {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// Distance of columns and of rows at the rotation axis, mm, > 0.
-    pub pixel_pitch_mm: Mm,
+    /// Distance of columns and of rows at the rotation axis, mm, > 0: one number, or [columns, rows].
+    pub pixel_pitch_mm: Pitch,
     /// From the tip of the cone to the rotation axis, mm, > 0.
     pub distance_mm: Mm,
 }
@@ -64,7 +64,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Diverging::new(
-            positive(section, "pixel_pitch_mm", params.pixel_pitch_mm.0)?,
+            pixel_pitch(section, params.pixel_pitch_mm)?,
             positive(section, "distance_mm", params.distance_mm.0)?,
         )))
     },

@@ -8,15 +8,15 @@
 //! # Parameters
 //! | key | unit | range | default | meaning |
 //! |---|---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows in the image |
+//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows: one number, or both in the image |
 //! | `aperture_radius_mm` | mm | ≥ 0 | – | radius of the lens; 0 is a diverging bundle from a point |
 //! | `distance_mm` | mm | > 0 | – | from the lens to the rotation axis |
 //! | `focus_distance_mm` | mm | > 0 | `distance_mm` | from the lens to the image |
 
-use super::{BuildProjector, Projector, Ray, not_negative};
+use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::kind::Kind;
 use crate::optics::vial::positive;
-use crate::units::Mm;
+use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lens {
     /// Distance of columns and of rows in the image, mm.
-    pub pixel_pitch_mm: f64,
+    pub pixel_pitch_mm: [f64; 2],
     /// Radius of the lens, mm.
     pub aperture_radius_mm: f64,
     /// From the lens to the rotation axis, mm.
@@ -34,7 +34,7 @@ pub struct Lens {
 }
 
 impl Projector for Lens {
-    fn pixel_pitch_mm(&self) -> f64 {
+    fn pixel_pitch_mm(&self) -> [f64; 2] {
         self.pixel_pitch_mm
     }
 
@@ -53,8 +53,8 @@ impl Projector for Lens {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// Distance of columns and of rows in the image, mm, > 0.
-    pub pixel_pitch_mm: Mm,
+    /// Distance of columns and of rows in the image, mm, > 0: one number, or [columns, rows].
+    pub pixel_pitch_mm: Pitch,
     /// Radius of the lens, mm, >= 0.
     pub aperture_radius_mm: Mm,
     /// From the lens to the rotation axis, mm, > 0.
@@ -75,7 +75,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
         let distance_mm = positive(section, "distance_mm", params.distance_mm.0)?;
         let focus = params.focus_distance_mm.map_or(distance_mm, |f| f.0);
         Ok(Box::new(Lens {
-            pixel_pitch_mm: positive(section, "pixel_pitch_mm", params.pixel_pitch_mm.0)?,
+            pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
             aperture_radius_mm: not_negative(
                 section,
                 "aperture_radius_mm",

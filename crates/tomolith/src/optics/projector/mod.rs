@@ -12,6 +12,8 @@ pub mod telecentric;
 
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
+use crate::optics::vial::positive;
+use crate::units::Pitch;
 
 /// A straight line with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +46,7 @@ impl Ray {
 /// The optics of a light.
 pub trait Projector: std::fmt::Debug + Send + Sync {
     /// Distance of columns and of rows in the image, mm.
-    fn pixel_pitch_mm(&self) -> f64;
+    fn pixel_pitch_mm(&self) -> [f64; 2];
 
     /// The ray through `point` = [u, z] of the image (mm) and `aperture` in the unit disc.
     fn ray(&self, point: [f64; 2], aperture: [f64; 2]) -> Ray;
@@ -70,6 +72,19 @@ pub static PROJECTORS: &[Kind<BuildProjector>] = &[
     lens::KIND,
     diverging::KIND,
 ];
+
+/// Refuses pixels without a size.
+fn pixel_pitch(section: &Section, Pitch(mm): Pitch) -> Result<[f64; 2]> {
+    for (i, pitch) in mm.into_iter().enumerate() {
+        let key = if mm[0] == mm[1] {
+            "pixel_pitch_mm".to_owned()
+        } else {
+            format!("pixel_pitch_mm[{i}]")
+        };
+        positive(section, &key, pitch)?;
+    }
+    Ok(mm)
+}
 
 /// Refuses anything but a finite number ≥ 0.
 fn not_negative(section: &Section, key: &str, value: f64) -> Result<f64> {

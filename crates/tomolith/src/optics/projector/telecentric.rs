@@ -9,16 +9,16 @@
 //! # Parameters
 //! | key | unit | range | default | meaning |
 //! |---|---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows in the image |
+//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows: one number, or both in the image |
 //! | `aperture_radius_mm` | mm | ≥ 0 | – | radius of the disc; 0 is collimated light |
 //! | `working_distance_mm` | mm | > 0 | – | from the disc to the image |
 //! | `focus_mm` | mm | finite | 0 | where the image is: this far before the rotation axis, seen from the projector |
 
-use super::{BuildProjector, Projector, Ray, not_negative};
+use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::optics::vial::positive;
-use crate::units::Mm;
+use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Telecentric {
     /// Distance of columns and of rows in the image, mm.
-    pub pixel_pitch_mm: f64,
+    pub pixel_pitch_mm: [f64; 2],
     /// Radius of the disc that lights a point, mm.
     pub aperture_radius_mm: f64,
     /// From the disc to the image, mm.
@@ -36,7 +36,7 @@ pub struct Telecentric {
 }
 
 impl Projector for Telecentric {
-    fn pixel_pitch_mm(&self) -> f64 {
+    fn pixel_pitch_mm(&self) -> [f64; 2] {
         self.pixel_pitch_mm
     }
 
@@ -62,8 +62,8 @@ impl Projector for Telecentric {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// Distance of columns and of rows in the image, mm, > 0.
-    pub pixel_pitch_mm: Mm,
+    /// Distance of columns and of rows in the image, mm, > 0: one number, or [columns, rows].
+    pub pixel_pitch_mm: Pitch,
     /// Radius of the disc that lights an image point, mm, >= 0.
     pub aperture_radius_mm: Mm,
     /// From the disc to the image, mm, > 0.
@@ -82,7 +82,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Telecentric {
-            pixel_pitch_mm: positive(section, "pixel_pitch_mm", params.pixel_pitch_mm.0)?,
+            pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
             aperture_radius_mm: not_negative(
                 section,
                 "aperture_radius_mm",

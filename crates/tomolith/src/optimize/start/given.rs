@@ -25,7 +25,7 @@
 use super::{BuildStart, Start, StartInput};
 use crate::error::{Error, Result};
 use crate::field::HostField;
-use crate::grid::{PatternGrid, Patterns, sample};
+use crate::grid::{PatternGrid, Patterns};
 use crate::io::npy::read_patterns;
 use crate::kind::Kind;
 use crate::models::{PatternLayout, Quantity, Run};
@@ -128,7 +128,11 @@ fn with_shape(grid: &PatternGrid, [frames, rows, columns]: [usize; 3]) -> Patter
         frame_arc: arc / frames.max(1) as f64,
         rows,
         columns,
-        pitch_mm: grid.pitch_mm * grid.columns as f64 / columns.max(1) as f64,
+        pitch_mm: [
+            grid.pitch_mm[0] * grid.columns as f64 / columns.max(1) as f64,
+            grid.pitch_mm[1] * grid.rows as f64 / rows.max(1) as f64,
+        ],
+        offset_mm: grid.offset_mm,
     }
 }
 
@@ -151,16 +155,14 @@ pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
     let axis = |n: usize, m: usize, wrap: bool, place: &dyn Fn(usize) -> f64| -> Vec<Taps> {
         (0..n).map(|i| taps(place(i), m, wrap)).collect()
     };
-    // Place of sample i in samples of the other grid
-    let across = |i: usize, n: usize, m: usize| {
-        sample(i, n, to.pitch_mm) / from.pitch_mm + (m as f64 - 1.0) / 2.0
-    };
+    // Place in samples of the other grid, of a coordinate from its middle
+    let place = |mm: f64, axis: usize, m: usize| mm / from.pitch_mm[axis] + (m as f64 - 1.0) / 2.0;
     let frames = axis(to.frames(), from.frames(), true, &|k| k as f64 * per_frame);
     let rows = axis(to.rows, from.rows, false, &|i| {
-        across(i, to.rows, from.rows)
+        place(from.offset_mm[1] - to.row_z(i), 1, from.rows)
     });
     let columns = axis(to.columns, from.columns, false, &|i| {
-        across(i, to.columns, from.columns)
+        place(to.column_u(i) - from.offset_mm[0], 0, from.columns)
     });
     let image = |k: usize| given.frame(k);
     patterns
