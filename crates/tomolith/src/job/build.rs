@@ -19,7 +19,7 @@ use crate::optics::motion::Motion;
 use crate::optics::obstacle::{Material, Obstacle};
 use crate::optics::phase::{PHASES, Scattering};
 use crate::optics::resin::Resin;
-use crate::optics::surface::{Net, Surface};
+use crate::optics::surface::{Net, Surface, meeting};
 use crate::optics::trace::Bath;
 use crate::optics::vial::ended::{End, Ended};
 use crate::optics::vial::{Curve, VIALS, Vial};
@@ -65,7 +65,7 @@ impl Optics {
             Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
             _ => {}
         }
-        let obstacles = obstacles_of(spec, base)?;
+        let obstacles = obstacles_of(spec, base, vial.as_ref())?;
         let motion = motion_of(spec)?;
         let scattering = scattering_of(spec)?;
         let mut paths = Vec::with_capacity(spec.light.len());
@@ -563,7 +563,8 @@ fn scattering_of(spec: &JobSpec) -> Result<Option<Scattering>> {
 }
 
 /// The bodies in the light.
-fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
+fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obstacle>> {
+    let walls = vial.surfaces();
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
     for (i, obstacle) in spec.obstacles.iter().enumerate() {
         let section = format!("obstacles[{i}]");
@@ -602,6 +603,16 @@ fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
         let file = base.join(&obstacle.mesh);
         let mesh = read_mesh(&file).map_err(key)?;
         let shape = MeshShape::new(mesh, &placement, &file, &section, Repair::Safe).map_err(key)?;
+        let met = walls
+            .iter()
+            .find_map(|(wall, _)| meeting(shape.mesh(), wall));
+        if let Some([x, y, z]) = met {
+            return Err(Error::config(
+                section,
+                format!("the body meets a wall of the vial at ({x:.3}, {y:.3}, {z:.3}) mm"),
+                "a body wholly in the resin, in a wall or outside of the vial",
+            ));
+        }
         obstacles.push(Obstacle {
             surface: Surface::Net(Arc::new(Net::new(shape.mesh(), &section)?)),
             material: obstacle.material,
@@ -669,6 +680,24 @@ mod tests {
         match error {
             Error::Config { key, .. } => key,
             other => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn a_body_that_meets_a_wall_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let body = crate::io::mesh::samples::cuboid([-0.5; 3], [0.5; 3]);
+        let bytes = crate::io::mesh::samples::stl_binary(&body);
+        std::fs::write(folder.path().join("body.stl"), bytes).unwrap();
+        let at = |x: f64| {
+            let change = format!("obstacles=[{{ mesh = \"body.stl\", offset_mm = [{x}, 0, 0] }}]");
+            Optics::new(&spec(&[&change]), folder.path()).map(drop)
+        };
+        // Resin to 7.6 mm, glass to 8.3: corners at (x ± ½, ½)
+        at(7.0).unwrap();
+        at(9.0).unwrap();
+        for x in [7.2, 8.0] {
+            assert_eq!(key(at(x).unwrap_err()), "obstacles[0]");
         }
     }
 

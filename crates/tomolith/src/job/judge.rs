@@ -3,6 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
+use super::agreement::Agreement;
 use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
@@ -46,6 +47,8 @@ pub(crate) struct Judged {
     pub(crate) bodies: Option<Volume<u8>>,
     /// What random paths leave uncertain; None where none are drawn.
     pub(crate) noise: Option<Noise>,
+    /// How far scattered light by orders is from random paths; None where it does not go order by order.
+    pub(crate) agreement: Option<Agreement>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -215,10 +218,16 @@ pub(crate) fn judge(
         let text = format!("random paths: {noise}");
         progress.event(&Event::Note { text });
     }
+    let agreement = Agreement::of(scene, voxels, shown, cancel)?;
+    if let Some(agreement) = &agreement {
+        let text = format!("scattering by orders: {agreement}");
+        progress.event(&Event::Note { text });
+    }
     let warnings: Vec<String> = steps
         .sentence(scene.spec.evaluate.bit_depth)
         .into_iter()
         .chain(noise.and_then(|noise| noise.warning()))
+        .chain(agreement.and_then(|agreement| agreement.warning()))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -235,6 +244,7 @@ pub(crate) fn judge(
         keep_dark,
         bodies,
         noise,
+        agreement,
         warnings,
     })
 }
@@ -348,7 +358,7 @@ pub(super) fn dose_by(
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
-fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
+pub(super) fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
     let (rows, columns) = (patterns.grid.rows, patterns.grid.columns);
     (0..patterns.grid.frames())
         .into_par_iter()

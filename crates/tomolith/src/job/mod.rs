@@ -10,6 +10,7 @@
 //! | jobs of another program | [`mod@import`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
+mod agreement;
 mod build;
 mod cells;
 mod coarse;

@@ -188,6 +188,9 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
     if let Some(noise) = judged.noise {
         map.insert("paths".to_owned(), serde_json::json!(noise));
     }
+    if let Some(agreement) = judged.agreement {
+        map.insert("orders".to_owned(), serde_json::json!(agreement));
+    }
     let resin = &scene.spec.resin;
     let brightest = PatternStats::of(&done.patterns.shown).max;
     let threshold = value_of(&judged.published, "threshold_jaccard");
@@ -237,6 +240,9 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
     }
     if let Some(noise) = &judged.noise {
         facts.push(("Random paths", noise.to_string()));
+    }
+    if let Some(agreement) = &judged.agreement {
+        facts.push(("Scattering by orders", agreement.to_string()));
     }
     facts
         .into_iter()

@@ -181,7 +181,7 @@ pub fn model(
 ///
 /// # Errors
 /// As [`Rays::new`].
-pub(super) fn straight(
+pub(crate) fn straight(
     vial: &dyn Vial,
     lights: &[Light],
     optics: &[Optics],

@@ -119,10 +119,21 @@ pub struct SpaceTracer {
     bath: Option<Bath>,
     scattering: Option<Scattering>,
     limits: Limits,
+    /// Whether light that leaves the resin outwards is gone.
+    lets_go: bool,
     /// Whether walls end in one plane.
     shares_faces: bool,
     /// Rays begin this far before the axis, mm.
     far: f64,
+}
+
+/// What of a ray is to be known.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    /// Where all of its power goes.
+    Whole,
+    /// Its pieces in resin.
+    Legs,
 }
 
 /// A ray on its way.
@@ -238,6 +249,10 @@ impl SpaceTracer {
                 .chain(walls.iter().map(|(_, inside)| index(inside)))
                 .collect(),
             resin_depth: depth.map_or(usize::MAX, |d| d + 1),
+            lets_go: !limits.reflections
+                && walls
+                    .iter()
+                    .all(|(wall, _)| !matches!(wall, Surface::Net(_))),
             shares_faces: walls.windows(2).any(|pair| match (&pair[0].0, &pair[1].0) {
                 (Surface::Can(_, a), Surface::Can(_, b)) => a[0] == b[0] || a[1] == b[1],
                 _ => false,
@@ -288,6 +303,7 @@ impl SpaceTracer {
     /// The same vial with bodies in the light.
     #[must_use]
     pub fn with_obstacles(mut self, obstacles: Vec<Obstacle>) -> Self {
+        self.lets_go &= obstacles.is_empty();
         self.obstacles = obstacles;
         self
     }
@@ -295,16 +311,22 @@ impl SpaceTracer {
     /// Follows one ray, straight light only; where it begins along its line does not matter.
     #[must_use]
     pub fn trace(&self, ray: Ray) -> Path {
-        self.trace_with(ray, None)
+        self.trace_with(ray, None, Extent::Whole)
     }
 
     /// Follows one ray and what is scattered out of it.
     #[must_use]
     pub fn trace_scattered(&self, ray: Ray, random: &mut Stream) -> Path {
-        self.trace_with(ray, Some(random))
+        self.trace_with(ray, Some(random), Extent::Whole)
     }
 
-    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>) -> Path {
+    /// The pieces in resin alone, with random numbers those of scattered light too: light is not followed where it cannot come back.
+    #[must_use]
+    pub fn legs(&self, ray: Ray, random: Option<&mut Stream>) -> Vec<Leg> {
+        self.trace_with(ray, random, Extent::Legs).legs
+    }
+
+    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>, extent: Extent) -> Path {
         let mut path = Path::default();
         // Back to where no wall has been met
         let [x, y, _] = ray.direction;
@@ -323,7 +345,13 @@ impl SpaceTracer {
             met_resin: false,
         }];
         while let Some(state) = waiting.pop() {
-            self.follow(state, &mut waiting, &mut path, random.as_deref_mut());
+            self.follow(
+                state,
+                extent,
+                &mut waiting,
+                &mut path,
+                random.as_deref_mut(),
+            );
         }
         path
     }
@@ -332,6 +360,7 @@ impl SpaceTracer {
     fn follow(
         &self,
         mut state: State,
+        extent: Extent,
         waiting: &mut Vec<State>,
         path: &mut Path,
         mut random: Option<&mut Stream>,
@@ -344,6 +373,9 @@ impl SpaceTracer {
                 && lost > 0.0
             {
                 self.scatter(&before, scattering, distance, lost, random, waiting, path);
+            }
+            if extent == Extent::Legs && self.is_final(&state, &ahead) {
+                return;
             }
             state.ray.from = state.ray.at(distance);
             state.crossed += 1;
@@ -473,6 +505,13 @@ impl SpaceTracer {
         0.0
     }
 
+    /// Whether light that passes this surface never comes back to the resin: outwards through convex walls, with nothing beyond
+    /// them and no reflections.
+    fn is_final(&self, state: &State, ahead: &Ahead) -> bool {
+        let outwards = matches!(ahead, Ahead::Wall { depth, .. } if *depth < state.depth);
+        outwards && self.in_resin(state) && self.lets_go
+    }
+
     fn in_resin(&self, state: &State) -> bool {
         state.depth == self.resin_depth && state.within.is_none()
     }
@@ -537,18 +576,13 @@ impl SpaceTracer {
             let crossing = self.walls[depth].leave(&state.ray)?;
             Some(Ahead::Wall { crossing, depth })
         };
-        let walls = inward.into_iter().chain(outward());
-        let bodies = self
-            .obstacles
-            .iter()
-            .enumerate()
-            .filter_map(|(index, body)| {
-                let crossing = body.surface.enter(&state.ray)?;
-                Some(Ahead::Obstacle { crossing, index })
-            });
-        walls
-            .chain(bodies)
-            .min_by(|a, b| a.crossing().distance.total_cmp(&b.crossing().distance))
+        let mut nearest = nearer(inward, outward());
+        for (index, body) in self.obstacles.iter().enumerate() {
+            let crossing = body.surface.enter(&state.ray);
+            let body = crossing.map(|crossing| Ahead::Obstacle { crossing, index });
+            nearest = nearer(nearest, body);
+        }
+        nearest
     }
 
     /// Passes a surface; false where the ray ends.
@@ -690,6 +724,15 @@ impl SpaceTracer {
                 None => self.indices[state.depth],
             },
         }
+    }
+}
+
+/// The nearer of two surfaces, the first of two at the same distance.
+fn nearer(a: Option<Ahead>, b: Option<Ahead>) -> Option<Ahead> {
+    match (a, b) {
+        (Some(a), Some(b)) if b.crossing().distance < a.crossing().distance => Some(b),
+        (None, b) => b,
+        (a, _) => a,
     }
 }
 

@@ -87,6 +87,30 @@ impl Surface {
     }
 }
 
+/// A point where an edge of a mesh meets a surface, or comes nearer than [`TOUCH`] to it along the edge; None when none does.
+#[must_use]
+pub fn meeting(mesh: &Mesh, surface: &Surface) -> Option<[f64; 3]> {
+    let along = |[a, b]: [[f64; 3]; 2]| {
+        let way = minus(b, a);
+        let length = dot(way, way).sqrt();
+        if length == 0.0 {
+            return None;
+        }
+        let ray = Ray::through(a, b);
+        let crossing = if surface.contains(a) {
+            surface.leave(&ray)
+        } else {
+            surface.enter(&ray)
+        };
+        let crossing = crossing.filter(|c| c.distance <= length + TOUCH)?;
+        Some(ray.at(crossing.distance))
+    };
+    (0..mesh.triangles.len()).find_map(|i| {
+        let [a, b, c] = mesh.corners(i);
+        [[a, b], [b, c], [c, a]].into_iter().find_map(along)
+    })
+}
+
 /// The first crossing of a ray that is outside of a can: through its side or an end.
 fn enter_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
     let within =
@@ -330,6 +354,20 @@ pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
     use crate::io::mesh::samples::cuboid;
+
+    #[test]
+    fn bodies_whose_edges_alone_cross_meet() {
+        let along = cuboid([-3.0, -1.0, -1.0], [3.0, 1.0, 1.0]);
+        let net = |mesh: &Mesh| Surface::Net(Arc::new(Net::new(mesh, "mesh").unwrap()));
+        let across = |half: f64| cuboid([-1.0, -half, -0.5], [1.0, half, 0.5]);
+        // No vertex of either is in the other
+        let [x, y, z] = meeting(&across(3.0), &net(&along)).unwrap();
+        assert!((y.abs() - 1.0).abs() < 1e-9 && x.abs() < 1.01 && z.abs() < 0.51);
+        assert!(meeting(&across(0.9), &net(&along)).is_none());
+        let wall = Surface::Prism(Curve::Circle(3.0));
+        assert!(meeting(&along, &wall).is_some());
+        assert!(meeting(&across(2.0), &wall).is_none());
+    }
 
     #[test]
     fn a_box_of_triangles_is_met_where_a_square_prism_is() {

@@ -9,7 +9,8 @@
 //! optimisation  the same on the optimisation's grid
 //! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
-//!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel)
+//!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
+//!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first
 //! movies        what a decoder makes of each movie

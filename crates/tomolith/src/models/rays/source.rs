@@ -131,8 +131,8 @@ impl Source {
 
     fn trace(&self, column: usize, row: usize, azimuth: f64, mut visit: impl FnMut(Leg)) {
         for sample in &self.samples {
-            let path = self.tracer.trace(self.ray(column, row, sample, azimuth));
-            path.legs.into_iter().for_each(&mut visit);
+            let ray = self.ray(column, row, sample, azimuth);
+            self.tracer.legs(ray, None).into_iter().for_each(&mut visit);
         }
     }
 
@@ -147,8 +147,8 @@ impl Source {
         for (i, sample) in self.samples.iter().enumerate() {
             let mut random = Stream::new([seed, exposure as u64, pixel, i as u64]);
             let ray = self.ray(column, row, sample, azimuth);
-            let path = self.tracer.trace_scattered(ray, &mut random);
-            path.legs.into_iter().for_each(&mut visit);
+            let legs = self.tracer.legs(ray, Some(&mut random));
+            legs.into_iter().for_each(&mut visit);
         }
     }
 

@@ -382,3 +382,46 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
         "{square}"
     );
 }
+
+#[test]
+fn legs_alone_are_those_of_the_whole_path() {
+    let tube = DoubleTube {
+        radii_mm: [9.0, 8.0, 3.0, 2.5],
+        outer_refractive_index: 1.5,
+        inner_refractive_index: 1.52,
+        core_refractive_index: 1.0,
+    };
+    let mut milk = resin();
+    milk.attenuation_per_mm = 0.6;
+    let scattering = Scattering {
+        per_mm: 0.5,
+        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
+    };
+    let body = Obstacle {
+        surface: Surface::Net(Arc::new(
+            Net::new(&cuboid([3.2, -1.0, -1.0], [4.0, 1.0, 1.0]), "mesh").unwrap(),
+        )),
+        material: Material::Mirror,
+    };
+    for reflections in [false, true] {
+        let limits = Limits {
+            reflections,
+            least_power: 0.02,
+            ..Limits::default()
+        };
+        for vial in [&GLASS as &dyn Vial, &tube] {
+            for bodies in [vec![], vec![body.clone()]] {
+                let tracer = SpaceTracer::new(vial, milk, 1.0, Polarisation::Unpolarised, limits)
+                    .in_scattering(Some(scattering.clone()))
+                    .with_obstacles(bodies);
+                for i in 0..100 {
+                    let ray = level(0.1 * i as f64 - 5.0, 0.3 * i as f64);
+                    let draws = || Stream::new([1, 2, i, 3]);
+                    let whole = tracer.trace_scattered(ray, &mut draws());
+                    assert_eq!(tracer.legs(ray, Some(&mut draws())), whole.legs);
+                    assert_eq!(tracer.legs(ray, None), tracer.trace(ray).legs);
+                }
+            }
+        }
+    }
+}

@@ -22,7 +22,7 @@ use crate::error::{Error, Result};
 use crate::io::mesh::{Mesh, read_mesh};
 use crate::kind::{Kind, Section};
 use crate::optics::projector::Ray;
-use crate::optics::surface::{Net, Surface};
+use crate::optics::surface::{Net, Surface, meeting};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -62,6 +62,14 @@ impl MeshVial {
                 format!(
                     "the walls cross: the vertex ({x:.3}, {y:.3}, {z:.3}) mm lies on the wrong side"
                 ),
+                "an inner wall within the outer one",
+            ));
+        }
+        let edge = meeting(inner, &outside).or_else(|| meeting(outer, &inside));
+        if let Some([x, y, z]) = edge {
+            return Err(Error::config(
+                format!("{key}.inner"),
+                format!("the walls meet at ({x:.3}, {y:.3}, {z:.3}) mm"),
                 "an inner wall within the outer one",
             ));
         }

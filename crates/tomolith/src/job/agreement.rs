@@ -1,0 +1,290 @@
+//! How far the scattered light of `orders` is from random paths, for the patterns at hand.
+//!
+//! A sample of the lit pixels is followed by random paths, twice, with independent draws; what they leave, less their straight light, is
+//! an unbiased estimate of the scattered dose. In blocks of voxels, with o by orders and a, b by paths,
+//!
+//! ```text
+//! error² = mean (o − a)(o − b)        noise² = mean (a − b)²/2
+//! ```
+//! over the blocks of the part and of the void. The noise of a and b is independent, so it is not in the mean of the product; what is
+//! left of it there is about noise²/√blocks, which is stated as the least error that can be seen. All over the part's mean dose.
+
+use super::judge::lit_rows;
+use super::scene::{Scene, Voxels};
+use crate::error::Result;
+use crate::field::HostField;
+use crate::grid::{Patterns, Volume};
+use crate::models::orders;
+use crate::models::parallel::{Light, Parallel};
+use crate::models::selection::Selection;
+use crate::models::{Choice, DoseModel, Run, scatter};
+use crate::optics::random::Stream;
+use crate::target::label;
+use serde::Serialize;
+use std::fmt;
+
+/// Errors of the dose by orders, over the part's mean dose.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct Agreement {
+    /// Root mean square over the blocks of the part, and of the void.
+    pub(crate) part: f64,
+    /// See `part`.
+    pub(crate) void: f64,
+    /// The least that these paths could have seen.
+    pub(crate) seen: f64,
+    /// Edge of a block, mm.
+    pub(crate) block_mm: f64,
+    /// Paths of each of the two estimates.
+    pub(crate) paths: usize,
+}
+
+/// Paths of an estimate, about: two seconds of a core.
+const PATHS: usize = 400_000;
+/// Blocks along the longest edge of the grid.
+const BLOCKS: usize = 16;
+/// An error that is worth a warning.
+const WORTH_SAYING: f64 = 0.01;
+
+impl Agreement {
+    /// Of patterns on a job's grid, vial standing; None where scattered light does not go order by order.
+    ///
+    /// # Errors
+    /// What the models refuse; [`Error::Cancelled`](crate::Error::Cancelled).
+    pub(crate) fn of(
+        scene: &Scene,
+        voxels: &Voxels,
+        patterns: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Option<Self>> {
+        let params = match scene.optics.model_for(1, &scene.grid) {
+            Choice::Orders(params) => params,
+            Choice::Cheapest if scene.optics.setup().scatters() => orders::Params::default(),
+            _ => return Ok(None),
+        };
+        let setup = scene.optics.setup();
+        let grid = || scene.grid.clone();
+        let lights = lit(scene, patterns);
+        let scattering: Vec<_> = setup.optics.iter().map(|o| o.scattering.clone()).collect();
+        let whole = orders::model(setup.vial, lights.clone(), &scattering, &params, grid())?;
+        let whole = dose(&whole, patterns, cancel)?;
+        let straight = Parallel::new(setup.vial, lights, grid())?;
+        let by_orders = less(&whole, &dose(&straight, patterns, cancel)?);
+        let mut paths = 0;
+        let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
+            let (sample, count) = sampled(patterns, seed);
+            paths = count;
+            let lights = lit(scene, &sample);
+            let params = scatter::Params {
+                paths_per_pixel: 1,
+                smooth: 1,
+                seed,
+                ..scatter::Params::default()
+            };
+            let model = scatter::model(setup.vial, &lights, setup.optics, &params, grid())?;
+            let all = dose(&model, &sample, cancel)?;
+            let model = scatter::straight(setup.vial, &lights, setup.optics, &params, grid())?;
+            Ok(less(&all, &dose(&model, &sample, cancel)?))
+        };
+        let estimates = [by_paths(1)?, by_paths(2)?];
+        let longest = scene.grid.shape.iter().copied().max();
+        let block = longest.unwrap_or(1).div_ceil(BLOCKS);
+        let mean = part_mean(&whole, &voxels.labels);
+        let [part, void, seen] = errors(&by_orders, &estimates, &voxels.labels, block)
+            .map(|error| if mean > 0.0 { error / mean } else { 0.0 });
+        Ok(Some(Agreement {
+            part,
+            void,
+            seen,
+            block_mm: block as f64 * scene.grid.pitch_mm,
+            paths,
+        }))
+    }
+
+    /// What people must know when the two do not agree.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let worst = self.part.max(self.void);
+        (worst > WORTH_SAYING && worst > 2.0 * self.seen).then(|| {
+            format!(
+                "scattered light by orders is {:.1} % of the part's mean dose off random paths: a smaller model.orders.cell_mm, \
+                 or [model.scatter], may be better",
+                100.0 * worst
+            )
+        })
+    }
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{:.2} % of the part's mean dose off random paths in the part, {:.2} % in the void (rms over blocks of {:.2} mm, {} paths twice; \
+             below {:.2} % cannot be seen)",
+            100.0 * self.part,
+            100.0 * self.void,
+            self.block_mm,
+            self.paths,
+            100.0 * self.seen
+        )
+    }
+}
+
+/// The lights of a scene with the pixels that patterns light.
+fn lit(scene: &Scene, patterns: &[Patterns]) -> Vec<Light> {
+    let mut lights = scene.optics.lights_turning(1);
+    for (light, patterns) in lights.iter_mut().zip(patterns) {
+        light.active = Some(lit_rows(patterns));
+        light.selection = Selection::default();
+    }
+    lights
+}
+
+/// Some of the lit pixels at random, brighter by as much as they are fewer; and how many.
+fn sampled(patterns: &[Patterns], seed: u64) -> (Vec<Patterns>, usize) {
+    let lit: usize = patterns
+        .iter()
+        .map(|p| p.values.iter().filter(|v| **v != 0.0).count())
+        .sum();
+    let share = (PATHS as f64 / lit.max(1) as f64).min(1.0);
+    let mut count = 0;
+    let mut sample = patterns.to_vec();
+    for (light, patterns) in sample.iter_mut().enumerate() {
+        for (i, value) in patterns.values.iter_mut().enumerate() {
+            let chosen = Stream::new([seed, light as u64, i as u64, 7]).uniform() < share;
+            *value = if chosen {
+                (f64::from(*value) / share) as f32
+            } else {
+                0.0
+            };
+            count += usize::from(*value != 0.0);
+        }
+    }
+    (sample, count)
+}
+
+fn dose(
+    model: &dyn DoseModel<Field = HostField>,
+    patterns: &[Patterns],
+    cancel: &Run,
+) -> Result<Volume<f32>> {
+    let mut x = model.new_patterns()?;
+    for (layout, patterns) in model.patterns().iter().zip(patterns) {
+        layout.fill_field(patterns, x.as_mut_slice());
+    }
+    let mut dose = model.new_dose()?;
+    model.dose(&x, &mut dose, cancel)?;
+    Ok(model.outputs()[0].volume_of(dose.as_slice()))
+}
+
+fn less(a: &Volume<f32>, b: &Volume<f32>) -> Volume<f32> {
+    let values = a.values.iter().zip(&b.values).map(|(a, b)| a - b).collect();
+    Volume {
+        grid: a.grid.clone(),
+        values,
+    }
+}
+
+fn part_mean(dose: &Volume<f32>, labels: &Volume<u8>) -> f64 {
+    let part = dose
+        .values
+        .iter()
+        .zip(&labels.values)
+        .filter(|(_, l)| **l == label::PART);
+    let (sum, count) = part.fold((0.0, 0.0f64), |(s, n), (v, _)| (s + f64::from(*v), n + 1.0));
+    sum / count.max(1.0)
+}
+
+/// Root mean square error in part and void, and the least that could be seen.
+fn errors(
+    orders: &Volume<f32>,
+    [a, b]: &[Volume<f32>; 2],
+    labels: &Volume<u8>,
+    block: usize,
+) -> [f64; 3] {
+    let shape = orders.grid.shape.map(|n| n.div_ceil(block));
+    // Sums of the three doses and voxels, of the part's voxels and of the void's in each block
+    let mut blocks = vec![[[0.0f64; 4]; 2]; shape.iter().product()];
+    let [_, ny, nx] = orders.grid.shape;
+    for (i, of) in labels.values.iter().enumerate() {
+        let place = match *of {
+            label::PART => 0,
+            label::VOID => 1,
+            _ => continue,
+        };
+        let (z, y, x) = (i / (ny * nx), i / nx % ny, i % nx);
+        let at = (z / block * shape[1] + y / block) * shape[2] + x / block;
+        let values = [orders.values[i], a.values[i], b.values[i], 1.0];
+        for (sum, value) in blocks[at][place].iter_mut().zip(values) {
+            *sum += f64::from(value);
+        }
+    }
+    let mut seen = 0.0f64;
+    let found = [0, 1].map(|place| {
+        let (mut product, mut noise, mut count) = (0.0, 0.0, 0.0f64);
+        // Blocks that are at least half of this place
+        let half = 0.5 * block.pow(3) as f64;
+        for &[o, a, b, n] in blocks
+            .iter()
+            .map(|block| &block[place])
+            .filter(|s| s[3] >= half)
+        {
+            product += (o - a) * (o - b) / (n * n);
+            noise += 0.5 * ((a - b) / n).powi(2);
+            count += 1.0;
+        }
+        let count = count.max(1.0);
+        seen = seen.max((noise / count / count.sqrt()).sqrt());
+        (product / count).max(0.0).sqrt()
+    });
+    [found[0], found[1], seen]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{PatternGrid, VolumeGrid};
+
+    #[test]
+    fn a_known_error_is_found_under_noise_larger_than_it() {
+        let grid = VolumeGrid::centered([32, 32, 32], 0.1);
+        let volume = |value: &dyn Fn(usize) -> f64| Volume {
+            grid: grid.clone(),
+            values: (0..grid.len()).map(|i| value(i) as f32).collect(),
+        };
+        let noisy = |seed: u64| {
+            volume(&|i| 1.0 + 0.5 * (Stream::new([seed, i as u64, 0, 0]).uniform() - 0.5))
+        };
+        let labels = Volume {
+            grid: grid.clone(),
+            values: (0..grid.len())
+                .map(|i| {
+                    if i < grid.len() / 2 {
+                        label::PART
+                    } else {
+                        label::VOID
+                    }
+                })
+                .collect(),
+        };
+        // Half per cent too much in the part, as much too little in the void; a voxel's noise is 14 %, a block's of 8 voxels 5 %
+        let orders = volume(&|i| if i < grid.len() / 2 { 1.005 } else { 0.995 });
+        let [part, void, seen] = errors(&orders, &[noisy(1), noisy(2)], &labels, 2);
+        assert!(
+            seen < 0.01 && part < 0.005 + seen && void < 0.005 + seen,
+            "{part} {void} {seen}"
+        );
+        let worse = volume(&|i| if i < grid.len() / 2 { 1.05 } else { 1.0 });
+        let [part, void, _] = errors(&worse, &[noisy(1), noisy(2)], &labels, 2);
+        assert!((part - 0.05).abs() < 0.003 && void < 0.01, "{part} {void}");
+    }
+
+    #[test]
+    fn a_sample_of_pixels_sends_as_much_as_all() {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(50, 0.0, 100, 200, 0.1));
+        patterns.values.fill(0.5);
+        let (sample, count) = sampled(&[patterns.clone()], 3);
+        let sum = |p: &Patterns| p.values.iter().map(|&v| f64::from(v)).sum::<f64>();
+        let kept = PATHS as f64 / 1e6;
+        assert!((count as f64 / 1e6 - kept).abs() < 5.0 * (kept / 1e6).sqrt());
+        assert!((sum(&sample[0]) / sum(&patterns) - 1.0).abs() < 0.01);
+    }
+}
