@@ -88,7 +88,9 @@ impl Start for Fbp {
             .model
             .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
         let lights = input.model.patterns();
-        let projection = Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter)?;
+        let voxel_mm = input.model.outputs()[0].grid.pitch_mm;
+        let projection =
+            Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm)?;
         if run.is_cancelled() {
             return Err(Error::Cancelled);
         }
