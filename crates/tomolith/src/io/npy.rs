@@ -20,7 +20,7 @@
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use ndarray::{Array2, Array3, ArrayView3};
+use ndarray::{Array2, Array3, ArrayD, ArrayView3};
 use ndarray_npy::{
     NpzReader, NpzWriter, ReadNpyError, ReadNpyExt, ReadNpzError, ReadableElement, WritableElement,
     WriteNpyExt,
@@ -108,6 +108,33 @@ pub fn read_matrix(path: &Path) -> Result<([usize; 2], Vec<f32>)> {
     };
     let (rows, columns) = array.dim();
     Ok(([rows, columns], array.iter().copied().collect()))
+}
+
+/// Reads a 2D or 3D `.npy` array of f32 or f64: its shape `[level, row, column]`, one level for 2D, and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
+pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    let open = || File::open(path).map(BufReader::new);
+    let file = open().map_err(|e| Error::io(path, e))?;
+    let array = match ArrayD::<f32>::read_npy(file) {
+        Ok(array) => array,
+        Err(_) => ArrayD::<f64>::read_npy(open().map_err(|e| Error::io(path, e))?)
+            .map(|array| array.mapv(|v| v as f32))
+            .map_err(|e| bad(path, e, "a 2D or 3D .npy array of f32 or f64"))?,
+    };
+    let shape = match *array.shape() {
+        [rows, columns] => [1, rows, columns],
+        [levels, rows, columns] => [levels, rows, columns],
+        ref other => {
+            return Err(Error::Format {
+                path: path.to_owned(),
+                found: format!("an array of shape {other:?}"),
+                accepted: "a 2D or 3D .npy array of f32 or f64".into(),
+            });
+        }
+    };
+    Ok((shape, array.iter().copied().collect()))
 }
 
 /// Reads an `.npy` volume of f32 onto a grid.

@@ -1,24 +1,27 @@
 //! Tables → objects: vial, lights, and whether the target fits them.
 
 use super::selection::selection_of;
-use super::spec::{JobSpec, LightSpec, MapSpec, Region};
+use super::spec::{JobSpec, LightSpec, MapSpec, Region, VialCommon};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::io::csr::Csr;
 use crate::io::mesh::read_mesh;
-use crate::io::npy::read_matrix;
+use crate::io::npy::read_levels;
 use crate::kind::Section;
-use crate::models::parallel::{AbsorptionMap, Kernel, Light};
+use crate::models::parallel::{Kernel, Light};
 use crate::models::planner::Setup;
 use crate::models::selection::Selection;
 use crate::models::{Choice, MODELS, matrix, rays, scatter};
+use crate::optics::absorption_map::AbsorptionMap;
+use crate::optics::gradient::Gradient;
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::{Material, Obstacle};
 use crate::optics::phase::{PHASES, Scattering};
 use crate::optics::resin::Resin;
 use crate::optics::surface::{Net, Surface};
 use crate::optics::trace::Bath;
+use crate::optics::vial::ended::{End, Ended};
 use crate::optics::vial::{Curve, VIALS, Vial};
 use crate::target::{MeshShape, Placement, Repair, Role, Shape, label};
 use rayon::prelude::*;
@@ -49,7 +52,8 @@ impl Optics {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone())
             .based(base)
             .kind(VIALS)?;
-        let vial = (kind.build)(&section)?;
+        let vial = with_ends((kind.build)(&section)?, &spec.vial.common)?;
+        let gradient = gradient_of(spec, vial.as_ref())?;
         let mut model = Choice::default();
         if let Some(value) = &spec.model {
             let (kind, section) = Section::new("model", value.clone()).kind(MODELS)?;
@@ -81,11 +85,15 @@ impl Optics {
             .light
             .iter()
             .zip(&paths)
-            .map(|(light, path)| Light {
-                bath,
-                map: map.clone(),
-                kernel,
-                ..light_of(spec, light, path.projector.pixel_pitch_mm())
+            .map(|(light, path)| {
+                let mut light = Light {
+                    bath,
+                    map: map.clone(),
+                    kernel,
+                    ..light_of(spec, light, path.projector.pixel_pitch_mm())
+                };
+                light.resin.gradient = gradient;
+                light
             })
             .collect();
         for (i, (light, own)) in lights.iter_mut().zip(&spec.light).enumerate() {
@@ -152,7 +160,7 @@ impl Optics {
         if matches!(model, Choice::Cheapest) {
             if setup.scatters() && setup.beyond_orders(&self.lights, grid).is_some() {
                 model = Choice::Scatter(scatter::Params::default());
-            } else if !setup.scatters() && setup.beyond_parallel().is_some() {
+            } else if !setup.scatters() && setup.beyond_parallel(&self.lights).is_some() {
                 model = Choice::Rays(rays::Params::default());
             }
         }
@@ -427,6 +435,52 @@ fn accepted(light: &Light) -> &'static str {
     }
 }
 
+/// The vial between its ends, where it has any.
+fn with_ends(vial: Box<dyn Vial>, spec: &VialCommon) -> Result<Box<dyn Vial>> {
+    if spec.bottom.is_none() && spec.top.is_none() {
+        return Ok(vial);
+    }
+    let [bottom, top] = [spec.bottom, spec.top].map(|end| end.map(End::from));
+    Ok(Box::new(Ended::new(vial, bottom, top)?))
+}
+
+/// How the resin's index changes, with the chords that suit the vial; refused where no index is left, or where a chord is no length.
+fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
+    let Some(params) = &spec.resin.gradient else {
+        return Ok(None);
+    };
+    if let Some(step) = params.step_mm.filter(|step| !(1e-3..=10.0).contains(step)) {
+        return Err(Error::config(
+            "resin.gradient.step_mm",
+            format!("found {step}"),
+            "0.001 to 10",
+        ));
+    }
+    let farthest = match vial.resin_wall() {
+        Curve::Circle(radius) => radius,
+        Curve::Square(half) => half * std::f64::consts::SQRT_2,
+    };
+    let gradient = params.within(farthest);
+    // n² is a parabola of ρ²: where it is least is an end or its vertex
+    let vertex = -0.5 * params.quadratic_per_mm2 / params.quartic_per_mm4;
+    let vertex = if (0.0..farthest * farthest).contains(&vertex) {
+        vertex.sqrt()
+    } else {
+        0.0
+    };
+    for rho in [vertex, farthest] {
+        let square = gradient.relative_square(rho);
+        if !(square > 0.0 && square.is_finite()) {
+            return Err(Error::config(
+                "resin.gradient",
+                format!("at {rho:.3} mm from the axis n² is {square:.3} times that on it"),
+                "an index above 0 everywhere in the resin",
+            ));
+        }
+    }
+    Ok(Some(gradient))
+}
+
 /// The absorbing bath of a job.
 fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     let Some(bath) = &spec.bath else {
@@ -452,11 +506,11 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
 
 /// The absorption map of a job.
 fn map_of(map: &MapSpec, base: &Path) -> Result<AbsorptionMap> {
-    let (shape, active) = read_matrix(&base.join(&map.absorption))?;
+    let (shape, active) = read_levels(&base.join(&map.absorption))?;
     let total = match &map.attenuation {
         None => active.clone(),
         Some(file) => {
-            let (other, total) = read_matrix(&base.join(file))?;
+            let (other, total) = read_levels(&base.join(file))?;
             if other != shape {
                 return Err(Error::Shape {
                     what: "resin.map.attenuation".into(),
@@ -513,6 +567,15 @@ fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
     for (i, obstacle) in spec.obstacles.iter().enumerate() {
         let section = format!("obstacles[{i}]");
+        if let Material::Diffuse { reflectance } = obstacle.material
+            && !(0.0..=1.0).contains(&reflectance)
+        {
+            return Err(Error::config(
+                format!("{section}.material.diffuse.reflectance"),
+                format!("found {reflectance}"),
+                "0 to 1",
+            ));
+        }
         if let Material::Dielectric { refractive_index } = obstacle.material
             && !(refractive_index.is_finite() && refractive_index > 0.0)
         {
@@ -567,6 +630,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
         },
         resin: Resin {
             refractive_index: resin.refractive_index,
+            gradient: None,
             absorption_per_mm: absorption,
             attenuation_per_mm: if resin.pure_radon {
                 0.0
@@ -576,7 +640,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
             },
             pure_radon: resin.pure_radon,
         },
-        surrounding_index: spec.vial.surrounding_index,
+        surrounding_index: spec.vial.common.surrounding_index,
         map: None,
         bath: None,
         polarisation: light.polarisation,
@@ -609,6 +673,27 @@ mod tests {
     }
 
     #[test]
+    fn an_index_that_ends_in_the_resin_is_refused() {
+        let refused = |gradient: &str| {
+            let spec = spec(&[&format!("resin.gradient={gradient}")]);
+            key(Optics::new(&spec, Path::new("")).err().unwrap())
+        };
+        // 7.6 mm: n² = 1 − 0.02·57.76 < 0 at the wall; with + 4e-4 ρ⁴ its least is 1 − 1/4 at ρ² = 25, but for 2e-3 it is below 0 there
+        assert_eq!(refused("{ quadratic_per_mm2 = -0.02 }"), "resin.gradient");
+        let hollow = "{ quadratic_per_mm2 = -0.1, quartic_per_mm4 = 2e-3 }";
+        assert_eq!(refused(hollow), "resin.gradient");
+        assert_eq!(refused("{ step_mm = 0.0 }"), "resin.gradient.step_mm");
+        let spec = spec(&["resin.gradient={ quadratic_per_mm2 = -0.02, quartic_per_mm4 = 4e-4 }"]);
+        let optics = Optics::new(&spec, Path::new("")).unwrap();
+        assert!(
+            optics
+                .lights
+                .iter()
+                .all(|light| light.resin.gradient.is_some())
+        );
+    }
+
+    #[test]
     fn a_bath_reaches_every_light_and_must_hold_the_vial() {
         let bath = |radius: &str| {
             let change = format!("bath={{ absorption_per_mm = 0.1, radius_mm = {radius} }}");
@@ -624,7 +709,7 @@ mod tests {
     }
 
     #[test]
-    fn a_map_is_read_beside_the_job_and_refused_where_light_bends() {
+    fn a_map_is_read_beside_the_job_and_met_by_rays_where_light_bends() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("mu.npy");
         let map = ndarray::array![[0.1f64, 0.2, 0.3], [0.1, 0.1, 0.1]];
@@ -632,14 +717,19 @@ mod tests {
         let spec = spec(&["resin.map={ absorption = \"mu.npy\", pitch_mm = 1.0 }"]);
         let optics = Optics::new(&spec, folder.path()).unwrap();
         let values = vec![0.1, 0.2, 0.3, 0.1, 0.1, 0.1];
-        let expected = AbsorptionMap::new([2, 3], 1.0, values.clone(), values).unwrap();
+        let expected = AbsorptionMap::new([1, 2, 3], 1.0, values.clone(), values).unwrap();
         assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
         let grid = VolumeGrid::centered([2, 4, 4], 0.1);
         let lights = optics.lights.clone();
         let run = crate::models::Run::new();
-        let refused =
+        let planned =
             crate::models::planner::plan(&optics.model, optics.setup(), lights, grid, None, &run);
-        assert!(matches!(refused, Err(Error::Unsupported { .. })));
+        // Light bends in this vial: rays know the map too
+        let reason = planned.unwrap().reason;
+        assert!(
+            reason.starts_with("rays") && reason.contains("across the plane"),
+            "{reason}"
+        );
     }
 
     #[test]

@@ -21,6 +21,7 @@ pub mod folder;
 pub mod import;
 mod judge;
 pub mod kinds;
+mod light;
 mod noise;
 mod optimise;
 pub mod outcome;

@@ -6,7 +6,7 @@
 //! ```
 
 use super::kinds::{Family, Parameter, families, parameters, parameters_of};
-use super::spec::JobSpec;
+use super::spec::{JobSpec, VialCommon};
 use crate::objective::emphasis::Common;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -63,9 +63,11 @@ fn write_family(page: &mut String, family: &Family) {
         write_rows(page, &rows);
     }
     if family.name == "vial" {
-        page.push_str(
-            "\nBeside its kind: `surrounding_index`, the refractive index of what surrounds it (1.0 when left out).\n",
-        );
+        let common = schemars::schema_for!(VialCommon).to_value();
+        let mut rows = Vec::new();
+        collect(&common, &common, "", &mut rows);
+        page.push_str("\nKeys of `[vial]`, beside its kind:\n");
+        write_rows(page, &rows);
     }
     if family.name == "penalties" {
         page.push_str("\nEvery entry of `[[penalties]]` needs its `weight`, λ, beside its kind.\n");

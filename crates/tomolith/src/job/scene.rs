@@ -1,7 +1,6 @@
 //! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
 
 use super::build::Optics;
-use super::cells;
 use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
@@ -9,6 +8,7 @@ use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
+use super::{cells, light};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -105,6 +105,7 @@ impl Scene {
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
         optics.matrix_must_fit(&grid)?;
+        let light = light::must_arrive(&optics)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
             let (common, _) = Common::split(section)?;
@@ -130,7 +131,7 @@ impl Scene {
         let mut scene = Scene {
             base: job.base(),
             name: spec.target.name(),
-            warnings: [shape.warnings(), optics.leaning(shape.as_ref())].concat(),
+            warnings: [shape.warnings(), optics.leaning(shape.as_ref()), light].concat(),
             notes: unlit,
             spec,
             shape,

@@ -6,7 +6,7 @@
 //! ```
 
 use super::kinds::{Family, families};
-use super::spec::JobSpec;
+use super::spec::{JobSpec, VialCommon};
 use crate::kind::KindPage;
 use crate::objective::emphasis::Common;
 use serde_json::{Map, Value, json};
@@ -64,8 +64,14 @@ fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
             rename(&mut schema, &prefix);
             let mut properties = Map::new();
             match family.name {
-                "vial" => drop(properties.insert("surrounding_index".to_owned(), number(1.0))),
-                "objective" => properties.extend(common_properties(definitions)),
+                "vial" => {
+                    let common = schemars::schema_for!(VialCommon).to_value();
+                    properties.extend(common_properties(common, "vial_", definitions));
+                }
+                "objective" => {
+                    let common = schemars::schema_for!(Common).to_value();
+                    properties.extend(common_properties(common, "objectives_", definitions));
+                }
                 "penalties" => drop(properties.insert("weight".to_owned(), json!({ "type": "number" }))),
                 _ => {}
             }
@@ -86,10 +92,12 @@ fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
     json!({ "oneOf": tables.chain(text).collect::<Vec<_>>() })
 }
 
-/// What every objective may have besides its kind.
-fn common_properties(definitions: &mut Map<String, Value>) -> Map<String, Value> {
-    let mut schema = schemars::schema_for!(Common).to_value();
-    let prefix = "objectives_";
+/// What every kind of a family may have besides its own keys; its definitions move to the job's, under a prefix.
+fn common_properties(
+    mut schema: Value,
+    prefix: &str,
+    definitions: &mut Map<String, Value>,
+) -> Map<String, Value> {
     for (name, mut definition) in schema["$defs"].as_object().cloned().unwrap_or_default() {
         rename(&mut definition, prefix);
         definitions.insert(format!("{prefix}{name}"), definition);
@@ -97,11 +105,6 @@ fn common_properties(definitions: &mut Map<String, Value>) -> Map<String, Value>
     let mut properties = schema["properties"].take();
     rename(&mut properties, prefix);
     properties.as_object().cloned().unwrap_or_default()
-}
-
-/// A number with a default.
-fn number(default: f64) -> Value {
-    json!({ "type": "number", "default": default })
 }
 
 /// References of a kind's own schema, moved to the job's definitions.

@@ -10,9 +10,11 @@ use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
 pub use crate::exposure::Rotation;
 use crate::kind::Section;
+use crate::optics::gradient;
 use crate::optics::interface::Polarisation;
 use crate::optics::obstacle::Material;
 use crate::optics::projector::{PROJECTORS, Projector};
+use crate::optics::vial::ended::EndSpec;
 use crate::optimize::checkpoint;
 use crate::target::TargetSpec;
 use crate::units::{Mm, Pitch};
@@ -129,7 +131,10 @@ pub struct ResinSpec {
     /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
-    /// Absorption that changes across the plane, for straight light.
+    /// Refractive index that changes with the distance from the axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gradient: Option<gradient::Params>,
+    /// Absorption that changes from place to place.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapSpec>,
     /// Napierian scattering, 1/mm; part of the attenuation by everything.
@@ -143,8 +148,8 @@ pub struct ResinSpec {
     pub critical_dose_mj_per_mm3: Option<f64>,
 }
 
-/// Absorption per cell of a plane, centred on the axis and the same at all heights; beyond it the resin has its plain
-/// numbers. Files are 2D `.npy` [y, x] of f32 or f64, 1/mm, row 0 = most negative y.
+/// Absorption per cell, centred on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of f32 or f64, 1/mm:
+/// 2D [y, x], the same at all heights, or 3D [z, y, x], centred on z = 0; row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapSpec {
@@ -167,13 +172,37 @@ pub struct BathSpec {
     pub radius_mm: Mm,
 }
 
-/// The vial: one kind, `[vial.KIND]`, and what surrounds it.
+/// The vial: one kind, `[vial.KIND]`, and what is said of every kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VialSpec {
-    /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
-    pub surrounding_index: f64,
+    /// What is said of every kind.
+    pub common: VialCommon,
     /// The kind and its parameters, `{cylinder: {…}}`.
     pub kind: Value,
+}
+
+/// Keys of `[vial]` beside its kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct VialCommon {
+    /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
+    pub surrounding_index: f64,
+    /// Where the resin ends below; it goes on for ever when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bottom: Option<EndSpec>,
+    /// Where it ends above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub top: Option<EndSpec>,
+}
+
+impl Default for VialCommon {
+    fn default() -> Self {
+        VialCommon {
+            surrounding_index: 1.0,
+            bottom: None,
+            top: None,
+        }
+    }
 }
 
 /// One projector, or one wavelength.
@@ -448,6 +477,7 @@ impl Default for ResinSpec {
             refractive_index: 1.5,
             absorption_per_mm: 0.0,
             attenuation_per_mm: None,
+            gradient: None,
             map: None,
             scattering_per_mm: 0.0,
             phase: kind("rayleigh"),
@@ -495,30 +525,26 @@ impl Default for OutputSpec {
 
 impl<'de> Deserialize<'de> for VialSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde::de::Error as _;
         let mut kind = Value::deserialize(deserializer)?;
-        let asked = kind
-            .as_object_mut()
-            .and_then(|map| map.remove("surrounding_index"));
-        let surrounding_index = match asked {
-            None => 1.0,
-            Some(index) => index.as_f64().ok_or_else(|| {
-                serde::de::Error::custom(format!("surrounding_index is {index}, expected a number"))
-            })?,
-        };
-        Ok(VialSpec {
-            surrounding_index,
-            kind,
-        })
+        let mut common = Map::new();
+        for key in ["surrounding_index", "bottom", "top"] {
+            if let Some(value) = kind.as_object_mut().and_then(|map| map.remove(key)) {
+                let alone = Value::from_iter([(key, value.clone())]);
+                serde_json::from_value::<VialCommon>(alone)
+                    .map_err(|e| D::Error::custom(format!("{key}: {e}")))?;
+                common.insert(key.to_owned(), value);
+            }
+        }
+        let common = serde_json::from_value(Value::Object(common)).map_err(D::Error::custom)?;
+        Ok(VialSpec { common, kind })
     }
 }
 
 impl Serialize for VialSpec {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = Map::new();
-        map.insert(
-            "surrounding_index".to_owned(),
-            Value::from(self.surrounding_index),
-        );
+        let common = serde_json::to_value(&self.common).map_err(serde::ser::Error::custom)?;
+        let mut map = common.as_object().cloned().unwrap_or_default();
         match &self.kind {
             Value::Object(kind) => map.extend(kind.clone()),
             Value::String(name) => drop(map.insert(name.clone(), Value::Object(Map::new()))),

@@ -1,9 +1,10 @@
 //! What becomes of the light of single pixels: numbers, and a picture of their dose.
 
+use super::build::Optics;
 use super::read::Job;
 use super::scene::Scene;
 use crate::error::{Error, Result};
-use crate::grid::Volume;
+use crate::grid::{Volume, VolumeGrid};
 use crate::models::DoseModel;
 use crate::models::parallel::Light;
 use crate::models::planner::Setup;
@@ -86,7 +87,7 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             ));
         }
     }
-    let model = model(&scene, lights)?;
+    let model = rays(&scene.optics, lights, scene.grid.clone())?;
     let mut x = DoseModel::new_patterns(&model)?;
     let mut traced = Vec::with_capacity(pixels.len());
     for &pixel in pixels {
@@ -108,13 +109,13 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
 }
 
 /// Rays of the job's own model, or of the one that covers its optics.
-fn model(scene: &Scene, lights: Vec<Light>) -> Result<Rays> {
-    let Setup { vial, optics, .. } = scene.optics.setup();
-    let grid = scene.grid.clone();
-    match &scene.optics.model {
+pub(super) fn rays(of: &Optics, lights: Vec<Light>, grid: VolumeGrid) -> Result<Rays> {
+    let setup = of.setup();
+    let Setup { vial, optics, .. } = setup;
+    match &of.model {
         Choice::Scatter(params) => scatter::model(vial, &lights, optics, params, grid),
         Choice::Rays(params) => Rays::new(vial, lights, optics, params, grid),
-        _ if scene.optics.setup().scatters() => {
+        _ if setup.scatters() => {
             scatter::model(vial, &lights, optics, &scatter::Params::default(), grid)
         }
         _ => Rays::new(vial, lights, optics, &Params::default(), grid),

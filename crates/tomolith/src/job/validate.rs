@@ -33,7 +33,7 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
     resin(spec)?;
     within(
         "vial.surrounding_index",
-        spec.vial.surrounding_index,
+        spec.vial.common.surrounding_index,
         1.0,
         4.0,
         INDEX,

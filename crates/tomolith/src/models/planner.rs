@@ -7,7 +7,7 @@
 
 use super::darkened::Darkened;
 use super::matrix::{self, MatrixModel};
-use super::parallel::{Light, Parallel};
+use super::parallel::{self, Light, Parallel};
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
 use super::selection::{chosen, contributions, layouts, narrow};
@@ -75,7 +75,7 @@ impl Setup<'_> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
         let other = "another model, or no [model] for the cheapest that is exact";
-        let way = match (choice, self.beyond_parallel()) {
+        let way = match (choice, self.beyond_parallel(lights)) {
             (Choice::Matrix(_), _) if self.solid.is_some() => {
                 return refused("model.matrix", "a stored matrix knows whole voxels", other);
             }
@@ -83,7 +83,7 @@ impl Setup<'_> {
             (Choice::Parallel(_), Some(reason)) => return refused("model.parallel", reason, other),
             (Choice::Rays(_), _) if self.scatters() => {
                 let accepted = "[model.scatter], or no [model]";
-                return refused("model.rays", "the resin scatters", accepted);
+                return refused("model.rays", self.what_scatters(), accepted);
             }
             (Choice::Rays(params), _) => Optical::Rays(Cow::Borrowed(params)),
             (Choice::Scatter(params), _) => Optical::Scatter(Cow::Borrowed(params)),
@@ -101,12 +101,20 @@ impl Setup<'_> {
             (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
             (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
         };
-        let is_traced = !matches!(way, Optical::Parallel);
-        if is_traced && lights.iter().any(|light| light.map.is_some()) {
+        let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
+        let is_random = matches!(way, Optical::Scatter(_));
+        if is_random && any(&|light| light.map.is_some()) {
             return refused(
                 "resin.map",
-                "rays know one absorption for all the resin",
-                "resin.absorption_per_mm, or optics that [model.parallel] covers",
+                "paths of scattered light know one absorption for all the resin",
+                "resin.absorption_per_mm, or a resin that does not scatter",
+            );
+        }
+        if is_random && any(&|light| light.resin.gradient.is_some()) {
+            return refused(
+                "resin.gradient",
+                "paths of scattered light run straight",
+                "a resin that does not scatter, or one index",
             );
         }
         Ok(Way::Optical(way))
@@ -120,7 +128,7 @@ impl Setup<'_> {
         lights: &[Light],
         grid: &VolumeGrid,
     ) -> String {
-        match (choice, way, self.beyond_parallel()) {
+        match (choice, way, self.beyond_parallel(lights)) {
             (Choice::Rays(_), _, None) => {
                 "as asked; [model.parallel] covers these optics too and is faster".into()
             }
@@ -139,7 +147,15 @@ impl Setup<'_> {
     /// Whether light is scattered anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {
-        self.optics.iter().any(|o| o.scattering.is_some())
+        self.optics.iter().any(Optics::scatters)
+    }
+
+    fn what_scatters(&self) -> &'static str {
+        if self.optics.iter().any(|o| o.scattering.is_some()) {
+            "the resin scatters"
+        } else {
+            "a diffuse body scatters light"
+        }
     }
 
     /// What scatters each light.
@@ -149,23 +165,23 @@ impl Setup<'_> {
 
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
-    pub fn beyond_parallel(&self) -> Option<&'static str> {
+    pub fn beyond_parallel(&self, lights: &[Light]) -> Option<&'static str> {
         if self.scatters() {
-            Some("the resin scatters")
+            Some(self.what_scatters())
         } else {
-            self.beyond_straight()
+            self.beyond_straight(lights)
         }
     }
 
     /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
     #[must_use]
     pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
-        self.beyond_straight()
+        self.beyond_straight(lights)
             .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
     }
 
     /// Why [`Parallel`] does not cover its straight light.
-    fn beyond_straight(&self) -> Option<&'static str> {
+    fn beyond_straight(&self, lights: &[Light]) -> Option<&'static str> {
         let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
         if !self.vial.is_invariant() {
             Some("the vial changes along z")
@@ -180,7 +196,9 @@ impl Setup<'_> {
         } else if self.solid.is_some() {
             Some("the target's surface cuts voxels into cells")
         } else {
-            None
+            lights
+                .iter()
+                .find_map(|light| parallel::beyond(light, self.vial))
         }
     }
 }

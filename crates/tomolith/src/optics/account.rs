@@ -17,8 +17,10 @@ pub struct Account {
     pub missed: f64,
     /// Ended at a black body.
     pub blocked: f64,
-    /// Given up: too weak, or too many interfaces.
+    /// Given up as too weak; what Russian roulette adds to others is taken off.
     pub dropped: f64,
+    /// Given up at a limit: too many interfaces, or scattered too often.
+    pub cut: f64,
 }
 
 impl Account {
@@ -32,6 +34,7 @@ impl Account {
             + self.missed
             + self.blocked
             + self.dropped
+            + self.cut
     }
 
     /// Adds another account, `share` times.
@@ -43,5 +46,6 @@ impl Account {
         self.missed += share * other.missed;
         self.blocked += share * other.blocked;
         self.dropped += share * other.dropped;
+        self.cut += share * other.cut;
     }
 }

@@ -1,7 +1,9 @@
 //! Optics: what stands between a projector's pixel and the resin.
 
+pub mod absorption_map;
 pub mod account;
 pub mod edges;
+pub mod gradient;
 pub mod interface;
 pub mod motion;
 pub mod obstacle;

@@ -6,6 +6,7 @@
 //! | black | ends it |
 //! | dielectric (index) | refracts it, in and out; nothing absorbs inside |
 //! | mirror | reflects it without loss |
+//! | diffuse (reflectance) | sends that share back by Lambert's law, in random directions (`scatter` only) |
 //!
 //! A body lies wholly in one medium, in the resin or outside of the vial.
 
@@ -22,6 +23,11 @@ pub enum Material {
     Black,
     /// Reflects everything.
     Mirror,
+    /// Sends light back in all directions, as Lambert's law has it.
+    Diffuse {
+        /// Share that is sent back, 0 to 1.
+        reflectance: f64,
+    },
     /// Refracts; clear.
     Dielectric {
         /// Refractive index, > 0.

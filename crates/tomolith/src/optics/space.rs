@@ -16,8 +16,12 @@
 //! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
 //! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised.
 //!
+//! # Resin that differs from place to place
+//! Where absorption is a map ([`AbsorptionMap`]) a leg ends at every cell that takes another part; where the index changes
+//! ([`Gradient`](super::gradient::Gradient)) legs are the chords of a curve, along which the fields turn with the direction.
+//!
 //! # Equation
-//! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped = 1.
+//! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped + cut = 1.
 //!
 //! # Source
 //! Born & Wolf, *Principles of Optics*, § 1.5; Nicolet et al. 2024, § 4.1.
@@ -37,17 +41,19 @@
 //! assert!((path.account.absorbed - expected).abs() < 1e-12);
 //! ```
 
+use super::absorption_map::AbsorptionMap;
 use super::account::Account;
 use super::interface::Polarisation;
 use super::obstacle::{Material, Obstacle};
 use super::phase::Scattering;
 use super::projector::Ray;
 use super::random::Stream;
-use super::resin::Resin;
+use super::resin::{Resin, Uptake};
 use super::surface::{Crossing, Surface, cross, dot, unit};
 use super::trace::Bath;
 use super::vial::{Curve, Medium, Vial};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +66,8 @@ pub struct Leg {
     pub power: f64,
     /// How often its light was scattered before.
     pub order: usize,
+    /// What the resin takes along it.
+    pub uptake: Uptake,
 }
 
 /// How far light is followed.
@@ -106,10 +114,13 @@ pub struct SpaceTracer {
     resin_depth: usize,
     obstacles: Vec<Obstacle>,
     resin: Resin,
+    map: Option<Arc<AbsorptionMap>>,
     polarisation: Polarisation,
     bath: Option<Bath>,
     scattering: Option<Scattering>,
     limits: Limits,
+    /// Whether walls end in one plane.
+    shares_faces: bool,
     /// Rays begin this far before the axis, mm.
     far: f64,
 }
@@ -142,6 +153,15 @@ impl Fields {
         self.0 = self.0.map(|e| e.map(|v| v * factor));
     }
 
+    /// The fields of light whose direction turns from `d` to `e`: turned by the smallest angle.
+    fn turn(&mut self, d: [f64; 3], e: [f64; 3]) {
+        let scale = 1.0 / (1.0 + dot(d, e));
+        self.0 = self.0.map(|field| {
+            let along = dot(field, e) * scale;
+            std::array::from_fn(|i| field[i] - along * (d[i] + e[i]))
+        });
+    }
+
     fn new(polarisation: Polarisation, direction: [f64; 3]) -> Self {
         let axis = [0.0, 0.0, 1.0];
         let across = cross(direction, axis);
@@ -165,6 +185,15 @@ impl Fields {
     }
 }
 
+/// Rays steeper than this begin no farther out.
+const LEAST_SLANT: f64 = 0.1;
+/// Faces nearer than this are one, mm.
+const SHARED: f64 = 1e-9;
+/// Chords of one curve at most: light that stays in the resin for so long has no way out.
+const MOST_CHORDS: usize = 100_000;
+/// A chord that meets a wall within this part of a step is cut there: its direction is that of a whole step.
+const CLOSE: f64 = 0.02;
+
 /// What lies ahead of a ray.
 enum Ahead {
     Wall { crossing: Crossing, depth: usize },
@@ -173,6 +202,12 @@ enum Ahead {
 
 impl Ahead {
     fn crossing(&self) -> &Crossing {
+        match self {
+            Ahead::Wall { crossing, .. } | Ahead::Obstacle { crossing, .. } => crossing,
+        }
+    }
+
+    fn crossing_mut(&mut self) -> &mut Crossing {
         match self {
             Ahead::Wall { crossing, .. } | Ahead::Obstacle { crossing, .. } => crossing,
         }
@@ -203,10 +238,23 @@ impl SpaceTracer {
                 .chain(walls.iter().map(|(_, inside)| index(inside)))
                 .collect(),
             resin_depth: depth.map_or(usize::MAX, |d| d + 1),
-            far: 4.0 * vial.outer_radius_mm(),
+            shares_faces: walls.windows(2).any(|pair| match (&pair[0].0, &pair[1].0) {
+                (Surface::Can(_, a), Surface::Can(_, b)) => a[0] == b[0] || a[1] == b[1],
+                _ => false,
+            }),
+            far: walls
+                .iter()
+                .fold(4.0 * vial.outer_radius_mm(), |far, (wall, _)| match wall {
+                    Surface::Can(_, ends) => {
+                        let ends = ends.iter().filter(|z| z.is_finite());
+                        ends.fold(far, |far, z| far.max(4.0 * z.abs()))
+                    }
+                    _ => far,
+                }),
             walls: walls.into_iter().map(|(surface, _)| surface).collect(),
             obstacles: Vec::new(),
             resin,
+            map: None,
             polarisation,
             bath: None,
             scattering: None,
@@ -218,6 +266,13 @@ impl SpaceTracer {
     #[must_use]
     pub fn in_scattering(mut self, scattering: Option<Scattering>) -> Self {
         self.scattering = scattering;
+        self
+    }
+
+    /// The same vial with a resin whose absorption changes from place to place.
+    #[must_use]
+    pub fn in_map(mut self, map: Option<Arc<AbsorptionMap>>) -> Self {
+        self.map = map;
         self
     }
 
@@ -237,11 +292,6 @@ impl SpaceTracer {
         self
     }
 
-    /// What resin takes along `length` mm of light of power 1: 1 − e^(−μ_t·length).
-    fn loss(&self, length: f64) -> f64 {
-        -(-self.resin.attenuation_per_mm * length).exp_m1()
-    }
-
     /// Follows one ray, straight light only; where it begins along its line does not matter.
     #[must_use]
     pub fn trace(&self, ray: Ray) -> Path {
@@ -257,7 +307,8 @@ impl SpaceTracer {
     fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>) -> Path {
         let mut path = Path::default();
         // Back to where no wall has been met
-        let back = dot(ray.from, ray.direction) + self.far;
+        let [x, y, _] = ray.direction;
+        let back = dot(ray.from, ray.direction) + self.far / x.hypot(y).max(LEAST_SLANT);
         let ray = Ray {
             from: ray.at(-back),
             direction: ray.direction,
@@ -285,7 +336,7 @@ impl SpaceTracer {
         path: &mut Path,
         mut random: Option<&mut Stream>,
     ) {
-        while let Some(ahead) = self.ahead(&state) {
+        while let Some(ahead) = self.next(&mut state, path) {
             let distance = ahead.crossing().distance;
             let before = state;
             let lost = self.cross_medium(&mut state, distance, path);
@@ -298,7 +349,7 @@ impl SpaceTracer {
             state.crossed += 1;
             let power = state.fields.power();
             let after = if state.crossed > self.limits.interfaces {
-                path.account.dropped += power;
+                path.account.cut += power;
                 0.0
             } else {
                 self.thinned(power, random.as_deref_mut(), path)
@@ -357,7 +408,7 @@ impl SpaceTracer {
         let mut power = lost * scattering.per_mm / mu;
         path.account.absorbed -= power;
         if leg.order >= self.limits.orders {
-            path.account.dropped += power;
+            path.account.cut += power;
             return;
         }
         if power < self.limits.least_power {
@@ -386,18 +437,33 @@ impl SpaceTracer {
     /// What the medium takes on the way to the next surface; returns what resin took.
     fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) -> f64 {
         let power = state.fields.power();
-        if state.depth == self.resin_depth && state.within.is_none() {
+        if self.in_resin(state) {
             state.met_resin = true;
-            path.legs.push(Leg {
-                ray: state.ray,
-                length,
-                power,
-                order: state.order,
-            });
-            let loss = self.loss(length);
-            path.account.absorbed += loss * power;
-            state.fields.scale(1.0 - loss);
-            return loss * power;
+            let mut left = power;
+            let mut leave = |from: f64, to: f64, uptake: Uptake| {
+                path.legs.push(Leg {
+                    ray: Ray {
+                        from: state.ray.at(from),
+                        ..state.ray
+                    },
+                    length: to - from,
+                    power: left,
+                    order: state.order,
+                    uptake,
+                });
+                left *= (-uptake.attenuation_per_mm * (to - from)).exp();
+            };
+            let plain = self.resin.uptake();
+            match &self.map {
+                Some(map) => map.for_each_piece(&state.ray, length, plain, leave),
+                None if length > 0.0 => leave(0.0, length, plain),
+                None => {}
+            }
+            path.account.absorbed += power - left;
+            if power > 0.0 {
+                state.fields.scale(left / power);
+            }
+            return power - left;
         } else if let (Some(bath), 0, None) = (self.bath, state.depth, state.within) {
             let way = bath_way(bath, &state.ray, length);
             let loss = -(-bath.absorption_per_mm * way).exp_m1();
@@ -407,7 +473,55 @@ impl SpaceTracer {
         0.0
     }
 
-    /// The next surface of a ray: the wall around it, the one it encloses, or an obstacle.
+    fn in_resin(&self, state: &State) -> bool {
+        state.depth == self.resin_depth && state.within.is_none()
+    }
+
+    /// The next surface of a ray; where light runs along a curve it is followed there, chord by chord.
+    fn next(&self, state: &mut State, path: &mut Path) -> Option<Ahead> {
+        let Some(gradient) = self.resin.gradient.filter(|_| self.in_resin(state)) else {
+            return self.ahead(state);
+        };
+        let axis = self.resin.refractive_index;
+        let step = gradient.step_mm;
+        let mut length = step;
+        for _ in 0..MOST_CHORDS {
+            let mut chord = gradient.chord(axis, state.ray, length);
+            let met = self.ahead(&State {
+                ray: chord.ray,
+                ..*state
+            });
+            let mut met = met.filter(|a| a.crossing().distance <= chord.length);
+            length = step;
+            if let Some(wall) = &mut met {
+                let crossing = wall.crossing_mut();
+                if crossing.distance > CLOSE * step {
+                    // First a chord that ends shortly before the wall
+                    length = (1.0 - CLOSE / 2.0) * crossing.distance;
+                    continue;
+                }
+                chord.length = std::mem::take(&mut crossing.distance);
+                let shorter = gradient.chord(axis, state.ray, chord.length);
+                chord.end = Ray {
+                    from: chord.ray.at(chord.length),
+                    ..shorter.end
+                };
+            }
+            state.fields.turn(state.ray.direction, chord.end.direction);
+            state.ray = chord.ray;
+            self.cross_medium(state, chord.length, path);
+            state.ray = chord.end;
+            if met.is_some() {
+                return met;
+            }
+        }
+        // Light that the resin guides along the axis
+        path.account.cut += state.fields.power();
+        state.fields.scale(0.0);
+        None
+    }
+
+    /// The next surface of a straight ray: the wall around it, the one it encloses, or an obstacle.
     fn ahead(&self, state: &State) -> Option<Ahead> {
         if let Some(index) = state.within {
             let crossing = self.obstacles[index].surface.leave(&state.ray)?;
@@ -449,10 +563,17 @@ impl SpaceTracer {
         let mut behind = *state;
         let n1 = self.index_of(state);
         match *ahead {
-            Ahead::Wall { depth, .. } => behind.depth = depth,
+            Ahead::Wall { depth, .. } => {
+                behind.depth = depth;
+                self.skip_shared_faces(&mut behind, state.depth);
+            }
             Ahead::Obstacle { index, crossing } => match self.obstacles[index].material {
                 Material::Black => {
                     path.account.blocked += state.fields.power();
+                    return false;
+                }
+                Material::Diffuse { reflectance } => {
+                    self.diffuse(state, crossing.normal, reflectance, (waiting, random), path);
                     return false;
                 }
                 Material::Mirror => {
@@ -502,10 +623,72 @@ impl SpaceTracer {
         true
     }
 
+    /// Walls that end in one plane are one interface there: what lies between them has no thickness.
+    fn skip_shared_faces(&self, behind: &mut State, before: usize) {
+        if !self.shares_faces {
+            return;
+        }
+        loop {
+            let (crossing, depth) = if behind.depth > before {
+                let wall = self.walls.get(behind.depth);
+                (wall.and_then(|w| w.enter(&behind.ray)), behind.depth + 1)
+            } else if let Some(depth) = behind.depth.checked_sub(1) {
+                (self.walls[depth].leave(&behind.ray), depth)
+            } else {
+                return;
+            };
+            match crossing {
+                Some(crossing) if crossing.distance < SHARED => behind.depth = depth,
+                _ => return,
+            }
+        }
+    }
+
+    /// Light that a diffuse body sends back: its share, by Lambert's law, in one random direction; none without random numbers.
+    fn diffuse(
+        &self,
+        state: &State,
+        normal: [f64; 3],
+        reflectance: f64,
+        (waiting, random): (&mut Vec<State>, Option<&mut Stream>),
+        path: &mut Path,
+    ) {
+        let power = state.fields.power();
+        let mut sent = reflectance * power;
+        path.account.blocked += power - sent;
+        let Some(random) = random.filter(|_| state.order < self.limits.orders) else {
+            path.account.cut += sent;
+            return;
+        };
+        if sent < self.limits.least_power {
+            sent = self.by_chance(sent, Some(&mut *random), path);
+        }
+        if sent == 0.0 {
+            return;
+        }
+        // The cosine to the normal has the density 2·cos
+        let cosine = random.uniform().sqrt();
+        let direction = deflected(normal, cosine, TAU * random.uniform());
+        let mut fields = Fields::new(Polarisation::Unpolarised, direction);
+        fields.scale(sent);
+        waiting.push(State {
+            ray: Ray {
+                from: state.ray.from,
+                direction,
+            },
+            fields,
+            order: state.order + 1,
+            ..*state
+        });
+    }
+
     fn index_of(&self, state: &State) -> f64 {
         match state.within.map(|i| self.obstacles[i].material) {
             Some(Material::Dielectric { refractive_index }) => refractive_index,
-            _ => self.indices[state.depth],
+            _ => match self.resin.gradient.filter(|_| self.in_resin(state)) {
+                Some(gradient) => gradient.index(self.resin.refractive_index, state.ray.from),
+                None => self.indices[state.depth],
+            },
         }
     }
 }

@@ -29,6 +29,8 @@ use std::time::Duration;
 pub enum Surface {
     /// A curve of the plane, at all heights.
     Prism(Curve),
+    /// A curve of the plane between two heights, mm, closed by planes there; either may be infinite.
+    Can(Curve, [f64; 2]),
     /// Triangles.
     Net(Arc<Net>),
 }
@@ -50,6 +52,7 @@ impl Surface {
     pub fn enter(&self, ray: &Ray) -> Option<Crossing> {
         match self {
             Surface::Prism(curve) => across(*curve, ray, trace::enter),
+            Surface::Can(curve, heights) => enter_can(*curve, *heights, ray),
             Surface::Net(net) => net.first_hit(ray),
         }
     }
@@ -59,6 +62,7 @@ impl Surface {
     pub fn leave(&self, ray: &Ray) -> Option<Crossing> {
         match self {
             Surface::Prism(curve) => across(*curve, ray, trace::leave),
+            Surface::Can(curve, heights) => leave_can(*curve, *heights, ray),
             Surface::Net(net) => net.first_hit(ray),
         }
     }
@@ -68,6 +72,9 @@ impl Surface {
     pub fn contains(&self, point: [f64; 3]) -> bool {
         match self {
             Surface::Prism(curve) => curve.contains(point[0], point[1]),
+            Surface::Can(curve, [low, high]) => {
+                curve.contains(point[0], point[1]) && point[2] > *low && point[2] < *high
+            }
             Surface::Net(net) => {
                 let mut crossings = 0;
                 // A direction that no ordinary mesh has an edge along
@@ -79,6 +86,67 @@ impl Surface {
         }
     }
 }
+
+/// The first crossing of a ray that is outside of a can: through its side or an end.
+fn enter_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
+    let within =
+        |at: [f64; 3], slack: f64| at[2] >= heights[0] - slack && at[2] <= heights[1] + slack;
+    let side = across(curve, ray, trace::enter).filter(|c| within(ray.at(c.distance), 0.0));
+    // The end that a ray from beyond it meets
+    let end = end_ahead(
+        if ray.direction[2] > 0.0 {
+            heights[0]
+        } else {
+            heights[1]
+        },
+        ray,
+    );
+    let end = end.filter(|c| {
+        let [x, y, _] = ray.at(c.distance);
+        c.distance >= 0.0 && curve.contains(x, y)
+    });
+    nearer(side, end)
+}
+
+/// The crossing at which a ray leaves a can that it is inside of.
+fn leave_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
+    let side = across(curve, ray, trace::leave);
+    let end = end_ahead(
+        if ray.direction[2] > 0.0 {
+            heights[1]
+        } else {
+            heights[0]
+        },
+        ray,
+    );
+    // A ray that begins on the end it is bound for leaves at once
+    let end = end.map(|c| Crossing {
+        distance: c.distance.max(0.0),
+        ..c
+    });
+    nearer(side, end)
+}
+
+/// Where a ray meets the plane of an end, before or behind it.
+fn end_ahead(z: f64, ray: &Ray) -> Option<Crossing> {
+    let slope = ray.direction[2];
+    (z.is_finite() && slope != 0.0).then(|| Crossing {
+        distance: (z - ray.from[2]) / slope,
+        normal: [0.0, 0.0, -slope.signum()],
+        face: if slope > 0.0 { TOP_FACE } else { BOTTOM_FACE },
+    })
+}
+
+fn nearer(a: Option<Crossing>, b: Option<Crossing>) -> Option<Crossing> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(if b.distance < a.distance { b } else { a }),
+        (a, b) => a.or(b),
+    }
+}
+
+/// Faces of the ends, beside up to four of a curve.
+const TOP_FACE: u8 = 4;
+const BOTTOM_FACE: u8 = 5;
 
 /// A crossing of the plane's curve: distance, normal against the ray, face.
 type PlaneCrossing = Option<(f64, [f64; 2], u8)>;
@@ -269,6 +337,31 @@ mod tests {
         assert!(mesh.signed_volume() > 0.0);
         let net = Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()));
         let prism = Surface::Prism(Curve::Square(2.0));
+        let short = cuboid([-2.0, -2.0, -1.0], [2.0, 2.0, 0.7]);
+        let short = Surface::Net(Arc::new(Net::new(&short, "mesh").unwrap()));
+        let can = Surface::Can(Curve::Square(2.0), [-1.0, 0.7]);
+        for i in 0..400 {
+            let angle = 0.1 + f64::from(i) * 0.0314;
+            let from = [
+                9.0 * angle.cos(),
+                9.0 * angle.sin(),
+                0.05 * f64::from(i) - 10.0,
+            ];
+            let ray = Ray::through(from, [0.01 * f64::from(i) - 2.0, 0.7, -0.2]);
+            let (a, b) = (can.enter(&ray), short.enter(&ray));
+            assert_eq!(a.is_some(), b.is_some(), "{i}");
+            let (Some(a), Some(b)) = (a, b) else { continue };
+            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
+            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
+            let within = Ray {
+                from: ray.at(a.distance + 1e-3),
+                ..ray
+            };
+            let (a, b) = (can.leave(&within).unwrap(), short.leave(&within).unwrap());
+            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
+            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
+            assert!(can.contains(within.from) && !can.contains(ray.from));
+        }
         for i in 0..200 {
             let angle = 0.1 + f64::from(i) * 0.0314;
             let ray = Ray::through(

@@ -12,77 +12,11 @@
 
 use super::strips::{Beam, Major, Strip};
 use super::tiles::{Local, TILE, TileEntries};
-use crate::error::{Error, Result};
-use crate::grid::{VolumeGrid, sample};
+use crate::grid::VolumeGrid;
+use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::resin::Resin;
 use rayon::prelude::*;
 use std::sync::Arc;
-
-/// Absorption on a grid of square cells about the axis, row 0 = most negative y.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AbsorptionMap {
-    shape: [usize; 2],
-    pitch_mm: f64,
-    active: Vec<f32>,
-    total: Vec<f32>,
-}
-
-impl AbsorptionMap {
-    /// A map of `shape` [y, x] with cells of `pitch_mm`: active absorption and total attenuation, 1/mm, x fastest.
-    ///
-    /// # Errors
-    /// [`Error::Config`] when numbers are negative, not finite, too few, or attenuation is below absorption.
-    pub fn new(
-        shape: [usize; 2],
-        pitch_mm: f64,
-        active: Vec<f32>,
-        total: Vec<f32>,
-    ) -> Result<Self> {
-        let cells = shape[0] * shape[1];
-        let refused =
-            |found: String, accepted: &str| Err(Error::config("resin.map", found, accepted));
-        if active.len() != cells || total.len() != cells || cells == 0 {
-            return refused(
-                format!(
-                    "{} and {} values for shape {shape:?}",
-                    active.len(),
-                    total.len()
-                ),
-                "one absorption and one attenuation for every cell",
-            );
-        }
-        if !(pitch_mm > 0.0 && pitch_mm.is_finite()) {
-            return refused(format!("a pitch of {pitch_mm} mm"), "a finite number > 0");
-        }
-        let bad = active
-            .iter()
-            .zip(&total)
-            .find(|(a, t)| !(**a >= 0.0 && t.is_finite() && *t >= *a));
-        if let Some((a, t)) = bad {
-            return refused(
-                format!("a cell with absorption {a} and attenuation {t} per mm"),
-                "0 ≤ absorption ≤ attenuation, finite",
-            );
-        }
-        Ok(AbsorptionMap {
-            shape,
-            pitch_mm,
-            active,
-            total,
-        })
-    }
-
-    /// Active absorption and total attenuation at a point (mm); None where the map ends.
-    fn at(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-        let [ny, nx] = self.shape;
-        let cell = |c: f64, n: usize| {
-            let i = ((c - sample(0, n, self.pitch_mm)) / self.pitch_mm + 0.5).floor();
-            (i >= 0.0 && i < n as f64).then_some(i as usize)
-        };
-        let i = cell(y, ny)? * nx + cell(x, nx)?;
-        Some([f64::from(self.active[i]), f64::from(self.total[i])])
-    }
-}
 
 /// A map on the grid of a model, and what the strips of every beam meet of it.
 pub(super) struct Mapped {
@@ -348,17 +282,17 @@ mod tests {
             .collect();
         let active: Vec<f32> = total.iter().map(|t| 0.6 * t).collect();
         for nz in [1, 5] {
-            let map = AbsorptionMap::new([9, 10], 0.27, active.clone(), total.clone()).unwrap();
+            let map = AbsorptionMap::new([1, 9, 10], 0.27, active.clone(), total.clone()).unwrap();
             check::model::model(&model(map, turn(), nz), 3).unwrap();
         }
     }
 
     #[test]
     fn an_even_map_is_an_even_resin() {
-        let map = AbsorptionMap::new([2, 2], 5.0, vec![0.3; 4], vec![0.3; 4]).unwrap();
+        let map = AbsorptionMap::new([1, 2, 2], 5.0, vec![0.3; 4], vec![0.3; 4]).unwrap();
         let mapped = dose(&model(map, turn(), 1));
         let mut even = model(
-            AbsorptionMap::new([1, 1], 1.0, vec![0.3], vec![0.3]).unwrap(),
+            AbsorptionMap::new([1, 1, 1], 1.0, vec![0.3], vec![0.3]).unwrap(),
             turn(),
             1,
         );
@@ -383,7 +317,7 @@ mod tests {
     #[test]
     fn light_falls_by_what_it_has_passed() {
         // From +x through μ = 1 where x > 0 and μ = 0.25 (half of it active) where x < 0
-        let map = AbsorptionMap::new([1, 2], 4.0, vec![0.125, 1.0], vec![0.25, 1.0]).unwrap();
+        let map = AbsorptionMap::new([1, 1, 2], 4.0, vec![0.125, 1.0], vec![0.25, 1.0]).unwrap();
         let model = model(map, vec![0.0], 1);
         let found = dose(&model);
         let grid = &LinearOperator::outputs(&model)[0].grid;
@@ -413,7 +347,7 @@ mod tests {
             (f32::NAN, 0.1),
             (0.1, f32::INFINITY),
         ] {
-            assert!(AbsorptionMap::new([1, 1], 1.0, vec![active], vec![total]).is_err());
+            assert!(AbsorptionMap::new([1, 1, 1], 1.0, vec![active], vec![total]).is_err());
         }
     }
 }

@@ -79,6 +79,7 @@ use crate::models::selection::Selection;
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling,
 };
+use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
 use crate::optics::trace::Bath;
@@ -86,7 +87,6 @@ use crate::optics::vial::Vial;
 use chains::GUARD;
 use gather::Gatherer;
 use kernel::{Block, Isa, MAX_BLOCK};
-pub use mapped::AbsorptionMap;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
 use rayon::prelude::*;
@@ -224,7 +224,7 @@ impl Parallel {
         for light in lights {
             light.check()?;
             check_kernel(&light, vial)?;
-            check_map(&light, vial)?;
+            must_be_even(&light, vial)?;
             let layout = light.layout(offset);
             plans.push(LightPlan::new(
                 vial,
@@ -442,21 +442,46 @@ fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a map where light bends, or where nothing absorbs.
-fn check_map(light: &Light, vial: &dyn Vial) -> Result<()> {
-    let reason = match &light.map {
-        None => return Ok(()),
-        Some(_) if !is_straight(vial, light) => "light must run straight, and this vial refracts",
-        Some(_) if light.resin.pure_radon => "with resin.pure_radon nothing absorbs",
-        Some(_) if light.kernel != Kernel::DistanceDriven => {
-            "the kernels of pure Radon know no absorption"
-        }
-        Some(_) => return Ok(()),
+/// Why a light is beyond this model because its resin differs from place to place; None when it is not.
+#[must_use]
+pub fn beyond(light: &Light, vial: &dyn Vial) -> Option<&'static str> {
+    if light.resin.gradient.is_some() {
+        return Some("the resin's index changes from place to place");
+    }
+    let map = light.map.as_ref()?;
+    if !map.is_flat() {
+        Some("the absorption changes along z")
+    } else if !is_straight(vial, light) {
+        Some("the absorption changes across the plane, and this vial refracts")
+    } else {
+        None
+    }
+}
+
+/// Refuses a resin that differs from place to place where light bends, or where nothing absorbs.
+fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
+    let refused = |what: &str, reason: &str| {
+        Err(Error::Unsupported {
+            what: what.to_owned(),
+            reason: reason.to_owned(),
+        })
     };
-    Err(Error::Unsupported {
-        what: "resin.map".to_owned(),
-        reason: reason.to_owned(),
-    })
+    let what = if light.resin.gradient.is_some() {
+        "resin.gradient"
+    } else {
+        "resin.map"
+    };
+    match (beyond(light, vial), &light.map) {
+        (Some(reason), _) => refused(what, reason),
+        (None, None) => Ok(()),
+        (None, Some(_)) if light.resin.pure_radon => {
+            refused(what, "with resin.pure_radon nothing absorbs")
+        }
+        (None, Some(_)) if light.kernel != Kernel::DistanceDriven => {
+            refused(what, "the kernels of pure Radon know no absorption")
+        }
+        (None, Some(_)) => Ok(()),
+    }
 }
 
 /// Whether light passes the vial as if it were not there: one round wall between equal indices.

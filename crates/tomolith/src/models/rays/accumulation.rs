@@ -57,10 +57,10 @@ impl Accumulation {
     pub(super) fn for_each(
         self,
         leg: Leg,
-        attenuation: f64,
         random: impl FnOnce() -> Stream,
         mut visit: impl FnMut(Leg),
     ) {
+        let attenuation = leg.uptake.attenuation_per_mm;
         // What a leg of the length of a point leaves of its power in the resin
         let taken = -(-attenuation * POINT_MM).exp_m1();
         let point = |at: f64, part: f64| Leg {
@@ -98,6 +98,7 @@ impl Accumulation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::optics::resin::Uptake;
 
     #[test]
     fn points_take_on_average_what_the_integral_takes() {
@@ -109,8 +110,12 @@ mod tests {
             length: 5.0,
             power: 2.0,
             order: 0,
+            uptake: Uptake {
+                attenuation_per_mm: 0.4,
+                active_per_mm: 0.4,
+            },
         };
-        let mu = 0.4;
+        let mu = leg.uptake.attenuation_per_mm;
         // Energy below and above 2 mm, of power 2: 2(1 − e^−0.8) and 2(e^−0.8 − e^−2)
         let exact = [
             2.0 * (1.0 - (-0.8f64).exp()),
@@ -124,7 +129,6 @@ mod tests {
                 let mut own = [0.0; 2];
                 kind.for_each(
                     leg,
-                    mu,
                     || Stream::new([7, i, 0, 0]),
                     |piece| {
                         own[usize::from(piece.ray.from[0] > 2.0)] += piece.power * taken;

@@ -70,7 +70,7 @@ use crate::models::{
 };
 use crate::optics::account::Account;
 use crate::optics::motion::Motion;
-use crate::optics::obstacle::Obstacle;
+use crate::optics::obstacle::{Material, Obstacle};
 use crate::optics::phase::Scattering;
 use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
@@ -79,7 +79,7 @@ use crate::optics::vial::Vial;
 use accumulation::Accumulation;
 use rayon::prelude::*;
 use schemars::JsonSchema;
-use segment::{Lattice, Segment, Uptake};
+use segment::{Lattice, Segment};
 use serde::{Deserialize, Serialize};
 use solid::{Pieces, Solid};
 use source::Source;
@@ -166,6 +166,13 @@ impl Optics {
             scattering: None,
         }
     }
+
+    /// Whether light goes on in random directions anywhere.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        let diffuse = |body: &Obstacle| matches!(body.material, Material::Diffuse { .. });
+        self.scattering.is_some() || self.obstacles.iter().any(diffuse)
+    }
 }
 
 /// How a pixel's light is followed.
@@ -192,7 +199,6 @@ pub(super) struct Scattered {
 /// See the [module page](self).
 pub struct Rays {
     sources: Vec<Source>,
-    uptakes: Vec<Uptake>,
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
     lattice: Lattice,
@@ -243,10 +249,10 @@ impl Rays {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        if optics.iter().any(|o| o.scattering.is_some()) {
+        if optics.iter().any(Optics::scatters) {
             return Err(Error::Unsupported {
                 what: "model.rays".into(),
-                reason: "the resin scatters; use [model.scatter], or leave [model] out".into(),
+                reason: "light is scattered; use [model.scatter], or leave [model] out".into(),
             });
         }
         let emission = Emission {
@@ -278,15 +284,14 @@ impl Rays {
             ));
         }
         let outputs = vec![DoseLayout::new("dose", grid, 0)];
-        let (mut sources, mut uptakes, mut patterns) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut sources, mut patterns) = (Vec::new(), Vec::new());
         let mut offset = 0;
         for (light, optics) in lights.iter().zip(optics) {
             light.check()?;
-            refuse(light)?;
-            if let Some(found) = emission
-                .accumulation
-                .trouble(light.resin.attenuation_per_mm)
-            {
+            refuse(light, emission)?;
+            let of_map = light.map.as_ref().map_or(0.0, |map| map.most_per_mm());
+            let most = light.resin.attenuation_per_mm.max(of_map);
+            if let Some(found) = emission.accumulation.trouble(most) {
                 return Err(Error::config(
                     "model.rays.accumulation",
                     found,
@@ -301,9 +306,10 @@ impl Rays {
                 emission.limits,
             )
             .in_bath(light.bath)
+            .in_map(light.map.clone())
             .in_scattering(optics.scattering.clone())
             .with_obstacles(optics.obstacles.clone());
-            let is_round = vial.is_round() && optics.obstacles.is_empty();
+            let is_round = vial.is_round() && optics.obstacles.is_empty() && light.map.is_none();
             let layout = light.layout(offset);
             offset += layout.len();
             sources.push(Source::new(
@@ -314,14 +320,6 @@ impl Rays {
                 tracer,
                 is_round,
             ));
-            uptakes.push(Uptake {
-                attenuation: light.resin.attenuation_per_mm,
-                active: if light.resin.pure_radon {
-                    1.0
-                } else {
-                    light.resin.absorption_per_mm
-                },
-            });
             patterns.push(layout);
         }
         if u32::try_from(offset).is_err() || i32::try_from(outputs[0].len()).is_err() {
@@ -348,7 +346,6 @@ impl Rays {
                 && !emission.limits.reflections
                 && emission.scattered.is_none(),
             sources,
-            uptakes,
             patterns,
             outputs,
             gait: Gait::best(),
@@ -438,7 +435,7 @@ impl Rays {
                 let mut walk = |leg: Leg| {
                     let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
                     let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
-                    let segment = lattice.segment(&leg, self.uptakes[light], area, pixel as u32);
+                    let segment = lattice.segment(&leg, area, pixel as u32);
                     let Some((axis, segment)) = segment else {
                         return;
                     };
@@ -463,9 +460,7 @@ impl Rays {
                 source.for_each_leg(pair / columns, pair % columns, row, |leg| {
                     count += 1;
                     let points = || source.points([pair, row, count]);
-                    let attenuation = self.uptakes[light].attenuation;
-                    self.accumulation
-                        .for_each(leg, attenuation, points, &mut walk);
+                    self.accumulation.for_each(leg, points, &mut walk);
                 });
             }
             found
@@ -546,15 +541,22 @@ impl Rays {
 }
 
 /// What this model has no formula for.
-fn refuse(light: &Light) -> Result<()> {
+fn refuse(light: &Light, emission: &Emission) -> Result<()> {
     let unsupported = |what: &str, reason: &str| {
         Err(Error::Unsupported {
             what: what.into(),
             reason: reason.into(),
         })
     };
-    if light.map.is_some() {
-        return unsupported("resin.map", "rays know one absorption for all the resin");
+    let is_random = emission.scattered.is_some();
+    if light.map.is_some() && (is_random || light.resin.pure_radon) {
+        return unsupported(
+            "resin.map",
+            "scattered light and pure Radon know one absorption for all the resin",
+        );
+    }
+    if light.resin.gradient.is_some() && is_random {
+        return unsupported("resin.gradient", "scattered light runs straight");
     }
     if light.kernel != Kernel::DistanceDriven {
         return unsupported("model.parallel.kernel", "rays have a kernel of their own");

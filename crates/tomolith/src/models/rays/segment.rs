@@ -37,15 +37,6 @@ pub(super) struct Segment {
     pub(super) pixel: u32,
 }
 
-/// What the resin makes of a leg.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Uptake {
-    /// Total attenuation, 1/mm.
-    pub(super) attenuation: f64,
-    /// Dose per fluence: μ_a in 1/mm, or 1 in pure Radon mode.
-    pub(super) active: f64,
-}
-
 impl Lattice {
     pub(super) fn new(layout: &DoseLayout) -> Self {
         let VolumeGrid {
@@ -72,7 +63,6 @@ impl Lattice {
     pub(super) fn segment(
         &self,
         leg: &Leg,
-        uptake: Uptake,
         energy_mm2: f64,
         pixel: u32,
     ) -> Option<(usize, Segment)> {
@@ -113,8 +103,9 @@ impl Lattice {
                 low: low as f32,
                 high: high as f32,
                 enter: enter as f32,
-                rate: (uptake.attenuation * step).copysign(direction[axis]) as f32,
-                energy: (uptake.active * step * leg.power * energy_mm2 / self.pitch.powi(3)) as f32,
+                rate: (leg.uptake.attenuation_per_mm * step).copysign(direction[axis]) as f32,
+                energy: (leg.uptake.active_per_mm * step * leg.power * energy_mm2
+                    / self.pitch.powi(3)) as f32,
                 pixel,
             },
         ))

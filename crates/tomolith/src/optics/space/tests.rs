@@ -1,7 +1,9 @@
+use super::super::gradient::Gradient;
 use super::super::surface::Net;
 use super::super::trace::Tracer;
 use super::super::vial::cylinder::Cylinder;
 use super::super::vial::double_tube::DoubleTube;
+use super::super::vial::ended::{End, Ended};
 use super::super::vial::square::Square;
 use super::*;
 use crate::io::mesh::samples::cuboid;
@@ -181,4 +183,202 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
     assert_eq!(mirror.legs.len(), 2);
     assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
     assert!((mirror.account.total() - 1.0).abs() < 1e-12);
+}
+
+/// Luneburg's lens, n² = 2 − ρ²/R², in a tube that light does not see.
+fn lens(radius: f64, step_mm: f64) -> SpaceTracer {
+    let tube = Cylinder {
+        inner_radius_mm: radius,
+        outer_radius_mm: radius + 0.5,
+        refractive_index: 1.0,
+    };
+    let mut resin = resin();
+    resin.refractive_index = 2.0f64.sqrt();
+    resin.gradient = Some(Gradient {
+        quadratic_per_mm2: -0.5 / radius.powi(2),
+        quartic_per_mm4: 0.0,
+        step_mm,
+    });
+    SpaceTracer::new(&tube, resin, 1.0, Polarisation::P, Limits::default())
+}
+
+#[test]
+fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
+    let radius = 4.0;
+    let miss = |height: f64, step: f64| {
+        let path = lens(radius, step).trace(level(height, 0.0));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let length: f64 = path.legs.iter().map(|leg| leg.length).sum();
+        // Nothing is reflected where indices are equal: all that is missing was absorbed along the curve
+        let lost = 1.0 - (-0.1 * length).exp();
+        assert!(
+            (path.account.absorbed - lost).abs() < 1e-5,
+            "{height}: {:?}",
+            path.account
+        );
+        let last = path.legs[path.legs.len() - 1];
+        let [x, y, _] = last.ray.at(last.length);
+        (x + radius).hypot(y)
+    };
+    // The steps go round ellipses exactly, if a little too fast: what is left is the cut at the rim
+    for height in [0.4, 1.7, 3.1, 3.8] {
+        let [coarse, fine] = [0.1, 0.025].map(|step| miss(height, step));
+        assert!(
+            coarse < 1e-3 && fine < 7e-5,
+            "{height}: {coarse:e} {fine:e}"
+        );
+    }
+}
+
+#[test]
+fn the_error_of_a_curve_falls_with_the_square_of_its_chords() {
+    let end = |step_mm: f64| {
+        let mut resin = resin();
+        resin.gradient = Some(Gradient {
+            quadratic_per_mm2: 0.004,
+            quartic_per_mm4: -2e-4,
+            step_mm,
+        });
+        let tracer = SpaceTracer::new(&GLASS, resin, 1.0, Polarisation::P, Limits::default());
+        let path = tracer.trace(level(3.0, 0.0));
+        let last = path.legs[path.legs.len() - 1];
+        last.ray.at(last.length)
+    };
+    let exact = end(0.005);
+    let miss = |step| {
+        let found = end(step);
+        (0..3)
+            .map(|i| (found[i] - exact[i]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let (coarse, fine) = (miss(0.4), miss(0.1));
+    assert!(fine < 1e-3 && fine < coarse / 10.0, "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straight() {
+    let (radius, height) = (4.0, 2.3);
+    let path = lens(radius, 0.02).trace(level(height, 0.0));
+    // The last one is cut by the wall and has the direction of a whole step
+    for leg in &path.legs[..path.legs.len() - 1] {
+        let middle = leg.ray.at(leg.length / 2.0);
+        let index = (2.0 - (middle[0].powi(2) + middle[1].powi(2)) / radius.powi(2)).sqrt();
+        let [dx, dy, _] = leg.ray.direction;
+        let moment = index * (middle[0] * dy - middle[1] * dx);
+        assert!((moment - height).abs() < 1e-4, "{moment}");
+    }
+    let mut even = resin();
+    even.gradient = Some(Gradient {
+        quadratic_per_mm2: 0.0,
+        quartic_per_mm4: 0.0,
+        step_mm: 0.1,
+    });
+    let bent = SpaceTracer::new(&GLASS, even, 1.0, Polarisation::S, Limits::default());
+    let (bent, straight) = (bent.trace(level(3.0, 0.4)), {
+        tracer(&GLASS, Polarisation::S, Limits::default()).trace(level(3.0, 0.4))
+    });
+    assert!((bent.account.absorbed - straight.account.absorbed).abs() < 1e-12);
+    assert!(bent.legs.len() > 100 && straight.legs.len() == 1);
+}
+
+#[test]
+fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_them() {
+    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    let vial = Ended::new(Box::new(GLASS), end(-5.0, 1.0), end(6.0, 0.0)).unwrap();
+    let ended = tracer(&vial, Polarisation::Unpolarised, Limits::default());
+    let open = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    assert_eq!(ended.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
+    // From above through the free surface and out through the plate: 11 mm of resin between planes
+    let down = Ray {
+        from: [0.0, 0.0, 6.0],
+        direction: unit([0.3, 0.0, -1.0]),
+    };
+    let path = ended.trace(down);
+    let sine = 0.3 / 1.09f64.sqrt() / 1.49;
+    let length = 11.0 / (1.0 - sine * sine).sqrt();
+    assert_eq!(path.legs.len(), 1);
+    assert!(
+        (path.legs[0].length - length).abs() < 1e-9,
+        "{:?}",
+        path.legs
+    );
+    assert!((path.legs[0].ray.direction[0] - sine).abs() < 1e-12);
+    assert!((path.account.total() - 1.0).abs() < 1e-12);
+    // Along the axis no wall is met but the ends: air to resin, resin to glass, glass to air
+    let axis = ended.trace(Ray {
+        direction: [0.0, 0.0, -1.0],
+        ..down
+    });
+    let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
+    let passed = (1.0 - r(1.0, 1.49)) * (1.0 - r(1.49, 1.54)) * (1.0 - r(1.54, 1.0));
+    assert!((axis.account.transmitted - passed * (-1.1f64).exp()).abs() < 1e-12);
+    // Above the vial there is nothing
+    let over = ended.trace(Ray {
+        from: [0.0, 0.0, 6.5],
+        direction: [-1.0, 0.0, 0.0],
+    });
+    assert!((over.account.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
+}
+
+#[test]
+fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
+    let values: Vec<f32> = (0..60).map(|i| 0.05 * (i * 7 % 13) as f32).collect();
+    let map = AbsorptionMap::new([3, 4, 5], 1.3, values.clone(), values).unwrap();
+    let mapped = tracer(&GLASS, Polarisation::S, Limits::default()).in_map(Some(Arc::new(map)));
+    let open = tracer(&GLASS, Polarisation::S, Limits::default());
+    for i in 0..20 {
+        let mut ray = level(0.2 * f64::from(i) - 2.0, 0.31 * f64::from(i));
+        ray.direction = unit([ray.direction[0], ray.direction[1], 0.02 * f64::from(i)]);
+        let (a, b) = (mapped.trace(ray), open.trace(ray));
+        assert!((a.account.total() - 1.0).abs() < 1e-12);
+        let depth = |path: &Path| {
+            let of = |leg: &Leg| leg.length * leg.uptake.attenuation_per_mm;
+            path.legs.iter().map(of).sum::<f64>()
+        };
+        let length = |path: &Path| path.legs.iter().map(|leg| leg.length).sum::<f64>();
+        assert!((length(&a) - length(&b)).abs() < 1e-9 && a.legs.len() > 3);
+        let taken = b.legs[0].power * (1.0 - (-depth(&a)).exp());
+        assert!((a.account.absorbed - taken).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
+    let wall = cuboid([-3.0, -3.0, -3.0], [0.0, 3.0, 3.0]);
+    let body = Obstacle {
+        surface: Surface::Net(Arc::new(Net::new(&wall, "mesh").unwrap())),
+        material: Material::Diffuse { reflectance: 0.7 },
+    };
+    let limits = Limits {
+        orders: 1,
+        ..Limits::default()
+    };
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 5.0 };
+    let tracer = tracer(&vial, Polarisation::Unpolarised, limits).with_obstacles(vec![body]);
+    let ray = level(0.3, 0.0);
+    let straight = tracer.trace(ray);
+    let met = straight.legs[0].power * (-0.1 * straight.legs[0].length).exp();
+    assert!((straight.account.blocked - 0.3 * met).abs() < 1e-12);
+    assert!((straight.account.cut - 0.7 * met).abs() < 1e-12);
+    let (mut cosine, mut square) = (0.0, 0.0);
+    let paths: u32 = 20_000;
+    for i in 0..paths {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([3, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let sent = path.legs[1];
+        assert!((sent.power - 0.7 * met).abs() < 1e-12 && sent.order == 1);
+        cosine += sent.ray.direction[0] / f64::from(paths);
+        square += sent.ray.direction[0].powi(2) / f64::from(paths);
+    }
+    // Of the density 2·cos over the cosine: mean 2/3, mean square 1/2; five standard deviations
+    let error = 5.0 / f64::from(paths).sqrt();
+    assert!(
+        (cosine - 2.0 / 3.0).abs() < error * (1.0f64 / 18.0).sqrt(),
+        "{cosine}"
+    );
+    assert!(
+        (square - 0.5).abs() < error * (1.0f64 / 12.0).sqrt(),
+        "{square}"
+    );
 }

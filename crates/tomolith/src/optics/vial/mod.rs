@@ -6,6 +6,7 @@
 
 pub mod cylinder;
 pub mod double_tube;
+pub mod ended;
 pub mod index_matched;
 pub mod mesh;
 pub mod square;
