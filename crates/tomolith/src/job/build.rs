@@ -421,20 +421,6 @@ impl Optics {
     }
 }
 
-/// Lowest and highest corner [u, z] of what a light may light, mm.
-fn field_mm(light: &Light) -> [[f64; 2]; 2] {
-    light.selection.field_mm(&light.pixels)
-}
-
-/// What would make the field of a light larger than a target.
-fn accepted(light: &Light) -> &'static str {
-    if light.selection.masks.is_empty() && light.pixels.offset_mm == [0.0; 2] {
-        "a field larger than the target: more pixels, a larger pitch, or a smaller target"
-    } else {
-        "a field larger than the target: more pixels, another offset_mm or selection of the light, or a smaller target"
-    }
-}
-
 /// The vial between its ends, where it has any.
 fn with_ends(vial: Box<dyn Vial>, spec: &VialCommon) -> Result<Box<dyn Vial>> {
     if spec.bottom.is_none() && spec.top.is_none() {
@@ -479,6 +465,20 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
         }
     }
     Ok(Some(gradient))
+}
+
+/// Lowest and highest corner [u, z] of what a light may light, mm.
+fn field_mm(light: &Light) -> [[f64; 2]; 2] {
+    light.selection.field_mm(&light.pixels)
+}
+
+/// What would make the field of a light larger than a target.
+fn accepted(light: &Light) -> &'static str {
+    if light.selection.masks.is_empty() && light.pixels.offset_mm == [0.0; 2] {
+        "a field larger than the target: more pixels, a larger pitch, or a smaller target"
+    } else {
+        "a field larger than the target: more pixels, another offset_mm or selection of the light, or a smaller target"
+    }
 }
 
 /// The absorbing bath of a job.

@@ -1,7 +1,7 @@
 //! Edges of a wall, where a vial is rough or rounded: light that enters near them does not go where a tracer says.
 //!
 //! # Model
-//! Edges of a square wall are the four upright lines through its corners, with or without ends. Of a net they are those where two faces meet at more than
+//! Edges of a square prism are the four upright lines through its corners. Of a net they are those where two faces meet at more than
 //! [`SHARPEST`]: the facets of a round wall are no edges, its rims are.
 //!
 //! # Limits
@@ -38,10 +38,15 @@ impl Edges {
     #[must_use]
     pub fn of(surface: &Surface) -> Self {
         match surface {
-            Surface::Prism(curve) => upright(*curve, [-ENDLESS, ENDLESS]),
-            Surface::Can(curve, heights) => {
-                upright(*curve, heights.map(|z| z.clamp(-ENDLESS, ENDLESS)))
+            // Of a vial with ends the upright edges, as without them
+            Surface::Prism(Curve::Circle(_)) | Surface::Can(Curve::Circle(_), _) => {
+                Edges::default()
             }
+            Surface::Prism(Curve::Square(w)) | Surface::Can(Curve::Square(w), _) => Edges {
+                lines: [[*w, *w], [*w, -w], [-w, *w], [-w, -w]]
+                    .map(|[x, y]| [[x, y, -ENDLESS], [x, y, ENDLESS]])
+                    .to_vec(),
+            },
             Surface::Net(net) => Edges {
                 lines: sharp(net.corners()),
             },
@@ -65,17 +70,6 @@ impl Edges {
         };
         self.lines.iter().map(to_line).fold(f64::INFINITY, f64::min)
     }
-}
-
-/// The upright edges of a wall between two heights.
-fn upright(curve: Curve, [low, high]: [f64; 2]) -> Edges {
-    let lines = match curve {
-        Curve::Circle(_) => Vec::new(),
-        Curve::Square(w) => [[w, w], [w, -w], [-w, w], [-w, -w]]
-            .map(|[x, y]| [[x, y, low], [x, y, high]])
-            .to_vec(),
-    };
-    Edges { lines }
 }
 
 /// Lines at which two triangles meet at a large angle.
