@@ -55,21 +55,22 @@ pub(super) fn must_arrive(optics: &Optics) -> Result<Vec<String>> {
     Ok(warnings)
 }
 
-/// The same light with few pixels over the whole field, and few frames.
+/// The same light with few pixels over all that may be lit, and few frames.
 fn thinned(light: &Light) -> Light {
     let grid = &light.pixels;
     let step = grid.frames().div_ceil(FRAMES).max(1);
-    let [columns, rows] = [grid.columns, grid.rows].map(|count| count.min(ACROSS));
-    let wider = [
-        grid.columns as f64 / columns as f64,
-        grid.rows as f64 / rows as f64,
-    ];
+    let [low, high] = light.selection.field_mm(grid);
+    let [columns, rows] = [grid.columns, grid.rows].map(|pixels| pixels.min(ACROSS));
     Light {
         pixels: PatternGrid {
             azimuths: grid.azimuths.iter().copied().step_by(step).collect(),
             rows,
             columns,
-            pitch_mm: std::array::from_fn(|i| wider[i] * grid.pitch_mm[i]),
+            pitch_mm: [
+                (high[0] - low[0]) / columns as f64,
+                (high[1] - low[1]) / rows as f64,
+            ],
+            offset_mm: std::array::from_fn(|axis| f64::midpoint(low[axis], high[axis])),
             ..grid.clone()
         },
         selection: Selection::default(),

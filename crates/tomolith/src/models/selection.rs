@@ -216,20 +216,28 @@ pub fn chosen(
     contributions: Option<&[f32]>,
 ) -> Vec<bool> {
     let mut chosen = Vec::with_capacity(patterns.iter().map(PatternLayout::len).sum());
+    let brought = |i: usize| contributions.map_or(1.0, |all| all[i]);
     for (layout, selection) in patterns.iter().zip(selections) {
-        let brought = contributions.map(|all| &all[layout.range()]);
-        let best = brought.map_or(0.0, |b| b.par_iter().copied().reduce(|| 0.0, f32::max));
-        let least = (f64::from(best) * selection.least_contribution) as f32;
-        let helps = move |i: usize| brought.is_none_or(|b| b[i] > 0.0 && b[i] >= least);
         let (rows, columns) = (layout.grid.rows, layout.grid.columns);
         let of_run = |(slot, run): (usize, &PixelRun)| {
-            let (bottom, first) = (run.bottom as usize, run.offset - layout.offset);
+            let (bottom, first) = (run.bottom as usize, run.offset);
             (0..run.count as usize).map(move |i| {
                 let at = [slot / columns, rows - 1 - bottom - i, slot % columns];
-                helps(first + i) && selection.allows(at)
+                brought(first + i) > 0.0 && selection.allows(at)
             })
         };
         chosen.par_extend(layout.runs.par_iter().enumerate().flat_map_iter(of_run));
+        // Of the pixels that may be lit the best one is the measure
+        let own = layout.range();
+        let light = chosen[own.clone()].par_iter().zip(own.clone());
+        let best = light
+            .map(|(&chosen, i)| if chosen { brought(i) } else { 0.0 })
+            .reduce(|| 0.0, f32::max);
+        let least = (f64::from(best) * selection.least_contribution) as f32;
+        if least > 0.0 {
+            let light = chosen[own.clone()].par_iter_mut().zip(own);
+            light.for_each(|(chosen, i)| *chosen &= brought(i) >= least);
+        }
     }
     chosen
 }

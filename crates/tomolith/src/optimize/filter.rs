@@ -21,8 +21,9 @@
 //! is exact for even and for odd n, at f = 0 too.
 //!
 //! **Inversion** for a full or half turn of N frames and a model whose voxel gets the share φ of a pixel's light in each frame,
-//! F(x) = d is solved, up to attenuation, by x = π/(2Nφ²)·R Fᵀ d with this filter R ([`Projection::inverse`]). φ is measured
-//! on the projection itself: Σ Fᵀd = N·φ·Σ d. For a homogeneous resin φ holds the factor α of Li et al., so that 1/φ² is
+//! F(x) = d is solved, up to attenuation, by x = π/(2Nφ²)·h³/(p²q)·R Fᵀ d with this filter R ([`Projection::inverse`]): h is the edge of
+//! a voxel, p and q are the distances of columns and of rows, since Fᵀ sums voxels over the area p·q of a pixel, and the ramp counts
+//! in columns. φ is measured on the projection itself: Σ Fᵀd = N·φ·Σ d. For a homogeneous resin φ holds the factor α of Li et al., so that 1/φ² is
 //! their α⁻².
 //!
 //! **Source** Kak and Slaney, Principles of Computerized Tomographic Imaging (1988), eq. 3.61; Li et al. (2024), eqs. 2, SE.11
@@ -106,12 +107,17 @@ impl<F: Field> Projection<F> {
         })
     }
 
-    /// Applies the filter.
+    /// Applies the filter, and the factor h³/(p²q) for voxels of this edge.
     ///
     /// # Errors
     /// None that a user could cause.
-    pub fn filtered(mut self, lights: &[PatternLayout], filter: Filter) -> Result<Self> {
-        filter_patterns(lights, &mut self.patterns, filter)?;
+    pub fn filtered(
+        mut self,
+        lights: &[PatternLayout],
+        filter: Filter,
+        voxel_mm: f64,
+    ) -> Result<Self> {
+        filter_patterns(lights, &mut self.patterns, filter, voxel_mm)?;
         Ok(self)
     }
 
@@ -135,11 +141,13 @@ pub(super) fn target_projection<F: Field>(
     wanted.clamp(0.0, f32::INFINITY);
     let mut patterns = x.zeros_like();
     problem.project(x, &wanted, &mut patterns)?;
-    let lights = problem.model().patterns();
-    Projection::new(patterns, lights, &wanted)?.filtered(lights, filter)
+    let model = problem.model();
+    let (lights, voxel_mm) = (model.patterns(), model.outputs()[0].grid.pitch_mm);
+    Projection::new(patterns, lights, &wanted)?.filtered(lights, filter, voxel_mm)
 }
 
-/// Filters the patterns of all lights; pixels that are no unknowns count as dark.
+/// Filters the patterns of all lights, and multiplies them by h³/(p²q) for voxels of the edge h; pixels that are no unknowns count as
+/// dark.
 ///
 /// # Errors
 /// None that a user could cause.
@@ -147,6 +155,7 @@ pub fn filter_patterns<F: Field>(
     lights: &[PatternLayout],
     field: &mut F,
     filter: Filter,
+    voxel_mm: f64,
 ) -> Result<()> {
     if filter == Filter::None {
         return Ok(());
@@ -155,6 +164,9 @@ pub fn filter_patterns<F: Field>(
     for light in lights {
         let mut patterns = light.patterns_of(&values);
         filter_rows(&mut patterns, filter)?;
+        let [p, q] = light.grid.pitch_mm;
+        let factor = (voxel_mm.powi(3) / (p * p * q)) as f32;
+        patterns.values.par_iter_mut().for_each(|v| *v *= factor);
         light.fill_field(&patterns, &mut values);
     }
     field.copy_from_host(&values);
@@ -273,7 +285,12 @@ fn window(filter: Filter, f: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::PatternGrid;
+    use crate::field::HostField;
+    use crate::grid::{PatternGrid, Volume, VolumeGrid};
+    use crate::models::parallel::{Light, Parallel};
+    use crate::models::{DoseModel, Run};
+    use crate::optics::resin::Resin;
+    use crate::optics::vial::index_matched::IndexMatched;
 
     fn filtered(filter: Filter) -> Vec<f32> {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(2, 0.0, 3, 33, 1.0));
@@ -285,6 +302,46 @@ mod tests {
             "rows mix"
         );
         patterns.values[4 * 33..5 * 33].to_vec()
+    }
+
+    #[test]
+    fn the_filtered_projection_has_the_dose_whatever_the_pitches_are() {
+        // A smooth blob, the same at all heights, on voxels of 0.1 mm
+        let grid = VolumeGrid::centered([4, 24, 24], 0.1);
+        let blob = |x: f64, y: f64| (-(x * x + y * y) / 0.3).exp() as f32;
+        let values = (0..grid.len()).map(|i| blob(grid.x(i % 24), grid.y(i / 24 % 24)));
+        let wanted = Volume {
+            values: values.collect(),
+            grid: grid.clone(),
+        };
+        for pitch in [[0.1, 0.1], [0.05, 0.1], [0.1, 0.04], [0.15, 0.05]] {
+            let count = |mm: f64, pitch: f64| (mm / pitch).round() as usize;
+            let pixels = PatternGrid {
+                pitch_mm: pitch,
+                ..PatternGrid::full_turn(60, 0.0, count(0.4, pitch[1]), count(3.0, pitch[0]), 1.0)
+            };
+            let light = Light::new(pixels, Resin::pure_radon(1.5));
+            let vial = IndexMatched { radius_mm: 30.0 };
+            let model = Parallel::new(&vial, vec![light], grid.clone()).unwrap();
+            let lights = DoseModel::patterns(&model);
+            let field = HostField::from_slice(&DoseModel::outputs(&model)[0].field_of(&wanted));
+            let mut x = DoseModel::new_patterns(&model).unwrap();
+            let at = x.zeros_like();
+            model.pullback(&at, &field, &mut x, &Run::new()).unwrap();
+            let projection = Projection::new(x, lights, &field).unwrap();
+            let projection = projection.filtered(lights, Filter::RamLak, 0.1).unwrap();
+            let inverse = projection.inverse();
+            let mut x = projection.patterns;
+            x.scale(inverse as f32);
+            let mut dose = DoseModel::new_dose(&model).unwrap();
+            model.dose(&x, &mut dose, &Run::new()).unwrap();
+            let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+            let [found, expected] = [&dose, &wanted].map(|volume| *volume.at(2, 12, 12));
+            assert!(
+                (found / expected - 1.0).abs() < 0.05,
+                "{pitch:?}: {found} {expected}"
+            );
+        }
     }
 
     #[test]

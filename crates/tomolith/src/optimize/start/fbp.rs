@@ -6,8 +6,9 @@
 //! x = c · max(R Fᵀ d, 0)          or, negative = "offset",  x = c · (R Fᵀ d − min R Fᵀ d)
 //! ```
 //!
-//! **Scale** `fit`: c makes the dose of the part right (least squares, one forward call). `analytic`: c = π/(2Nφ²), which is
-//! right before negative values are cut and needs no call: the start of Li et al., their α⁻² being in φ.
+//! **Scale** `fit`: c makes the dose of the part right (least squares, one forward call). `analytic`: c = π/(2Nφ²)
+//! (times h³/(p²q) where pixels are not as large as voxels, see [`filter`](crate::optimize::filter)), which is right before
+//! negative values are cut and needs no call: the start of Li et al., their α⁻² being in φ.
 //!
 //! **Source** Li et al. (2024), eqs. 2, 3 and SE.10–SE.13; with `offset` Rackson et al. (2021).
 //!
@@ -88,7 +89,9 @@ impl Start for Fbp {
             .model
             .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
         let lights = input.model.patterns();
-        let projection = Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter)?;
+        let voxel_mm = input.model.outputs()[0].grid.pitch_mm;
+        let projection =
+            Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm)?;
         if run.is_cancelled() {
             return Err(Error::Cancelled);
         }
