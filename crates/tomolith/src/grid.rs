@@ -11,6 +11,9 @@
 //! assert_eq!(sample(1, 3, 1.0), 0.0); // odd: the middle sample is the centre
 //! ```
 
+mod mask;
+
+pub use mask::PixelMask;
 use std::f64::consts::TAU;
 
 /// Coordinate of sample `i` of `n`, relative to the centre, in the unit of `pitch`.

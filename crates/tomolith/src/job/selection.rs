@@ -6,9 +6,9 @@
 use super::spec::SelectionSpec;
 use crate::error::{Error, Result};
 use crate::exposure::read_map;
-use crate::grid::PatternGrid;
+use crate::grid::{PatternGrid, PixelMask};
 use crate::models::rays;
-use crate::models::selection::{PixelMask, Selection};
+use crate::models::selection::Selection;
 use crate::optics::edges::Edges;
 use crate::optics::projector::Ray;
 use crate::optics::vial::Vial;
