@@ -87,7 +87,7 @@ impl Surface {
     }
 }
 
-/// A point where an edge of a mesh meets a surface, or comes nearer than [`TOUCH`] to it along the edge; None when none does.
+/// A point where an edge of a mesh meets a surface, or comes nearer than 1e-9 mm to it along the edge; None when none does.
 #[must_use]
 pub fn meeting(mesh: &Mesh, surface: &Surface) -> Option<[f64; 3]> {
     let along = |[a, b]: [[f64; 3]; 2]| {
