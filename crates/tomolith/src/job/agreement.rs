@@ -40,6 +40,8 @@ pub(crate) struct Agreement {
 
 /// Paths of an estimate, about: two seconds of a core.
 const PATHS: usize = 400_000;
+/// Paths of a pixel at most, where few are lit.
+const MOST_PER_PIXEL: usize = 256;
 /// Blocks along the longest edge of the grid.
 const BLOCKS: usize = 16;
 /// An error that is worth a warning.
@@ -72,10 +74,11 @@ impl Agreement {
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed);
-            paths = count;
+            let paths_per_pixel = (PATHS / count.max(1)).clamp(1, MOST_PER_PIXEL);
+            paths = count * paths_per_pixel;
             let lights = lit(scene, &sample);
             let params = scatter::Params {
-                paths_per_pixel: 1,
+                paths_per_pixel,
                 smooth: 1,
                 seed,
                 ..scatter::Params::default()
