@@ -118,15 +118,21 @@ impl Agreement {
 
 impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let off = |error: f64| {
+            let least = 100.0 * self.seen;
+            if error > self.seen {
+                format!("{:.2} %", 100.0 * error)
+            } else {
+                format!("less than {least:.2} %")
+            }
+        };
         write!(
             f,
-            "{:.2} % of the part's mean dose off random paths in the part, {:.2} % in the void (rms over blocks of {:.2} mm, {} paths twice; \
-             below {:.2} % cannot be seen)",
-            100.0 * self.part,
-            100.0 * self.void,
+            "{} of the part's mean dose off random paths in the part, {} in the void (rms over blocks of {:.2} mm, {} paths twice)",
+            off(self.part),
+            off(self.void),
             self.block_mm,
-            self.paths,
-            100.0 * self.seen
+            self.paths
         )
     }
 }
@@ -278,6 +284,31 @@ mod tests {
         let worse = volume(&|i| if i < grid.len() / 2 { 1.05 } else { 1.0 });
         let [part, void, _] = errors(&worse, &[noisy(1), noisy(2)], &labels, 2);
         assert!((part - 0.05).abs() < 0.003 && void < 0.01, "{part} {void}");
+    }
+
+    #[test]
+    fn an_error_that_cannot_be_seen_is_said_to_be_less_than_what_can() {
+        let found = Agreement {
+            part: 0.0123,
+            void: 0.0004,
+            seen: 0.002,
+            block_mm: 0.3,
+            paths: 400_000,
+        };
+        let text = found.to_string();
+        assert!(
+            text.starts_with("1.23 % of") && text.contains("less than 0.20 % in the void"),
+            "{text}"
+        );
+        assert!(found.warning().unwrap().contains("1.2 %"));
+        assert_eq!(
+            Agreement {
+                seen: 0.01,
+                ..found
+            }
+            .warning(),
+            None
+        );
     }
 
     #[test]

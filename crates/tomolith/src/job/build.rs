@@ -39,6 +39,8 @@ pub(crate) struct Optics {
     pub(crate) lights: Vec<Light>,
     /// What stands between each light's pixels and the vial.
     paths: Vec<rays::Optics>,
+    /// Bodies of the job among the obstacles of a path, before the inserts of the target.
+    bodies: usize,
     /// How light becomes dose.
     pub(crate) model: Choice,
 }
@@ -107,6 +109,7 @@ impl Optics {
             vial,
             lights,
             paths,
+            bodies: obstacles.len(),
             model,
         })
     }
@@ -348,6 +351,34 @@ impl Optics {
         Ok(())
     }
 
+    /// Voxels of the target whose middle is in a body of the job.
+    fn in_bodies(
+        &self,
+        inside: &crate::grid::Volume<f32>,
+        labels: &crate::grid::Volume<u8>,
+        grey: bool,
+    ) -> u64 {
+        let bodies = self
+            .paths
+            .first()
+            .map_or(&[][..], |p| &p.obstacles[..self.bodies]);
+        if bodies.is_empty() {
+            return 0;
+        }
+        let grid = &labels.grid;
+        let [_, ny, nx] = grid.shape;
+        let hidden = |&i: &usize| {
+            let is_part = if grey {
+                inside.values[i] > 0.0
+            } else {
+                inside.values[i] >= 0.5
+            };
+            let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+            is_part && bodies.iter().any(|body| body.surface.contains(middle))
+        };
+        (0..grid.len()).into_par_iter().filter(hidden).count() as u64
+    }
+
     /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
     ///
     /// # Errors
@@ -408,6 +439,14 @@ impl Optics {
             warnings.push(format!(
                 "{:.4} mm³ of the target lie outside the resin and will not print",
                 mm3(stray)
+            ));
+        }
+        let hidden = self.in_bodies(inside, labels, grey);
+        if hidden > 0 {
+            warnings.push(format!(
+                "{:.3} of {:.3} mm³ of the target lie within bodies of [[obstacles]], where there is no resin",
+                mm3(hidden),
+                mm3(part)
             ));
         }
         if beyond > 0 {
@@ -699,6 +738,29 @@ mod tests {
         for x in [7.2, 8.0] {
             assert_eq!(key(at(x).unwrap_err()), "obstacles[0]");
         }
+    }
+
+    #[test]
+    fn what_of_the_target_is_within_a_body_is_told() {
+        use crate::grid::Volume;
+        let folder = tempfile::tempdir().unwrap();
+        let body = crate::io::mesh::samples::cuboid([-0.5; 3], [0.5; 3]);
+        let bytes = crate::io::mesh::samples::stl_binary(&body);
+        std::fs::write(folder.path().join("body.stl"), bytes).unwrap();
+        let warned = |changes: &[&str]| {
+            let optics = Optics::new(&spec(changes), folder.path()).unwrap();
+            // Middles at ±0.25 and ±0.75 mm: eight of them in the body, 1/8 mm³ each
+            let grid = VolumeGrid::centered([4, 4, 4], 0.5);
+            let inside = Volume::filled(grid.clone(), 1.0f32);
+            let labels = Volume::filled(grid, label::PART);
+            optics.warnings(&inside, &labels, false).unwrap().join("\n")
+        };
+        let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
+        assert!(
+            text.contains("1.000 of 8.000 mm³ of the target lie within"),
+            "{text}"
+        );
+        assert!(!warned(&[]).contains("within bodies"));
     }
 
     #[test]
