@@ -380,44 +380,40 @@ mod tests {
         let can = Surface::Can(Curve::Square(2.0), [-1.0, 0.7]);
         for i in 0..400 {
             let angle = 0.1 + f64::from(i) * 0.0314;
-            let from = [
-                9.0 * angle.cos(),
-                9.0 * angle.sin(),
-                0.05 * f64::from(i) - 10.0,
-            ];
-            let ray = Ray::through(from, [0.01 * f64::from(i) - 2.0, 0.7, -0.2]);
-            let (a, b) = (can.enter(&ray), short.enter(&ray));
-            assert_eq!(a.is_some(), b.is_some(), "{i}");
-            let (Some(a), Some(b)) = (a, b) else { continue };
-            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
-            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
-            let within = Ray {
-                from: ray.at(a.distance + 1e-3),
-                ..ray
-            };
-            let (a, b) = (can.leave(&within).unwrap(), short.leave(&within).unwrap());
-            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
-            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
-            assert!(can.contains(within.from) && !can.contains(ray.from));
+            let height = 0.05 * f64::from(i) - 10.0;
+            let from = [9.0 * angle.cos(), 9.0 * angle.sin(), height];
+            met_alike(
+                &can,
+                &short,
+                &Ray::through(from, [0.01 * f64::from(i) - 2.0, 0.7, -0.2]),
+            );
         }
         for i in 0..200 {
             let angle = 0.1 + f64::from(i) * 0.0314;
-            let ray = Ray::through(
-                [9.0 * angle.cos(), 9.0 * angle.sin(), 0.3],
-                [0.01 * f64::from(i) - 1.0, 0.7, -0.4],
-            );
-            let (a, b) = (prism.enter(&ray), net.enter(&ray));
-            assert_eq!(a.is_some(), b.is_some(), "{i}");
-            let (Some(a), Some(b)) = (a, b) else { continue };
-            assert!((a.distance - b.distance).abs() < 1e-12, "{i}: {a:?} {b:?}");
-            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12);
-            let within = Ray {
-                from: ray.at(a.distance + 1e-3),
-                ..ray
-            };
-            let (a, b) = (prism.leave(&within).unwrap(), net.leave(&within).unwrap());
-            assert!((a.distance - b.distance).abs() < 1e-12);
-            assert!(net.contains(within.from) && !net.contains(ray.from));
+            let from = [9.0 * angle.cos(), 9.0 * angle.sin(), 0.3];
+            let to = [0.01 * f64::from(i) - 1.0, 0.7, -0.4];
+            met_alike(&prism, &net, &Ray::through(from, to));
+        }
+    }
+
+    /// A ray from outside enters and leaves both where it does the other.
+    fn met_alike(a: &Surface, b: &Surface, ray: &Ray) {
+        let same = |a: Crossing, b: Crossing| {
+            assert!((a.distance - b.distance).abs() < 1e-12, "{a:?} {b:?}");
+            assert!(dot(a.normal, b.normal) > 1.0 - 1e-12, "{a:?} {b:?}");
+        };
+        let (Some(first), Some(second)) = (a.enter(ray), b.enter(ray)) else {
+            assert_eq!(a.enter(ray).is_some(), b.enter(ray).is_some(), "{ray:?}");
+            return;
+        };
+        same(first, second);
+        let within = Ray {
+            from: ray.at(first.distance + 1e-3),
+            ..*ray
+        };
+        same(a.leave(&within).unwrap(), b.leave(&within).unwrap());
+        for surface in [a, b] {
+            assert!(surface.contains(within.from) && !surface.contains(ray.from));
         }
     }
 }
