@@ -7,7 +7,8 @@
 //! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
 //!
 //! Without a stated interval a checkpoint is written when at least fifty times the duration of the last one has passed
-//! (and ten seconds), so that they cost less than 2 % of the time.
+//! (and ten seconds), so that they cost less than 2 % of the time. The first is taken to cost what its bytes take at
+//! 300 MB/s.
 
 use super::run::Row;
 use super::{Counters, Memory, Recall, SavedArray};
@@ -97,8 +98,12 @@ pub struct Checkpoints {
     every: Option<Duration>,
     contents: Contents,
     last: Instant,
-    cost: Duration,
+    /// Of the last one written.
+    cost: Option<Duration>,
 }
+
+/// Bytes per second that the first checkpoint is taken to reach.
+const RATE: f64 = 3e8;
 
 /// Everything of a checkpoint but the arrays.
 #[derive(Debug, Deserialize, Serialize)]
@@ -153,7 +158,7 @@ impl Checkpoints {
             every: params.every_s.map(Duration::from_secs_f64),
             contents: params.contents,
             last: Instant::now(),
-            cost: Duration::ZERO,
+            cost: None,
         })
     }
 
@@ -170,12 +175,26 @@ impl Checkpoints {
         self.folder.join("state.safetensors")
     }
 
-    /// Whether it is time for the next one.
-    pub(super) fn is_due(&self) -> bool {
-        let wait = self
-            .every
-            .unwrap_or((self.cost * 50).max(Duration::from_secs(10)));
+    /// Whether it is time for the next one, which would hold what is `saved`.
+    pub(super) fn is_due<F: Field>(&self, saved: &Saved<'_, F>) -> bool {
+        let expected = || Duration::from_secs_f64(self.bytes(saved) as f64 / RATE);
+        let wait = self.every.unwrap_or_else(|| {
+            (self.cost.unwrap_or_else(expected) * 50).max(Duration::from_secs(10))
+        });
         self.last.elapsed() >= wait
+    }
+
+    /// Size of the arrays.
+    fn bytes<F: Field>(&self, saved: &Saved<'_, F>) -> usize {
+        let fields = 1 + usize::from(saved.best.is_some());
+        let patterns = fields * saved.patterns.len() * size_of::<f32>();
+        let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
+        match self.contents {
+            Contents::All => {
+                patterns + saved.dose.len() * size_of::<f32>() + memory().sum::<usize>()
+            }
+            Contents::Patterns => patterns,
+        }
     }
 
     /// Writes a checkpoint.
@@ -204,7 +223,7 @@ impl Checkpoints {
             arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
         }
         self.write_file(&header, arrays)?;
-        self.cost = begin.elapsed();
+        self.cost = Some(begin.elapsed());
         self.last = Instant::now();
         Ok(())
     }
@@ -456,7 +475,7 @@ impl View for Tensor<'_> {
     }
 
     fn data_len(&self) -> usize {
-        self.array.len * self.array.dtype.bitsize() / 8
+        self.array.size()
     }
 }
 

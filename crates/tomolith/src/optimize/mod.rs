@@ -102,6 +102,11 @@ impl<'a> SavedArray<'a> {
         }
     }
 
+    /// Bytes that it takes.
+    pub fn size(&self) -> usize {
+        self.len * self.dtype.bitsize() / 8
+    }
+
     /// Bytes that only their writer understands.
     pub fn of_bytes(bytes: std::borrow::Cow<'a, [u8]>) -> Self {
         SavedArray {

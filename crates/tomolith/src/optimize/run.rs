@@ -203,8 +203,11 @@ pub fn run<F: Field>(
             Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
             Err(error) => break Err(error),
         }
-        if let Some(checkpoints) = checkpoints.as_deref_mut().filter(|c| c.is_due()) {
-            checkpoints.write(state.saved(problem, optimizer, x))?;
+        if let Some(checkpoints) = checkpoints.as_deref_mut() {
+            let saved = state.saved(problem, optimizer, x);
+            if checkpoints.is_due(&saved) {
+                checkpoints.write(saved)?;
+            }
         }
     };
     problem.set_patient(false);

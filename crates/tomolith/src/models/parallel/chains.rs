@@ -363,7 +363,7 @@ pub(in crate::models) mod avx512 {
         } else {
             (1 << local.rows) - 1
         };
-        let across = _mm512_set1_ps(local.across as f32);
+        let beyond = _mm512_set1_ps(local.across as f32);
         let slot_of_row = _mm512_add_epi32(
             _mm512_set1_epi32(local.first_slot as i32),
             _mm512_mullo_epi32(
@@ -372,6 +372,9 @@ pub(in crate::models) mod avx512 {
             ),
         );
         let step = _mm512_set1_epi32(local.across_step as i32);
+        // SAFETY: sixteen numbers.
+        let wanted = unsafe { _mm512_loadu_epi32(local.wanted.as_ptr().cast()) };
+        let one = _mm512_set1_epi32(1);
         let direction = if chain.upward { -1.0 } else { 1.0 };
         // Strips of straight light all weaken alike
         let mut per_row = 0.0;
@@ -398,20 +401,21 @@ pub(in crate::models) mod avx512 {
             let deposit = _mm512_mul_ps(_mm512_set1_ps(energy), decay);
             let density = _mm512_mul_ps(deposit, inverse(_mm512_sub_ps(right, left)));
             let left = _mm512_max_ps(left, _mm512_setzero_ps());
-            let right = _mm512_min_ps(right, across);
+            let right = _mm512_min_ps(right, beyond);
             let mut voxel = _mm512_roundscale_ps::<{ _MM_FROUND_TO_ZERO }>(left);
             let begin = out.slots.len() as u32;
-            let before = _mm512_mullo_epi32(_mm512_cvttps_epi32(voxel), step);
-            let mut slot = _mm512_add_epi32(slot_of_row, before);
+            let mut across = _mm512_cvttps_epi32(voxel);
             loop {
                 let next = _mm512_add_ps(voxel, _mm512_set1_ps(1.0));
                 let cover = _mm512_sub_ps(_mm512_min_ps(right, next), _mm512_max_ps(left, voxel));
-                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, cover, _mm512_setzero_ps());
+                let own = _mm512_mask_test_epi32_mask(rows, _mm512_srlv_epi32(wanted, across), one);
+                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(own, cover, _mm512_setzero_ps());
+                let slot = _mm512_add_epi32(slot_of_row, _mm512_mullo_epi32(across, step));
                 append(out, lit, slot, _mm512_mul_ps(cover, density));
                 if _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, right, next) == 0 {
                     break;
                 }
-                slot = _mm512_add_epi32(slot, step);
+                across = _mm512_add_epi32(across, one);
                 voxel = next;
             }
             out.end_run(column, local.place([c.offset[at], c.slope[at]]), begin);

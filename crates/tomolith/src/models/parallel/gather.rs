@@ -1,7 +1,8 @@
 //! The dose of a tile: what a group of views brings to its voxels, gathered voxel by voxel.
 
 use super::chains::{Avx512, Chain, GUARD, Taps};
-use super::kernel::{Block, Entries, accumulate};
+use super::filled::{Filled, Kept};
+use super::kernel::{Entries, accumulate};
 use super::plan::{KernelPath, LightPlan};
 use super::strips::Major;
 use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
@@ -18,13 +19,14 @@ pub(super) struct Gatherer {
 }
 
 impl Gatherer {
-    /// Enumerates what a group of views lights in a tile; `row`: vectors of a row of lanes.
+    /// Enumerates what a group of views lights in a tile; `filled` tells of slots, `row`: vectors of a row of lanes.
     pub(super) fn load(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
         views: Range<usize>,
         (index, tile): (usize, &Tile),
+        filled: &Filled,
         row: usize,
     ) {
         self.chain_count = 0;
@@ -32,9 +34,14 @@ impl Gatherer {
         for view in views {
             for i in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + i];
+                let strips = &plan.beams[i].strips[meeting.first as usize..meeting.end as usize];
+                let first = view * plan.columns;
+                if !(strips.iter()).any(|strip| filled.any(first + strip.column as usize)) {
+                    continue;
+                }
                 if let Some(wide) = path.wide.filter(|_| meeting.chain) {
                     self.load_chain(wide, plan, (i, meeting), tile, row);
-                } else if meeting.end > meeting.first {
+                } else {
                     self.loose.load(path, plan, i, meeting, tile);
                 }
             }
@@ -67,25 +74,25 @@ impl Gatherer {
     pub(super) fn add_block(
         &mut self,
         path: KernelPath,
-        plan: &LightPlan,
-        block: Block,
+        filled: &Filled,
+        block: usize,
         source: &[f32],
         rows: &mut [&mut [f32]],
     ) {
         if let Some(wide) = path.wide {
             let used = self.chains[..self.chain_count].iter();
             let lit: Vec<&Taps> = used
-                .filter(|taps| taps.slots().any(|slot| plan.is_lit_in(slot, block)))
+                .filter(|taps| taps.slots().any(|slot| filled.any_in(slot, block)))
                 .collect();
             if !lit.is_empty() {
-                wide.gather_tile(rows, source, &lit, block);
+                wide.gather_tile(rows, source, &lit, filled.blocks[block]);
             }
         }
         self.loose.add_block(
             path,
-            plan,
+            filled,
             block,
-            &source[GUARD * block.row * LANES..],
+            &source[GUARD * filled.blocks[block].row * LANES..],
             rows,
         );
     }
@@ -102,8 +109,7 @@ struct Sorter {
     /// First entry of each voxel.
     starts: Vec<u32>,
     /// Entries that are lit in the block at hand.
-    kept_slots: Vec<u32>,
-    kept_weights: Vec<f32>,
+    kept: Kept,
 }
 
 impl Sorter {
@@ -117,13 +123,8 @@ impl Sorter {
         tile: &Tile,
     ) {
         let before = self.found.runs.len();
-        plan.enumerate(
-            path,
-            beam,
-            meeting,
-            (tile, Slots::WITHIN_TILE),
-            &mut self.found,
-        );
+        let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
+        plan.enumerate(path, beam, meeting, &local, &mut self.found);
         let first = plan.beams[beam].frame * plan.columns as u32;
         for run in &mut self.found.runs[before..] {
             run.column += first;
@@ -160,16 +161,18 @@ impl Sorter {
     fn add_block(
         &mut self,
         path: KernelPath,
-        plan: &LightPlan,
-        block: Block,
+        filled: &Filled,
+        block: usize,
         source: &[f32],
         rows: &mut [&mut [f32]],
     ) {
-        let slots = self.found.runs.iter().map(|run| run.column as usize);
-        let dark = slots.filter(|&slot| !plan.is_lit_in(slot, block)).count();
+        let is_lit = |slot: u32| filled.any_in(slot as usize, block);
+        let slots = self.found.runs.iter().map(|run| run.column);
+        let dark = slots.filter(|&slot| !is_lit(slot)).count();
         if dark == self.found.runs.len() {
             return;
         }
+        let block = filled.blocks[block];
         for (y, line) in rows.iter_mut().enumerate() {
             for (x, voxel) in line.chunks_exact_mut(block.row * LANES).enumerate() {
                 let v = y * TILE + x;
@@ -179,18 +182,7 @@ impl Sorter {
                     weights: &self.weights[own],
                 };
                 if dark > 0 {
-                    self.kept_slots.clear();
-                    self.kept_weights.clear();
-                    for (&slot, &weight) in entries.slots.iter().zip(entries.weights) {
-                        if plan.is_lit_in(slot as usize, block) {
-                            self.kept_slots.push(slot);
-                            self.kept_weights.push(weight);
-                        }
-                    }
-                    entries = Entries {
-                        slots: &self.kept_slots,
-                        weights: &self.kept_weights,
-                    };
+                    entries = self.kept.of(entries, is_lit);
                 }
                 if !entries.slots.is_empty() {
                     let out = &mut voxel[block.first * LANES..][..block.count * LANES];

@@ -221,7 +221,7 @@ impl Mapped {
         for cell in cells {
             let cover = piece.right.min(cell as f64 + 1.0) - piece.left.max(cell as f64);
             let active = self.voxel(major, piece.row, cell)[0];
-            if cover > 0.0 && active > 0.0 {
+            if cover > 0.0 && active > 0.0 && local.wants(row, (cell - first) as usize) {
                 let weight = energy * cover / (piece.right - piece.left) * active;
                 let base = local.first_slot + row as u32 * local.row_step;
                 found

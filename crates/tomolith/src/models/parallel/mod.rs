@@ -60,6 +60,7 @@
 
 pub(in crate::models) mod chains;
 mod comb;
+mod filled;
 mod gather;
 mod heights;
 pub mod kernel;
@@ -85,8 +86,9 @@ use crate::optics::resin::Resin;
 use crate::optics::trace::Bath;
 use crate::optics::vial::Vial;
 use chains::GUARD;
+use filled::{Filled, NeededEntries};
 use gather::Gatherer;
-use kernel::{Block, Isa, MAX_BLOCK};
+use kernel::Isa;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
 use rayon::prelude::*;
@@ -265,21 +267,9 @@ impl Parallel {
         self.outputs[0].row / LANES
     }
 
-    /// Blocks of lanes of nearly equal length.
-    fn blocks(&self) -> Vec<Block> {
-        let row = self.row();
-        let used = self.outputs[0].grid.shape[0].div_ceil(LANES);
-        let count = used.div_ceil(MAX_BLOCK);
-        (0..count)
-            .map(|i| {
-                let (first, end) = (i * used / count, (i + 1) * used / count);
-                Block {
-                    row,
-                    first,
-                    count: end - first,
-                }
-            })
-            .collect()
+    /// Vectors of a row that hold voxels: the rest is padding.
+    fn used(&self) -> usize {
+        self.outputs[0].grid.shape[0].div_ceil(LANES)
     }
 
     /// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as
@@ -325,9 +315,10 @@ impl Parallel {
             row,
         );
         let [_, _, nx] = self.outputs[0].grid.shape;
-        let blocks = self.blocks();
         let neighbours = self.neighbours();
         let source = lanes.as_slice();
+        let slots = &source[GUARD * row..][..plan.lit.len() * row];
+        let filled = Filled::of(slots, self.row(), self.used());
         tile_rows(&self.tiles, dose, row, nx)
             .par_chunks_mut(neighbours)
             .enumerate()
@@ -338,9 +329,9 @@ impl Parallel {
                             return;
                         }
                         let tile = (index, &self.tiles[index]);
-                        gatherer.load(self.path, plan, group.clone(), tile, row / LANES);
-                        for block in &blocks {
-                            gatherer.add_block(self.path, plan, *block, source, rows);
+                        gatherer.load(self.path, plan, group.clone(), tile, &filled, row / LANES);
+                        for block in 0..filled.blocks.len() {
+                            gatherer.add_block(self.path, &filled, block, source, rows);
                         }
                     }
                 }
@@ -370,37 +361,39 @@ impl Parallel {
         let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
         let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
-        let blocks = self.blocks();
         let neighbours = self.neighbours();
         let nx = self.outputs[0].grid.shape[2];
+        let filled = Filled::of(cotangent, self.row(), self.used());
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         lanes.as_mut_slice()[used.clone()]
             .par_chunks_mut(chunk * plan.columns * row)
             .enumerate()
-            .for_each_init(TileEntries::default, |entries, (i, lanes)| {
-                lanes.fill(0.0);
-                let first = i * chunk;
-                for (i, tiles) in self.tiles.chunks(neighbours).enumerate() {
-                    for group in plan.groups(first..(first + chunk).min(views)) {
-                        let per_view = plan.columns * row;
-                        let own = &mut lanes
-                            [(group.start - first) * per_view..(group.end - first) * per_view];
-                        for (index, tile) in (i * neighbours..).zip(tiles) {
-                            if run.is_cancelled() {
-                                return;
+            .for_each_init(
+                Default::default,
+                |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
+                    lanes.fill(0.0);
+                    let first = i * chunk;
+                    for (i, tiles) in self.tiles.chunks(neighbours).enumerate() {
+                        for group in plan.groups(first..(first + chunk).min(views)) {
+                            let per_view = plan.columns * row;
+                            let own = &mut lanes
+                                [(group.start - first) * per_view..(group.end - first) * per_view];
+                            for (index, tile) in (i * neighbours..).zip(tiles) {
+                                if run.is_cancelled() {
+                                    return;
+                                }
+                                plan.collect_tile(
+                                    self.path,
+                                    group.clone(),
+                                    (index, tile, nx),
+                                    (cotangent, &filled, &mut *own),
+                                    entries,
+                                );
                             }
-                            plan.collect_tile(
-                                self.path,
-                                group.clone(),
-                                (index, tile, nx),
-                                &blocks,
-                                (cotangent, &mut *own),
-                                entries,
-                            );
                         }
                     }
-                }
-            });
+                },
+            );
         plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
         self.return_scratch(lanes);
         if run.is_cancelled() {

@@ -2,6 +2,7 @@
 
 use super::chains::{Avx512, Chain};
 use super::comb::Comb;
+use super::filled::{Filled, NeededEntries};
 use super::heights::Heights;
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
@@ -266,17 +267,22 @@ impl LightPlan {
         path: KernelPath,
         views: Range<usize>,
         (index, tile, nx): (usize, &Tile, usize),
-        blocks: &[Block],
-        (cotangent, lanes): (&[f32], &mut [f32]),
-        found: &mut TileEntries,
+        (cotangent, filled, lanes): (&[f32], &Filled, &mut [f32]),
+        (found, needed): &mut (TileEntries, NeededEntries),
     ) {
+        let of_tile = filled.of_tile(tile, nx);
+        if of_tile.is_empty() {
+            return;
+        }
         found.clear();
-        let place = (tile, Slots::within_plane(tile, nx));
+        let place = Slots::within_plane(tile, nx);
         for view in views.clone() {
             let before = found.runs.len();
             for i in self.of_view[view].clone() {
                 let meeting = self.meetings[index * self.beams.len() + i];
-                self.enumerate(path, i, meeting, place, found);
+                let local = Local::new(tile, self.beams[i].major, place);
+                let wanted = of_tile.wanted(self.beams[i].major);
+                self.enumerate(path, i, meeting, &Local { wanted, ..local }, found);
             }
             let columns_before = ((view - views.start) * self.columns) as u32;
             for run in &mut found.runs[before..] {
@@ -284,14 +290,19 @@ impl LightPlan {
             }
         }
         found.sort_by_place();
+        needed.load(found, filled);
         let first_slot = views.start * self.columns;
-        for &block in blocks {
+        let some = |(block, _): &(usize, &Block)| of_tile.any_in(*block);
+        for (i_block, &block) in filled.blocks.iter().enumerate().filter(some) {
             for &i in &found.by_place {
-                let run = &found.runs[i as usize];
-                if self.is_lit_in(first_slot + run.column as usize, block) {
-                    let from = (run.column as usize * block.row + block.first) * LANES;
+                let column = found.runs[i as usize].column as usize;
+                if !self.is_lit_in(first_slot + column, block) {
+                    continue;
+                }
+                if let Some(entries) = needed.of(found, i as usize, (filled, i_block)) {
+                    let from = (column * block.row + block.first) * LANES;
                     let out = &mut lanes[from..from + block.count * LANES];
-                    accumulate(path.isa, out, cotangent, found.of(run), block);
+                    accumulate(path.isa, out, cotangent, entries, block);
                 }
             }
         }
@@ -303,24 +314,23 @@ impl LightPlan {
         path: KernelPath,
         beam: usize,
         meeting: Meeting,
-        (tile, slots): (&Tile, Slots),
+        local: &Local,
         found: &mut TileEntries,
     ) {
         let index = beam;
         let beam = &self.beams[index];
         let (first, end) = (meeting.first as usize, meeting.end as usize);
         let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
-        let local = Local::new(tile, beam.major, slots);
         if let Some(wide) = path.wide.filter(|_| meeting.chain) {
-            return wide.add_chain(&Chain::new(beam, first, end), &local, keep, found);
+            return wide.add_chain(&Chain::new(beam, first, end), local, keep, found);
         }
         if let Some(mapped) = &self.mapped {
-            return mapped.enumerate((index, beam), first..end, &local, keep, found);
+            return mapped.enumerate((index, beam), first..end, local, keep, found);
         }
         let strips = &beam.strips[first..end];
         match self.kernel {
-            Kernel::DistanceDriven => found.add(strips, &local, &self.deposit, keep),
-            kernel => found.add_radon(kernel, strips, &local, keep),
+            Kernel::DistanceDriven => found.add(strips, local, &self.deposit, keep),
+            kernel => found.add_radon(kernel, strips, local, keep),
         }
     }
 
@@ -341,7 +351,7 @@ impl LightPlan {
                 KernelPath::of(Isa::in_use()),
                 i,
                 meeting,
-                (tile, Slots::WITHIN_TILE),
+                &Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE),
                 entries,
             );
             for side in self.views.sides() {

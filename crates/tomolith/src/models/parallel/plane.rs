@@ -186,8 +186,8 @@ impl Bench {
         square: &mut Square,
     ) {
         self.entries.clear();
-        let place = (tile, Slots::WITHIN_TILE);
-        plan.enumerate(model.path, beam, meeting, place, &mut self.entries);
+        let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
+        plan.enumerate(model.path, beam, meeting, &local, &mut self.entries);
         for run in &self.entries.runs {
             let value = values[run.column as usize];
             let of_run = self.entries.of(run);
@@ -272,8 +272,8 @@ impl Gathering {
                 }
             } else {
                 self.entries.clear();
-                let place = (tile, Slots::WITHIN_TILE);
-                plan.enumerate(model.path, i, meeting, place, &mut self.entries);
+                let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+                plan.enumerate(model.path, i, meeting, &local, &mut self.entries);
                 let values = &self.integrals[square_of(Major::Y)].value;
                 for run in &self.entries.runs {
                     let of_run = self.entries.of(run);

@@ -260,7 +260,8 @@ impl TileEntries {
     }
 
     fn push_voxel(&mut self, local: &Local, row: usize, voxel: i64, weight: f64) {
-        if (0..local.across as i64).contains(&voxel) && weight > 0.0 {
+        let inside = (0..local.across as i64).contains(&voxel);
+        if inside && weight > 0.0 && local.wants(row, voxel as usize) {
             let base = local.first_slot + row as u32 * local.row_step;
             self.slots.push(base + voxel as u32 * local.across_step);
             self.weights.push(weight as f32);

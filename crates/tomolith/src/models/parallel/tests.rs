@@ -154,6 +154,57 @@ fn isa_paths_agree() {
     }
 }
 
+/// Values of which nearly all are 0, in a few short stretches.
+fn sparse(seed: u64, len: usize) -> Vec<f32> {
+    let mut values = check::model::noise(seed, len);
+    for (i, value) in values.iter_mut().enumerate() {
+        if (i / 23) % 19 != seed as usize % 19 {
+            *value = 0.0;
+        }
+    }
+    values
+}
+
+#[test]
+fn zeros_that_are_left_out_change_nothing() {
+    for vial in vials() {
+        for isa in Isa::available() {
+            let pixels = PatternGrid::full_turn(9, 0.05, 90, 60, 0.1);
+            let light = Light::new(pixels, Resin::absorbing(1.48, 0.2));
+            let grid = VolumeGrid::centered([90, 40, 40], 0.1);
+            let model = Parallel::new(vial.as_ref(), vec![light], grid)
+                .unwrap()
+                .with_isa(isa);
+            // What a part of the light, and all of it less that part, bring adds up to what all brings
+            let part = sparse(2, model.patterns[0].len());
+            let all = check::model::noise(3, part.len());
+            let rest: Vec<f32> = all.iter().zip(&part).map(|(a, b)| a - b).collect();
+            let [part, all, rest] = [part, all, rest].map(|x| dose_of(&model, &x).values);
+            let both: Vec<f32> = part.iter().zip(&rest).map(|(a, b)| a + b).collect();
+            assert!(difference(&both, &all) < 1e-6, "{vial:?}, {isa:?}: dose");
+            let adjoint = |seed: u64, is_sparse: bool| {
+                let mut c = LinearOperator::new_dose(&model).unwrap();
+                let len = c.len();
+                let (few, many) = (sparse(seed, len), check::model::noise(9, len));
+                for ((to, few), many) in c.as_mut_slice().iter_mut().zip(few).zip(many) {
+                    *to = if is_sparse { few } else { many - few };
+                }
+                let mut grad = LinearOperator::new_patterns(&model).unwrap();
+                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                grad.as_slice().to_vec()
+            };
+            let sum = |a: Vec<f32>, b: Vec<f32>| -> Vec<f32> {
+                a.iter().zip(&b).map(|(a, b)| a + b).collect()
+            };
+            let [once, again] = [4, 5].map(|seed| sum(adjoint(seed, true), adjoint(seed, false)));
+            assert!(
+                difference(&once, &again) < 1e-6,
+                "{vial:?}, {isa:?}: adjoint"
+            );
+        }
+    }
+}
+
 /// Absorbed power of a column by many single rays.
 fn absorbed(vial: &dyn Vial, light: &Light, azimuth: f64, column: usize) -> f64 {
     let tracer = Tracer::new(

@@ -144,6 +144,8 @@ pub(super) struct Local {
     pub(super) across_step: u32,
     /// First row and first voxel across of the tile on the grid.
     pub(super) origin: [f32; 2],
+    /// Bit i of a row says whether voxel i across is asked for.
+    pub(super) wanted: [u32; TILE],
 }
 
 impl Local {
@@ -157,7 +159,12 @@ impl Local {
             row_step: step[along],
             across_step: step[across],
             origin: [tile.start[along] as f32, tile.start[across] as f32],
+            wanted: [u32::MAX; TILE],
         }
+    }
+
+    pub(super) fn wants(&self, row: usize, across: usize) -> bool {
+        self.wanted[row] >> across & 1 == 1
     }
 
     /// Place of an edge `[offset, slope]`.
@@ -392,6 +399,9 @@ impl TileEntries {
             let base = local.first_slot + row as u32 * local.row_step;
             let (i0, i1) = (left as usize, right.ceil() as usize);
             for i in i0..i1 {
+                if !local.wants(row, i) {
+                    continue;
+                }
                 let cover = right.min(i as f32 + 1.0) - left.max(i as f32);
                 self.slots.push(base + i as u32 * local.across_step);
                 self.weights.push(cover * per_voxel);
