@@ -89,6 +89,15 @@ impl PixelMask {
         )
     }
 
+    /// The same for these frames.
+    #[must_use]
+    pub fn of_frames(&self, chosen: &[usize]) -> Self {
+        let [_, rows, columns] = self.shape;
+        PixelMask::new([chosen.len(), rows, columns], |frame, row, column| {
+            self.allows([chosen[frame], row, column])
+        })
+    }
+
     /// The same for pixels `factor` times as large about the same middle, as many as `rows` and `columns`: they may be lit where one
     /// of these may, whose middle lies in them.
     #[must_use]

@@ -2,25 +2,30 @@
 //!
 //! Memory counts the arrays the method needs. Time is measured, on this machine and as busy as it is: a dose and an adjoint
 //! call of the job's own model with few of its frames and with some more, one pass of its objective, and the metrics on two
-//! thinned copies of the dose. Two sizes tell what a call costs at any size from what grows with it. These rates are
-//! multiplied by what the job asks for ([`Work::cost`]). An optimisation that ends before its last iteration takes less.
+//! thinned copies of the dose. Two sizes tell what a call costs at any size from what grows with it. The adjoint is asked
+//! for what the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most
+//! voxels keep make it cheap, as they do in a run. These rates are multiplied by what the job asks for ([`Work::cost`]). An
+//! optimisation that ends before its last iteration takes less.
 
 use super::build::Optics;
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
-use crate::field::Field;
+use crate::field::{Field, HostField};
 use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::row_of;
+use crate::models::scatter::JUDGING;
 use crate::models::{Choice, Run, planner};
 use crate::objective::Objective;
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
 const BYTES_PER_VOXEL: f64 = 21.0;
-/// Dose turning and standing, dose in file order, inside fraction (4 bytes each), labels and distances.
-const BYTES_PER_FINE_VOXEL: f64 = 21.0;
+/// Dose turning and standing, the second also as what is derived from it (4 bytes each), labels and what metrics need at a
+/// time: 10 to 11 bytes measured at 512³ and 800³.
+const BYTES_PER_FINE_VOXEL: f64 = 12.0;
 /// Raw, quantised and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// Weight, lower and upper end of the band, where they differ from voxel to voxel.
@@ -38,23 +43,30 @@ const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
 const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
-/// Updates of the calls that are timed, about; and frames, a multiple of what the kernel does at once.
+/// Updates of the calls that are timed, about; and neighbouring frames, as many as the kernel does at once: they share what
+/// they light.
 const TRIAL_UPDATES: usize = 50_000_000;
 const TRIAL_FRAMES: usize = 8;
+/// Groups of neighbouring frames at least: one and the opposite one.
+const TRIAL_GROUPS: usize = 2;
 /// How many times more frames the second of the timed calls has.
 const MORE_FRAMES: usize = 4;
 /// Voxels along the longest edge of the thinned copies whose metrics are timed.
 const TRIAL_EDGES: [usize; 2] = [80, 160];
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
+/// Models made to judge: on the job's voxels for raw and for written patterns, on finer ones standing and turning.
+const MODELS: f64 = 4.0;
 /// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
 /// turning, the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
 /// the job's own the metrics and files; for each pixel a PNG, a movie, its check and the arrays.
-const MEASURES_PER_FINE_VOXEL: f64 = 2.0;
-const MEASURES_PER_VOXEL: f64 = 4.0;
-const MEASURES_PER_PIXEL: f64 = 3.0;
+const MEASURES_PER_FINE_VOXEL: f64 = 1.2;
+const MEASURES_PER_VOXEL: f64 = 2.4;
+const MEASURES_PER_PIXEL: f64 = 1.8;
 /// Passes over the dose of an iteration, the line search's included.
 const PASSES: f64 = 5.0;
+/// What the dose that the adjoint is timed with has of the wanted one, and what it has everywhere.
+const GOOD: [f32; 2] = [0.99, 0.005];
 
 /// The extent of the problem, known before anything is built.
 #[derive(Clone, Debug)]
@@ -192,10 +204,12 @@ pub(crate) fn whole_mb(parts: [f64; 2]) -> u64 {
 pub(crate) struct Rates {
     /// Which model.
     pub(crate) model: String,
-    /// Updates per second, beside what a call costs with any number of frames.
-    pub(crate) updates_per_s: f64,
-    /// What a call costs with any number of frames, s.
-    pub(crate) per_call_s: f64,
+    /// Making the model, s: what does not grow with the frames.
+    pub(crate) model_s: f64,
+    /// Dose calls.
+    pub(crate) dose: CallRate,
+    /// Adjoint calls.
+    pub(crate) adjoint: CallRate,
     /// Updates of one dose call per frame: what masks leave.
     pub(crate) updates_per_frame: f64,
     /// One pass of the objective, s.
@@ -208,6 +222,38 @@ pub(crate) struct Rates {
     pub(crate) measuring_s: f64,
 }
 
+/// What a call costs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallRate {
+    /// With any number of frames, s.
+    pub(crate) begin_s: f64,
+    /// Beside that, s per update.
+    pub(crate) per_update_s: f64,
+}
+
+impl CallRate {
+    /// From two calls (updates, seconds): the line through both. Where the second is not larger or did not take longer, all
+    /// is put on its size.
+    fn through([few, more]: [(f64, f64); 2]) -> Self {
+        let per_update_s = (more.1 - few.1) / (more.0 - few.0);
+        let begin_s = few.1 - per_update_s * few.0;
+        if more.0 > few.0 && per_update_s > 0.0 && begin_s >= 0.0 {
+            return CallRate {
+                begin_s,
+                per_update_s,
+            };
+        }
+        CallRate {
+            begin_s: 0.0,
+            per_update_s: more.1 / more.0.max(1.0),
+        }
+    }
+
+    fn seconds(&self, updates: f64) -> f64 {
+        self.begin_s + updates * self.per_update_s
+    }
+}
+
 /// What a job asks for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Work<'a> {
@@ -216,6 +262,8 @@ pub(crate) struct Work<'a> {
     pub(crate) iterations: usize,
     /// Angles at which a frame of the optimisation and of the evaluation is averaged.
     pub(crate) sub_angles: [usize; 2],
+    /// Whether light is followed along random paths.
+    pub(crate) random_paths: bool,
     /// Limit of the optimisation's time, s.
     pub(crate) wall_s: Option<f64>,
 }
@@ -230,26 +278,39 @@ pub(crate) struct Cost {
 }
 
 impl Work<'_> {
+    /// The evaluation's dose calls, in calls of the optimisation.
+    fn judging_calls(&self) -> f64 {
+        let refine = self.extent.refine as f64;
+        if self.random_paths {
+            // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
+            // standing and turning
+            return JUDGING as f64 * (4.0 + 2.0 * refine);
+        }
+        refine.powi(3) * (1.0 + self.sub_angles[1] as f64)
+    }
+
     /// Rates times work.
     pub(crate) fn cost(&self, rates: &Rates) -> Cost {
         let Work {
             extent, iterations, ..
         } = *self;
-        let [own, turning] = self.sub_angles.map(|n| n as f64);
+        let own = self.sub_angles[0] as f64;
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
-        let call_s =
-            rates.per_call_s + rates.updates_per_frame * extent.frames as f64 / rates.updates_per_s;
+        let updates = rates.updates_per_frame * extent.frames as f64;
+        let [dose_s, adjoint_s] = [rates.dose, rates.adjoint].map(|rate| rate.seconds(updates));
         let vectors = extent.active_pixels as f64 * rates.vector_s;
-        let step_s = 2.0 * own * call_s
+        let step_s = own * (dose_s + adjoint_s)
             + PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
         let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
-            + OTHER_CALLS * own * call_s;
+            + OTHER_CALLS * own * dose_s
+            + rates.model_s;
         let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
             + extent.pixels as f64 * MEASURES_PER_PIXEL;
         Cost {
             optimisation_s,
-            rest_s: finer * (1.0 + turning) * call_s
+            rest_s: MODELS * rates.model_s
+                + self.judging_calls() * dose_s
                 + measures * rates.measuring_s
                 + voxels * (finer + 1.0) * rates.sampling_s,
         }
@@ -264,9 +325,10 @@ impl Work<'_> {
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
     let few = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
         .max(1)
-        .next_multiple_of(TRIAL_FRAMES);
-    let plan = trial(scene, voxels, few, run)?;
-    let (few, model) = (Call::of(&plan, run)?, plan.model);
+        .next_multiple_of(TRIAL_GROUPS * TRIAL_FRAMES);
+    let (model_s, plan) = timed(|| trial(scene, voxels, few, run));
+    let plan = plan?;
+    let (few, model) = (Calls::of(&plan, scene, voxels, run)?, plan.model);
     let layout = &model.outputs()[0];
     let (mut x, mut dose, mut gradient) =
         (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
@@ -280,14 +342,14 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     let vector_s = vector_s / x.len().max(1) as f64;
     drop((x, dose, gradient, zeros, objective, model));
     let more = trial(scene, voxels, few.frames * MORE_FRAMES, run)?;
-    let more = Call::of(&more, run)?;
-    let (per_call_s, per_update_s) = line([
-        (few.updates as f64, few.seconds),
-        (more.updates as f64, more.seconds),
-    ]);
+    let more = Calls::of(&more, scene, voxels, run)?;
+    let rate = |i: usize| {
+        CallRate::through([&few, &more].map(|calls| (calls.updates as f64, calls.seconds[i])))
+    };
     Ok(Rates {
-        updates_per_s: 1.0 / per_update_s,
-        per_call_s,
+        model_s,
+        dose: rate(0),
+        adjoint: rate(1),
         updates_per_frame: few.updates as f64 / few.frames.max(1) as f64,
         objective_s,
         vector_s,
@@ -301,10 +363,10 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
 fn trial(scene: &Scene, voxels: &Voxels, frames: usize, run: &Run) -> Result<planner::Plan> {
     let mut lights = scene.optics.lights_turning(1);
     for light in &mut lights {
-        let step = light.pixels.frames().div_ceil(frames).max(1);
+        let chosen = in_groups(light.pixels.frames(), frames);
         let azimuths = &mut light.pixels.azimuths;
-        *azimuths = azimuths.iter().copied().step_by(step).collect();
-        light.selection = light.selection.mapped(|mask| mask.every(step));
+        *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
+        light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
     }
     // A matrix is known for its own pixels only: what the geometry would take stands for it
     let choice = match &scene.optics.model {
@@ -321,47 +383,76 @@ fn trial(scene: &Scene, voxels: &Voxels, frames: usize, run: &Run) -> Result<pla
     )
 }
 
-/// What a call of a model takes, the mean of a dose and an adjoint.
-struct Call {
-    frames: usize,
-    updates: u64,
-    seconds: f64,
+/// About so many of `frames` frames: evenly spaced groups of neighbours.
+fn in_groups(frames: usize, wanted: usize) -> Vec<usize> {
+    if wanted >= frames {
+        return (0..frames).collect();
+    }
+    let groups = wanted.div_ceil(TRIAL_FRAMES);
+    let mut chosen: Vec<usize> = (0..groups)
+        .flat_map(|group| {
+            let first = group * frames / groups;
+            first..(first + TRIAL_FRAMES).min(frames)
+        })
+        .collect();
+    chosen.dedup();
+    chosen
 }
 
-impl Call {
-    fn of(plan: &planner::Plan, run: &Run) -> Result<Self> {
+/// What the calls of a model take.
+struct Calls {
+    frames: usize,
+    updates: u64,
+    /// A dose and an adjoint.
+    seconds: [f64; 2],
+}
+
+impl Calls {
+    fn of(plan: &planner::Plan, scene: &Scene, voxels: &Voxels, run: &Run) -> Result<Self> {
         let model = plan.model.as_ref();
         let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
         let mut gradient = x.zeros_like();
         x.fill(1.0);
         model.dose(&x, &mut dose, run)?; // caches, threads and pages wake up
-        let mut seconds = f64::INFINITY;
+        let cotangent = cotangent_of_a_good_dose(plan, scene, voxels)?;
+        let mut seconds = [f64::INFINITY; 2];
         // The better of two: what disturbs a clock makes it longer
         for _ in 0..2 {
-            let (found, done) = timed(|| -> Result<()> {
-                model.dose(&x, &mut dose, run)?;
-                model.pullback(&x, &dose, &mut gradient, run)
-            });
+            let (forward, done) = timed(|| model.dose(&x, &mut dose, run));
             done?;
-            seconds = seconds.min(found);
+            let (back, done) = timed(|| model.pullback(&x, &cotangent, &mut gradient, run));
+            done?;
+            seconds = [seconds[0].min(forward), seconds[1].min(back)];
         }
-        Ok(Call {
+        Ok(Calls {
             frames: model.patterns().iter().map(|p| p.grid.frames()).sum(),
             updates: model.updates(),
-            seconds: 0.5 * seconds,
+            seconds,
         })
     }
 }
 
-/// The line through two measurements (size, seconds): seconds at size 0, and per size. Where the second is not larger or did
-/// not take longer, all is put on its size.
-fn line([few, more]: [(f64, f64); 2]) -> (f64, f64) {
-    let slope = (more.1 - few.1) / (more.0 - few.0);
-    let begin = few.1 - slope * few.0;
-    if more.0 > few.0 && slope > 0.0 && begin >= 0.0 {
-        return (begin, slope);
-    }
-    (0.0, more.1 / more.0.max(1.0))
+/// What the objective says of a dose that is nearly the wanted one.
+fn cotangent_of_a_good_dose(
+    plan: &planner::Plan,
+    scene: &Scene,
+    voxels: &Voxels,
+) -> Result<HostField> {
+    let layout = &plan.model.outputs()[0];
+    let response = scene.response()?;
+    let wanted = Volume {
+        grid: layout.grid.clone(),
+        values: (voxels.target.inside.values.par_iter())
+            .map(|&inside| response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0))
+            .collect(),
+    };
+    let mut dose = plan.model.new_dose()?;
+    dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
+    let mut cotangent = plan.model.new_dose()?;
+    scene
+        .objective(layout, voxels)?
+        .value_and_gradient(&dose, &mut cotangent);
+    Ok(cotangent)
 }
 
 /// Seconds, and what came out.
@@ -387,7 +478,7 @@ fn measuring(voxels: &Voxels) -> Result<f64> {
         drop(measured?);
         *found = (labels.values.len() as f64, seconds);
     }
-    Ok(line(found).1)
+    Ok(CallRate::through(found).per_update_s)
 }
 
 /// Every `step`-th voxel along each axis.
@@ -430,8 +521,15 @@ mod tests {
     fn rates() -> Rates {
         Rates {
             model: String::new(),
-            updates_per_s: 1000.0,
-            per_call_s: 0.5,
+            model_s: 0.25,
+            dose: CallRate {
+                begin_s: 0.5,
+                per_update_s: 1e-3,
+            },
+            adjoint: CallRate {
+                begin_s: 0.1,
+                per_update_s: 5e-4,
+            },
             updates_per_frame: 100.0,
             objective_s: 0.01,
             vector_s: 1e-5,
@@ -447,27 +545,39 @@ mod tests {
             extent: &extent,
             iterations: 7,
             sub_angles: [1, 4],
+            random_paths: false,
             wall_s: None,
         };
         let cost = work.cost(&rates());
-        // A call: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s. A step: two calls, 5 passes, 44 vectors of 500 pixels
-        let step = 2.0 * 3.5 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
+        // A dose: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s; an adjoint: at 2000/s, and 0.1 s. A step: both, 5
+        // passes, 44 vectors of 500 pixels
+        let step = 3.5 + 1.6 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
         assert!(
-            (cost.optimisation_s - (7.0 * step + 4.0 * 3.5)).abs() < 1e-9,
+            (cost.optimisation_s - (7.0 * step + 4.0 * 3.5 + 0.25)).abs() < 1e-9,
             "{cost:?}"
         );
-        // Eight times the voxels, standing and turning (1 + 4 calls); two measures of each, four of the own grid's, three of
+        // Eight times the voxels, standing and turning (1 + 4 calls); 1.2 measures of each, 2.4 of the own grid's, 1.8 of
         // each pixel; both grids sampled
-        let measures = 1000.0 * (2.0 * 8.0 + 4.0) + 3.0 * 2000.0;
-        let rest = 8.0 * 5.0 * 3.5 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3;
+        let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
+        let rest = 8.0 * 5.0 * 3.5 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 4.0 * 0.25;
         assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
+        // Random paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
+        let paths = Work {
+            random_paths: true,
+            ..work
+        }
+        .cost(&rates());
+        assert!((paths.rest_s - rest - (16.0 * 8.0 - 40.0) * 3.5).abs() < 1e-9);
         // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
         let averaged = Work {
             sub_angles: [3, 4],
             ..work
         }
         .cost(&rates());
-        assert!((averaged.optimisation_s - cost.optimisation_s - 18.0 * 2.0 * 3.5).abs() < 1e-9);
+        assert!(
+            (averaged.optimisation_s - cost.optimisation_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
+                < 1e-9
+        );
         let limited = Work {
             wall_s: Some(1.0),
             ..work
@@ -475,17 +585,30 @@ mod tests {
         .cost(&rates());
         assert_eq!(
             (limited.optimisation_s, limited.rest_s),
-            (15.0, cost.rest_s)
+            (1.0 + 4.0 * 3.5 + 0.25, cost.rest_s)
         );
     }
 
     #[test]
     fn two_measurements_tell_what_grows_from_what_does_not() {
+        let line = |measured| {
+            let rate = CallRate::through(measured);
+            (rate.begin_s, rate.per_update_s)
+        };
         let (begin, slope) = line([(10.0, 3.0), (40.0, 6.0)]);
         assert!((begin - 2.0).abs() < 1e-12 && (slope - 0.1).abs() < 1e-12);
         // A job that is too small for two sizes, and a clock that was disturbed
         assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
         assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
+    }
+
+    #[test]
+    fn frames_of_a_trial_are_neighbours_all_around() {
+        assert_eq!(in_groups(5, 16), [0, 1, 2, 3, 4]);
+        let chosen = in_groups(400, 16);
+        let expected: Vec<usize> = (0..8).chain(200..208).collect();
+        assert_eq!(chosen, expected);
+        assert!(in_groups(17, 16).windows(2).all(|pair| pair[0] < pair[1]));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::scene::{Scene, Voxels};
 use super::write::{self, Done};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
-use crate::models::Run;
+use crate::models::{Choice, Run};
 use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
@@ -198,6 +198,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
             scene.optics.lights[0].sub_angles,
             scene.spec.evaluate.sub_angles,
         ],
+        random_paths: matches!(scene.optics.model_for(1, &scene.grid), Choice::Scatter(_)),
         wall_s: scene.spec.stop.wall_s,
     };
     let cost = work.cost(&rates);
@@ -221,7 +222,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
         seconds: cost.optimisation_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,
         optimisation_s: cost.optimisation_s,
-        updates_per_s: rates.updates_per_s,
+        updates_per_s: 1.0 / rates.dose.per_update_s,
         notes: scene.notes.clone(),
         warnings,
     })

@@ -104,12 +104,15 @@ impl Default for Params {
     }
 }
 
+/// Paths of the judgement for each of the optimisation.
+pub(crate) const JUDGING: usize = 16;
+
 impl Params {
     /// What a result is judged by: independent paths, sixteen times as many.
     #[must_use]
     pub fn for_judging(&self) -> Self {
         Params {
-            paths_per_pixel: 16 * self.paths_per_pixel,
+            paths_per_pixel: JUDGING * self.paths_per_pixel,
             seed: !self.seed,
             ..self.clone()
         }
