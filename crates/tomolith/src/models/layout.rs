@@ -291,6 +291,16 @@ impl PatternLayout {
         }
     }
 
+    /// Elements of the pattern field that belong to some of its frames.
+    #[must_use]
+    pub fn elements_of(&self, frames: Range<usize>) -> Range<usize> {
+        let begin = |frame: usize| {
+            let run = self.runs.get(frame * self.grid.columns);
+            run.map_or(self.offset + self.len, |run| run.offset)
+        };
+        begin(frames.start)..begin(frames.end)
+    }
+
     /// Number of active pixels.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -75,7 +75,7 @@ pub const KIND: Kind<ChooseModel> = Kind {
 
 /// Sums along stored rows: `out[i] += Σ value · source[offset]`, for `depth` lanes at a time.
 #[derive(Clone, Debug)]
-struct Rows {
+pub(super) struct Rows {
     starts: Vec<usize>,
     /// Where in the source field the lanes begin.
     offsets: Vec<u32>,
@@ -83,7 +83,7 @@ struct Rows {
 }
 
 impl Rows {
-    fn of(matrix: &Csr, offset_of: impl Fn(u32) -> u32) -> Self {
+    pub(super) fn of(matrix: &Csr, offset_of: impl Fn(u32) -> u32) -> Self {
         Rows {
             starts: matrix.starts.clone(),
             offsets: matrix.indices.iter().map(|&i| offset_of(i)).collect(),
@@ -103,7 +103,7 @@ impl Rows {
     }
 
     /// Adds row `i` to `out`; one lane is summed in f64.
-    fn add(&self, i: usize, source: &[f32], range: &Range<usize>, out: &mut [f32]) {
+    pub(super) fn add(&self, i: usize, source: &[f32], range: &Range<usize>, out: &mut [f32]) {
         if let [out] = out {
             let terms = self
                 .entries(i, range)
@@ -551,7 +551,7 @@ impl MatrixModel {
             for layout in &self.patterns {
                 let count = layout.grid.frames();
                 if frame < first + count {
-                    return layout.runs[(frame - first) * layout.grid.columns].offset;
+                    return layout.elements_of(frame - first..count).start;
                 }
                 first += count;
             }

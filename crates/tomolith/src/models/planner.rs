@@ -322,7 +322,7 @@ fn optical(
     let rays = |params: &_| {
         let (vial, optics) = (setup.vial, setup.optics);
         Rays::new(vial, lights.clone(), optics, params, grid.clone())
-            .map(|model| boxed(model, solid))
+            .map(|model| boxed(model.keeping(), solid))
     };
     let scatter = |params| {
         scatter::model(setup.vial, &lights, setup.optics, params, grid.clone())

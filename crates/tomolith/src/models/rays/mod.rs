@@ -30,7 +30,8 @@
 //!
 //! # Cost
 //! About 1.7 voxels per ray and voxel plane; see docs/speed.md. Where a round vial turns about its own axis, rays are traced
-//! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number.
+//! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
+//! what all pixels leave is at most 270 MB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
 //!
 //! # Example
 //! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
@@ -54,6 +55,7 @@
 //! ```
 
 pub mod accumulation;
+mod kept;
 mod segment;
 pub mod solid;
 mod source;
@@ -77,6 +79,7 @@ use crate::optics::projector::collimated::Collimated;
 use crate::optics::space::{Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use accumulation::Accumulation;
+use kept::Kept;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment};
@@ -212,6 +215,10 @@ pub struct Rays {
     /// Iterations after which other paths are drawn; 0: never.
     renew: usize,
     updates: OnceLock<u64>,
+    /// Whether walks are kept where they are few.
+    keeps: bool,
+    /// They, once it is known.
+    kept: OnceLock<Option<Kept>>,
 }
 
 /// Rays whose segments are made and used together: they stay in the second-level cache.
@@ -352,7 +359,26 @@ impl Rays {
             accumulation: emission.accumulation,
             renew: emission.scattered.map_or(0, |scattered| scattered.renew),
             updates: OnceLock::new(),
+            keeps: false,
+            kept: OnceLock::new(),
         })
+    }
+
+    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 270 MB; not where light is
+    /// scattered. Worth it where a dose is asked for more than once or twice.
+    #[must_use]
+    pub fn keeping(mut self) -> Self {
+        self.keeps = self.coarse.is_none();
+        self
+    }
+
+    /// The walks that are kept; None where none are.
+    fn kept(&self, run: &Run) -> Result<Option<&Kept>> {
+        if self.keeps && self.kept.get().is_none() {
+            // Whoever comes first; all would find the same
+            let _ = self.kept.set(Kept::of(self, kept::MOST, run)?);
+        }
+        Ok(self.kept.get().and_then(Option::as_ref))
     }
 
     /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
@@ -601,11 +627,23 @@ impl LinearOperator for Rays {
             .solid
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
+        let kept = self.kept(run)?;
         let mut first = 0;
         for (light, layout) in self.patterns.iter().enumerate() {
             let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
             let own = own.start - first..own.end.max(own.start) - first;
             first += layout.grid.frames();
+            if let Some(kept) = kept {
+                let pixels = layout.elements_of(own);
+                match &mut split {
+                    None => kept.add(0, x, &pixels, &mut dose[..voxels]),
+                    Some([outside, inside]) => {
+                        kept.add(0, x, &pixels, outside);
+                        kept.add(voxels, x, &pixels, inside);
+                    }
+                }
+                continue;
+            }
             for pairs in self.chunks(light, own) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
@@ -635,6 +673,13 @@ impl LinearOperator for Rays {
         grad.fill(0.0);
         let smooth = self.collect_smooth(c);
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
+        if let Some(kept) = self.kept(run)? {
+            match &split {
+                None => kept.collect(c, grad),
+                Some(sides) => kept.collect(&sides.concat(), grad),
+            }
+            return Ok(());
+        }
         for (light, layout) in self.patterns.iter().enumerate() {
             for pairs in self.chunks(light, 0..layout.grid.frames()) {
                 if run.is_cancelled() {
@@ -679,6 +724,9 @@ impl LinearOperator for Rays {
 
     /// Voxels that all segments pass: planes of each axis they cross, summed.
     fn updates(&self) -> u64 {
+        if let Ok(Some(kept)) = self.kept(&Run::new()) {
+            return kept.updates();
+        }
         *self.updates.get_or_init(|| {
             let of = |s: &Segment| {
                 f64::from(s.high - s.low) * f64::from(1.0 + s.slope[0].abs() + s.slope[1].abs())

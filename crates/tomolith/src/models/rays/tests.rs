@@ -584,6 +584,53 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
     }
 }
 
+#[test]
+fn walks_that_are_kept_are_those_that_are_walked() {
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let [ball, _] = solids(&grid);
+    for (name, optics) in optics() {
+        for solid in [None, Some(&ball)] {
+            let build = || {
+                let (light, params) = (light(5, 7, 11, 0.2), Params::default());
+                let model = rays(&GLASS, light, &optics, &params, grid.clone());
+                match solid {
+                    Some(solid) => model.with_cells(Arc::clone(solid)),
+                    None => model,
+                }
+            };
+            let (walked, kept) = (build(), build().keeping());
+            check::model::model(&kept, 3).unwrap();
+            assert!(
+                kept.kept(&Run::new()).unwrap().is_some()
+                    && walked.kept(&Run::new()).unwrap().is_none()
+            );
+            let mut x = LinearOperator::new_patterns(&kept).unwrap();
+            x.copy_from_host(&check::model::noise(1, x.len()));
+            // Some of the frames only, on top of what is there
+            let some = |model: &Rays| {
+                let mut dose = LinearOperator::new_dose(model).unwrap();
+                dose.fill(0.5);
+                model.add_forward(1..4, &x, &mut dose, &Run::new()).unwrap();
+                dose.as_slice().to_vec()
+            };
+            let back = |model: &Rays| {
+                let mut c = LinearOperator::new_dose(model).unwrap();
+                c.copy_from_host(&check::model::noise(2, c.len()));
+                let mut grad = LinearOperator::new_patterns(model).unwrap();
+                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                grad.as_slice().to_vec()
+            };
+            for [a, b] in [[some(&walked), some(&kept)], [back(&walked), back(&kept)]] {
+                let largest = a.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (a, b) in a.iter().zip(&b) {
+                    assert!((a - b).abs() < 1e-5 * largest, "{name}: {a} {b}");
+                }
+            }
+            assert!(kept::Kept::of(&walked, 100, &Run::new()).unwrap().is_none());
+        }
+    }
+}
+
 /// Where a ray enters and leaves the ball, by its equation.
 fn chord(from: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
     let p: [f64; 3] = std::array::from_fn(|i| from[i] - BALL[i]);

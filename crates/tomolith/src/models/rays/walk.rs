@@ -147,6 +147,25 @@ pub(super) fn collect(gait: Gait, ways: Ways, segment: &Segment, dose: &[f32]) -
     sum
 }
 
+/// Calls `visit(voxel, deposit)` for every piece of a segment.
+pub(super) fn for_each(
+    gait: Gait,
+    ways: Ways,
+    segment: &Segment,
+    mut visit: impl FnMut(usize, f32),
+) {
+    let first = (segment.low.max(0.0) as usize) / SLAB;
+    let end = (segment.high as usize / SLAB + 1).min(ways.slabs());
+    for slab in first..end {
+        match gait.over(segment) {
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: AVX-512F was detected.
+            Gait::Wide => unsafe { wide::for_each(ways, slab, segment, &mut visit) },
+            _ => plain(ways, slab, segment, &mut visit),
+        }
+    }
+}
+
 /// Whether the last voxel lies within so many floats.
 fn fits(ways: Ways, len: usize) -> bool {
     let last: usize = (0..3)
@@ -385,6 +404,34 @@ mod wide {
                 deposit,
             }
         })
+    }
+
+    /// # Safety
+    /// AVX-512F.
+    #[target_feature(enable = "avx512f")]
+    pub(super) unsafe fn for_each(
+        ways: Ways,
+        slab: usize,
+        segment: &Segment,
+        visit: &mut impl FnMut(usize, f32),
+    ) {
+        let spread = spread(segment);
+        for Pieces {
+            lit,
+            voxel,
+            deposit,
+        } in pieces(ways, (slab * SLAB) as f32, &spread)
+        {
+            let (mut voxels, mut deposits) = ([0i32; 16], [0.0f32; 16]);
+            // SAFETY: sixteen numbers each.
+            unsafe {
+                _mm512_storeu_epi32(voxels.as_mut_ptr(), voxel);
+                _mm512_storeu_ps(deposits.as_mut_ptr(), deposit);
+            }
+            for i in (0..16).filter(|i| lit >> i & 1 == 1) {
+                visit(voxels[i] as usize, deposits[i]);
+            }
+        }
     }
 
     /// # Safety
