@@ -15,6 +15,7 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::row_of;
+use crate::models::rays::kept;
 use crate::models::scatter::JUDGING;
 use crate::models::{Choice, Run, planner};
 use crate::objective::Objective;
@@ -26,6 +27,8 @@ const BYTES_PER_VOXEL: f64 = 21.0;
 /// Dose turning and standing, the second also as what is derived from it (4 bytes each), labels and what metrics need at a
 /// time: 10 to 11 bytes measured at 512³ and 800³.
 const BYTES_PER_FINE_VOXEL: f64 = 12.0;
+/// Voxels that the light of a pixel meets in a plane of voxels.
+const VOXELS_PER_PLANE: f64 = 1.7;
 /// Raw, quantised and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// Weight, lower and upper end of the band, where they differ from voxel to voxel.
@@ -89,6 +92,8 @@ pub(crate) struct Extent {
     pub(crate) fields: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
     pub(crate) canvas: usize,
+    /// Whether the model keeps the walks of its rays where they are few.
+    pub(crate) keeps_walks: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
 }
@@ -131,7 +136,21 @@ impl Extent {
             memory,
             fields: 0,
             canvas: 0,
+            keeps_walks: matches!(optics.model_for(1, grid), Choice::Rays(_)),
             stacked: 0,
+        }
+    }
+
+    /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
+    fn walks(&self) -> f64 {
+        let planes = self.grid.shape.iter().copied().max().unwrap_or(0) as f64;
+        let entries = self.active_pixels as f64 * VOXELS_PER_PLANE * planes;
+        let most = kept::MOST as f64;
+        // It may turn out less than estimated
+        if self.keeps_walks && entries <= 2.0 * most {
+            entries.min(most) * kept::BYTES as f64
+        } else {
+            0.0
         }
     }
 
@@ -152,7 +171,7 @@ impl Extent {
         let per_voxel = BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS;
         [
             self.lanes(1) * per_voxel / 1e6,
-            (self.scratch(1) + patterns) / 1e6,
+            (self.scratch(1) + self.walks() + patterns) / 1e6,
         ]
     }
 
@@ -514,6 +533,7 @@ mod tests {
             memory: 10,
             fields: 0,
             canvas: 0,
+            keeps_walks: false,
             stacked: 0,
         }
     }
@@ -621,6 +641,13 @@ mod tests {
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
         assert_eq!(whole_mb([300.0, 4.5]), 324);
+        // 500 pixels of 10 voxel planes
+        let keeping = Extent {
+            keeps_walks: true,
+            ..extent.clone()
+        };
+        let walks = keeping.optimisation()[1] - pixels;
+        assert!((walks - 500.0 * 1.7 * 10.0 * 16.0 / 1e6).abs() < 1e-12);
         // Two objectives with fields, and 4·10⁶ pixels of canvas that also go to a stack of two bytes each
         let larger = Extent {
             fields: 2,

@@ -115,18 +115,20 @@ impl Scene {
         }
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
+        let plain = Extent::new(
+            &optics,
+            &grid,
+            shape.bounds_mm(),
+            spec.evaluate.refine,
+            memory,
+        );
         let extent = Extent {
+            keeps_walks: plain.keeps_walks || has_cells,
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
-            ..Extent::new(
-                &optics,
-                &grid,
-                shape.bounds_mm(),
-                spec.evaluate.refine,
-                memory,
-            )
+            ..plain
         };
         let mut scene = Scene {
             base: job.base(),

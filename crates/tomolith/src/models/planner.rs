@@ -32,6 +32,9 @@ pub struct Plan {
     pub dark: Vec<bool>,
 }
 
+/// Rays that a pixel sends through parts of voxels, for each through whole ones, where nobody says how many.
+const CELLS: usize = 4;
+
 /// What light passes from the projectors to the resin.
 #[derive(Clone, Copy)]
 pub struct Setup<'a> {
@@ -71,6 +74,15 @@ impl Setup<'_> {
         self.way(choice, lights, grid).map(drop)
     }
 
+    /// How many rays a pixel sends where nobody says so: parts of voxels need more of them than whole ones.
+    fn rays(&self) -> rays::Params {
+        let mut params = rays::Params::default();
+        if self.solid.is_some() {
+            params.rays_per_pixel *= CELLS;
+        }
+        params
+    }
+
     fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
@@ -98,7 +110,7 @@ impl Setup<'_> {
                     Optical::Scatter(Cow::default())
                 }
             }
-            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
+            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::Owned(self.rays())),
             (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
         };
         let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
@@ -269,7 +281,17 @@ fn straight(
             let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
             Ok(boxed(model, solid))
         }
-        Optical::Parallel | Optical::Rays(_) => optical(way, setup, lights, grid, solid),
+        // Asked once: nothing to keep; whether light meets a cell takes no more rays than whether it meets a voxel
+        Optical::Rays(params) => {
+            let mut params = params.clone().into_owned();
+            if solid.is_some() {
+                let enough = rays::Params::default().rays_per_pixel;
+                params.rays_per_pixel = params.rays_per_pixel.min(enough);
+            }
+            let model = Rays::new(setup.vial, lights, setup.optics, &params, grid)?;
+            Ok(boxed(model, solid))
+        }
+        Optical::Parallel => optical(way, setup, lights, grid, solid),
     }
 }
 

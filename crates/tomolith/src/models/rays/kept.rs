@@ -6,7 +6,7 @@
 //! of the uninterrupted one.
 //!
 //! # Cost
-//! 16 bytes an entry, 270 MB at most. What is walked before it is known to be too much costs a second or two.
+//! 16 bytes an entry, 540 MB at most. What is walked before it is known to be too much costs some seconds at most.
 
 use super::segment::Segment;
 use super::walk::{self, Ways};
@@ -19,7 +19,10 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Entries that are kept at most.
-pub(super) const MOST: usize = 1 << 24;
+pub(crate) const MOST: usize = 1 << 25;
+
+/// Bytes of an entry, by place and by pixel.
+pub(crate) const BYTES: usize = 16;
 
 /// What one pixel leaves in one place: (place, pixel, energy per voxel volume). Places are voxels, those inside a solid behind
 /// all others.

@@ -20,7 +20,7 @@
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
-//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame; squares lie on a lattice where there is no aperture |
+//! | `rays_per_pixel` | 1 to 4096 | 4; 16 where cells made the planner choose `rays` | rays of a pixel in a frame; squares lie on a lattice where there is no aperture |
 //! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
@@ -31,7 +31,7 @@
 //! # Cost
 //! About 1.7 voxels per ray and voxel plane; see docs/speed.md. Where a round vial turns about its own axis, rays are traced
 //! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
-//! what all pixels leave is at most 270 MB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
+//! what all pixels leave is at most 540 MB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
 //!
 //! # Example
 //! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
@@ -55,7 +55,7 @@
 //! ```
 
 pub mod accumulation;
-mod kept;
+pub(crate) mod kept;
 mod segment;
 pub mod solid;
 mod source;
@@ -364,7 +364,7 @@ impl Rays {
         })
     }
 
-    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 270 MB; not where light is
+    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 540 MB; not where light is
     /// scattered. Worth it where a dose is asked for more than once or twice.
     #[must_use]
     pub fn keeping(mut self) -> Self {
