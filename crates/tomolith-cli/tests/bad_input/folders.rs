@@ -1,0 +1,227 @@
+//! Folders, overrides, resuming and disks.
+
+use super::*;
+
+#[test]
+fn a_folder_that_is_not_ours_is_left_alone() {
+    let bench = Bench::new();
+    let foreign = bench.path("thesis");
+    fs::create_dir(&foreign).unwrap();
+    fs::write(foreign.join("chapter.tex"), "mine").unwrap();
+    let output = bench.tomolith(JOB, &["--output", &foreign.display().to_string()]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in ["output.folder", "not from a run", "(from --output /"] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(!message.contains("line"), "blamed on the file: {message}");
+    assert_eq!(fs::read_dir(&foreign).unwrap().count(), 1);
+}
+
+#[test]
+fn too_little_memory_is_said_with_the_estimate() {
+    let bench = Bench::new();
+    let before = bench.earlier();
+    let output = bench.tomolith(JOB, &["--set", "grid.shape=[9000, 9000, 9000]"]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("grid.shape: memory") && flat(&message).contains("MB needed"),
+        "{message}"
+    );
+    assert_eq!(bench.earlier(), before);
+}
+
+#[test]
+fn an_override_names_itself_and_json_errors_are_one_line() {
+    let bench = Bench::new();
+    let output = bench.tomolith(JOB, &["--set", "light.angles=0", "--json"]);
+    assert_eq!(output.status.code(), Some(2));
+    let line: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (&line["event"], &line["key"]),
+        (&"error".into(), &"light[0].angles".into())
+    );
+    assert!(
+        line["found"]
+            .as_str()
+            .unwrap()
+            .contains("--set light.angles=0"),
+        "{line}"
+    );
+    let output = tomolith(&bench.path("nothing.toml"), &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("nothing.toml"));
+}
+
+#[test]
+fn what_an_option_set_is_not_blamed_on_the_file() {
+    let bench = Bench::new();
+    for (option, key) in [
+        ("light.pixels=[0,0]", "light[0].pixels[0]"),
+        ("light.angles={list_deg=[]}", "light[0].angles.list_deg"),
+        ("light.pixels=[12, 24]", "light[0].pixels"),
+        ("target.size_mm=9", "target"),
+        (
+            "resin.phase.henyey_greenstein.g=2",
+            "resin.phase.henyey_greenstein.g",
+        ),
+    ] {
+        let output = bench.tomolith(JOB, &["--set", option]);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{option}: {message}");
+        let parts = [format!("× {key}: "), format!("(from --set {option})")];
+        for part in parts {
+            assert!(flat(&message).contains(&part), "{part}: {message}");
+        }
+        assert!(!message.contains("job.toml"), "{option}: {message}");
+    }
+}
+
+#[test]
+fn resuming_notices_that_a_file_of_the_job_has_other_content() {
+    let bench = Bench::new();
+    let job = JOB.replace("[stop]", "[response.table]\nfile = \"curve.csv\"\n[stop]");
+    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.4\n1 1\n").unwrap();
+    assert!(bench.tomolith(&job, &["--quiet"]).status.success());
+    let resume = || bench.tomolith(&job, &["--resume", "--quiet"]);
+    assert!(resume().status.success());
+    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.6\n1 1\n").unwrap();
+    let output = resume();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("the content of a file that the job names, have changed"),
+        "{message}"
+    );
+}
+
+#[test]
+fn resuming_says_what_to_do_and_what_has_changed() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let refused = |more: &[&str], parts: &[&str]| {
+        let output = bench.tomolith(JOB, &[&["--resume"], more].concat());
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for part in ["× --resume: leave it out to begin anew"]
+            .iter()
+            .chain(parts)
+        {
+            assert!(flat(&message).contains(part), "{part}: {message}");
+        }
+    };
+    refused(
+        &[
+            "--set",
+            "resin.absorption_per_mm=0.06",
+            "--set",
+            "light.rotation=counterclockwise",
+        ],
+        &[
+            "resin.absorption_per_mm was 0.05, is 0.06",
+            "light[0].rotation was \"clockwise\", is \"counterclockwise\"",
+        ],
+    );
+    refused(
+        &["--set", "target.size_mm=1.9"],
+        &["target.size_mm was 2, is 1.9"],
+    );
+    let file = bench.run_folder().join("checkpoint/state.safetensors");
+    let whole = fs::read(&file).unwrap();
+    let mut scribbled = whole.clone();
+    scribbled[20..40].fill(b'x');
+    for broken in [&whole[..100], &whole[..whole.len() - 1], &scribbled, &[]] {
+        fs::write(&file, broken).unwrap();
+        refused(&[], &["damaged checkpoint"]);
+    }
+    // What resuming does not depend on may change
+    fs::write(&file, &whole).unwrap();
+    let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
+    let output = bench.tomolith(
+        JOB,
+        &[&more[..], &["--set", "objective.threshold.exponent=2"]].concat(),
+    );
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
+
+#[test]
+fn a_simulation_never_mixes_with_a_run() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let before = bench.earlier();
+    let run = bench.run_folder();
+    let simulate = |more: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .arg("simulate")
+            .arg(bench.path("job.toml"))
+            .arg("--patterns")
+            .arg(run.join("patterns.npz"))
+            .arg("--quiet")
+            .args(more)
+            .output()
+            .unwrap()
+    };
+    let output = simulate(&["--output", &run.display().to_string()]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in ["output.folder", "holds a run", "(from --output"] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(simulate(&[]).status.success());
+    assert!(bench.path("run-simulated/report.json").exists());
+    assert!(!bench.path("run-simulated/history.csv").exists());
+    assert!(simulate(&[]).status.success(), "over a simulation");
+    assert_eq!(bench.earlier(), before);
+}
+
+/// A disk that is full in the middle of a file: one message, the file's, and nothing of the libraries behind it.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_ends_with_one_message() {
+    let bench = Bench::new();
+    assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
+    let before = bench.earlier();
+    // Patterns take 277 kB, the checkpoint of the patterns alone less than 150 kB (blocks of 512 or 1024 bytes)
+    let checkpoint = "--set checkpoint.contents=patterns";
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 260; exec {} run {} --quiet {checkpoint}",
+        env!("CARGO_BIN_EXE_tomolith"),
+        bench.path("job.toml").display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("patterns.npz: File too large"),
+        "{message}"
+    );
+    assert!(!message.contains("ZipWriter"), "{message}");
+    // A matrix of some megabytes stops in the same place
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 260; exec {} export-matrix {} --output {}",
+        env!("CARGO_BIN_EXE_tomolith"),
+        bench.path("job.toml").display(),
+        bench.path("matrix.npz").display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        flat(&message).contains("matrix.npz: File too large") && !message.contains("ZipWriter"),
+        "{message}"
+    );
+    let unchanged = |files: Vec<(PathBuf, Vec<u8>)>| -> Vec<_> {
+        let of_run = |path: &PathBuf| path.ends_with("job.toml") || path.ends_with("report.json");
+        files.into_iter().filter(|(path, _)| of_run(path)).collect()
+    };
+    let now: Vec<_> = unchanged(bench.earlier())
+        .into_iter()
+        .filter(|(path, _)| !path.to_string_lossy().contains(".new"))
+        .collect();
+    assert_eq!(now, unchanged(before));
+}

@@ -1,0 +1,151 @@
+//! Bad input ends before any heavy work with one clear message, exit code 2, and earlier outputs as they were.
+
+mod folders;
+mod slips;
+mod targets;
+
+use slips::WRONG;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// A job that works, small.
+const JOB: &str = r#"[target]
+phantom = "gear"
+size_mm = 2.0
+
+[grid]
+pitch_mm = 0.1
+
+[resin]
+refractive_index = 1.5
+absorption_per_mm = 0.05
+
+[vial.cylinder]
+inner_radius_mm = 3.0
+outer_radius_mm = 3.5
+refractive_index = 1.5
+
+[[light]]
+pixels = [48, 24]
+angles = 30
+projector.collimated = { pixel_pitch_mm = 0.1 }
+
+[objective.threshold]
+lower = 0.85
+upper = 0.95
+
+[stop]
+iterations = 2
+
+[output]
+folder = "FOLDER"
+"#;
+
+/// A folder with a job and an earlier run.
+struct Bench {
+    temp: TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let bench = Bench {
+            temp: tempfile::tempdir().unwrap(),
+        };
+        let run = bench.run_folder();
+        fs::create_dir_all(run.join("frames")).unwrap();
+        let mark = "# A Tomolith run folder; this is its job with every default written out.\n";
+        fs::write(run.join("job.toml"), mark).unwrap();
+        fs::write(run.join("report.json"), "{\"earlier\": true}").unwrap();
+        fs::write(run.join("frames/0000.png"), "earlier").unwrap();
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn run_folder(&self) -> PathBuf {
+        self.path("run")
+    }
+
+    /// Every file under the run folder with its content.
+    fn earlier(&self) -> Vec<(PathBuf, Vec<u8>)> {
+        let mut files = Vec::new();
+        let mut folders = vec![self.run_folder()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+                if entry.is_dir() {
+                    folders.push(entry);
+                } else {
+                    files.push((entry.clone(), fs::read(&entry).unwrap()));
+                }
+            }
+        }
+        files.sort();
+        files
+    }
+
+    fn tomolith(&self, job: &str, more: &[&str]) -> Output {
+        let file = self.path("job.toml");
+        fs::write(
+            &file,
+            job.replace("FOLDER", &self.run_folder().display().to_string()),
+        )
+        .unwrap();
+        tomolith(&file, more)
+    }
+}
+
+fn tomolith(job: &Path, more: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tomolith"))
+        .arg("run")
+        .arg(job)
+        .args(more)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn every_slip_is_named_with_key_line_and_what_is_accepted() {
+    let bench = Bench::new();
+    let before = bench.earlier();
+    for (from, to, mark, parts) in WRONG {
+        assert!(JOB.contains(from), "{from:?} is not in the job");
+        let job = JOB.replacen(from, to, 1);
+        let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
+        let output = bench.tomolith(&job, &[]);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{to:?}: {message}");
+        let place = format!("job.toml, line {line})");
+        for part in parts.iter().copied().chain([place.as_str()]) {
+            assert!(
+                flat(&message).contains(part),
+                "{to:?}: `{part}` is not in\n{message}"
+            );
+        }
+        assert_eq!(bench.earlier(), before, "{to:?} changed earlier outputs");
+    }
+}
+
+/// A message without the line breaks and the frame of its display.
+fn flat(message: &str) -> String {
+    let words = message.split_whitespace().filter(|word| *word != "│");
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// The message of a job that must be refused: exit code 2, earlier outputs as they were, and all of `parts` in it.
+fn refused(bench: &Bench, job: &str, parts: &[&str]) {
+    let before = bench.earlier();
+    let output = bench.tomolith(job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in parts {
+        assert!(
+            flat(&message).contains(part),
+            "`{part}` is not in\n{message}"
+        );
+    }
+    assert_eq!(bench.earlier(), before, "{parts:?} changed earlier outputs");
+}

@@ -1,0 +1,261 @@
+//! Targets that cannot be printed, and what is asked of them that they cannot have.
+
+use super::*;
+
+/// An STL box between two corners.
+fn stl_box([low, high]: [[f64; 3]; 2]) -> String {
+    const FACES: [[usize; 4]; 6] = [
+        [0, 1, 3, 2],
+        [4, 6, 7, 5],
+        [0, 4, 5, 1],
+        [2, 3, 7, 6],
+        [0, 2, 6, 4],
+        [1, 5, 7, 3],
+    ];
+    let corner = |i: usize| {
+        let [x, y, z] = [i >> 2, i >> 1, i].map(|bit| bit & 1);
+        let pick = |axis: usize, upper: usize| [low, high][upper][axis];
+        format!("vertex {} {} {}\n", pick(0, x), pick(1, y), pick(2, z))
+    };
+    FACES
+        .iter()
+        .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
+        .map(|points| {
+            let points: String = points.map(|i| corner(*i)).concat();
+            format!("facet normal 0 0 0\nouter loop\n{points}endloop\nendfacet\n")
+        })
+        .collect()
+}
+
+#[test]
+fn bodies_that_contradict_each_other_are_refused() {
+    let bench = Bench::new();
+    let solid = |name: &str, boxes: &[[[f64; 3]; 2]]| {
+        let facets: String = boxes.iter().copied().map(stl_box).collect();
+        fs::write(bench.path(name), format!("solid a\n{facets}endsolid a\n")).unwrap();
+    };
+    let (first, overlapping) = (
+        [[0.0, 0.0, 0.0], [2.0, 2.0, 1.0]],
+        [[1.0, 1.0, 0.0], [3.0, 2.0, 1.0]],
+    );
+    solid("a.stl", &[first]);
+    solid("b.stl", &[overlapping]);
+    solid("two.stl", &[first, [[3.0, 0.0, 0.0], [4.0, 1.0, 1.0]]]);
+    let job = |bodies: &str| JOB.replace("phantom = \"gear\"\nsize_mm = 2.0", bodies);
+    let keep_dark = "role = \"keep-dark\"";
+    refused(
+        &bench,
+        &job(&format!(
+            "size_mm = 2.0\n[[target.body]]\nmesh = \"a.stl\"\n[[target.body]]\nmesh = \"b.stl\"\n{keep_dark}"
+        )),
+        &[
+            "target.body[1]: this body (keep-dark) and body[0] (print) share",
+            "a printed body that overlaps no insert and no keep-dark body",
+            "job.toml, line 5)",
+        ],
+    );
+    for (components, line, parts) in [
+        (
+            ["[1]", "[3]"],
+            7,
+            ["target.body[1].components: component 3", "2 components"],
+        ),
+        (
+            ["[1]", "[1]"],
+            7,
+            ["component 1, which body[0] has too", "2 components"],
+        ),
+        (
+            ["[1]", "[]"],
+            7,
+            ["no body has component 2", "1.0000 about"],
+        ),
+    ] {
+        let [a, b] = components;
+        let bodies = format!(
+            "mesh = \"two.stl\"\nsize_mm = 2.0\n[[target.body]]\ncomponents = {a}\n[[target.body]]\ncomponents = {b}\n{keep_dark}"
+        );
+        let place = format!("job.toml, line {line})");
+        refused(&bench, &job(&bodies), &[parts[0], parts[1], &place]);
+    }
+}
+
+#[test]
+fn images_of_different_sizes_are_no_stack() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("slices")).unwrap();
+    for (i, width) in [8u32, 8, 9].into_iter().enumerate() {
+        let file = fs::File::create(bench.path(&format!("slices/{i}.png"))).unwrap();
+        let mut encoder = png::Encoder::new(file, width, 8);
+        encoder.set_color(png::ColorType::Grayscale);
+        let pixels = vec![255; width as usize * 8];
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&pixels).unwrap();
+    }
+    let job = JOB.replace("phantom = \"gear\"", "stack = \"slices\"\nheight_mm = 0.5");
+    refused(
+        &bench,
+        &job,
+        &[
+            "target.stack: ",
+            "2.png: slice 3 has 9 × 8 pixels, the first one",
+            "images of one size",
+            "job.toml, line 2)",
+        ],
+    );
+}
+
+#[test]
+fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
+    let bench = Bench::new();
+    let job = JOB
+        .replace(
+            "[objective.threshold]",
+            "[optimizer.osmo]\n[objective.osmo]",
+        )
+        .replace("lower = 0.85\nupper = 0.95", "d_l = 0.0\nd_h = 0.02")
+        .replace("iterations = 2", "iterations = 30");
+    let output = bench.tomolith(&job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "optimizer: normalising by the largest dose, but the dose became zero everywhere",
+        "accepted: thresholds nearer to 1",
+        "job.toml, line ",
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    assert!(bench.run_folder().join("checkpoint/patterns.npz").exists());
+    let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
+    assert_eq!(report, "{\"earlier\": true}");
+}
+
+#[test]
+fn meshes_that_cannot_be_printed_are_refused() {
+    let bench = Bench::new();
+    let before = bench.earlier();
+    let facet = |points: [[f32; 3]; 3]| {
+        let vertices: String = points
+            .iter()
+            .map(|[x, y, z]| format!("vertex {x} {y} {z}\n"))
+            .collect();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let flat_sheet = format!(
+        "solid a\n{}{}endsolid a\n",
+        facet([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
+        facet([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+    );
+    let mut truncated = vec![0u8; 80];
+    truncated.extend(1000u32.to_le_bytes());
+    truncated.extend([0u8; 70]);
+    for (name, content) in [
+        ("missing.stl", None),
+        ("empty.stl", Some(Vec::new())),
+        ("truncated.stl", Some(truncated)),
+        ("flat.stl", Some(flat_sheet.into_bytes())),
+        ("none.stl", Some(b"solid a\nendsolid a\n".to_vec())),
+    ] {
+        if let Some(content) = content {
+            fs::write(bench.path(name), content).unwrap();
+        }
+        let output = bench.tomolith(
+            &JOB.replace("phantom = \"gear\"", &format!("mesh = \"{name}\"")),
+            &[],
+        );
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{name}: {message}");
+        assert!(flat(&message).contains(name), "{name} is not in\n{message}");
+        assert_eq!(bench.earlier(), before, "{name} changed earlier outputs");
+    }
+}
+
+#[test]
+fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() {
+    let bench = Bench::new();
+    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
+    let phantom = "phantom = \"gear\"";
+    let grey = JOB.replace(
+        phantom,
+        &format!("image = \"{}\"\nheight_mm = 0.5", image.display()),
+    );
+    let line = 1 + grey[..grey.find("[objective").unwrap()]
+        .matches('\n')
+        .count();
+    let output = bench.tomolith(&grey, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "objective.threshold: ",
+        "the target is grey",
+        "l2, l1, dose_matching and bclp",
+        &format!("job.toml, line {line})"),
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    let default = grey.replace("[objective.threshold]\nlower = 0.85\nupper = 0.95\n", "");
+    let output = bench.tomolith(&default, &["--quiet"]);
+    assert_eq!(output.status.code(), Some(0));
+    let resolved = fs::read_to_string(bench.run_folder().join("job.toml")).unwrap();
+    assert!(resolved.contains("[objective.l2]"), "{resolved}");
+}
+
+/// A job whose target is a grey image.
+fn grey_job() -> String {
+    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
+    JOB.replace(
+        "phantom = \"gear\"",
+        &format!("image = \"{}\"\nheight_mm = 0.5", image.display()),
+    )
+    .replace(
+        "threshold]\nlower = 0.85\nupper = 0.95",
+        "bclp]\nepsilon = 0.05",
+    )
+}
+
+#[test]
+fn goals_of_part_and_void_are_refused_for_grey_values() {
+    let bench = Bench::new();
+    let grey = grey_job();
+    for (from, to, mark, parts) in [
+        (
+            "iterations = 2",
+            "iou = 0.9",
+            "iou",
+            ["stop.iou: counts part and void", "stop.loss"],
+        ),
+        (
+            "[stop]",
+            "[evaluate]\nrequire_iou = 0.9\n[stop]",
+            "require_iou",
+            ["evaluate.require_iou: counts", "evaluate.require_in_band"],
+        ),
+    ] {
+        let job = grey.replace(from, to);
+        let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
+        let place = format!("job.toml, line {line})");
+        refused(&bench, &job, &[parts[0], parts[1], &place]);
+    }
+    // What the start asks for is known with the voxels only: the brightest rings are above 0.7
+    let job = grey.replace(
+        "epsilon = 0.05",
+        "epsilon = 0.35\n[response.logistic]\nupper = 0.7",
+    );
+    let output = bench.tomolith(&job, &[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in [
+        "response: the start asks for the dose",
+        "from 0 to 0.7",
+        "job.toml, line 25)",
+    ] {
+        assert!(flat(&message).contains(part), "{part}: {message}");
+    }
+    let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
+    assert_eq!(report, "{\"earlier\": true}");
+    for (asked, code) in [("1.0", 1), ("0.0", 0)] {
+        let option = format!("evaluate.require_in_band={asked}");
+        let output = bench.tomolith(&grey, &["--set", &option]);
+        assert_eq!(output.status.code(), Some(code), "{asked}");
+    }
+}
