@@ -154,7 +154,9 @@ pub(crate) fn volume(
         fista("L2N", "l2n", json!({})),
     ];
     for method in methods {
-        if only.is_some_and(|only| !method.name.starts_with(only)) {
+        // OSP is not OSPW
+        let stem = method.name.split([' ', '(']).next();
+        if only.is_some_and(|only| ![Some(method.name.as_str()), stem].contains(&Some(only))) {
             continue;
         }
         let start = if method.optimizer == "osmo" {
