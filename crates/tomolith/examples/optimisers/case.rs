@@ -93,6 +93,7 @@ impl Case {
             vial: &vial,
             optics: &[Optics::collimated(light.pixels.pitch_mm[0])],
             solid: None,
+            asked_often: true,
         };
         let plan = planner::plan(
             &Choice::default(),

@@ -120,6 +120,7 @@ impl Optics {
             vial: self.vial.as_ref(),
             optics: &self.paths,
             solid: None,
+            asked_often: false,
         }
     }
 

@@ -28,6 +28,7 @@ mod optimise;
 pub mod outcome;
 pub mod page;
 pub mod progress;
+mod rates;
 pub mod read;
 pub mod resources;
 mod scene;

@@ -122,8 +122,9 @@ impl Scene {
             spec.evaluate.refine,
             memory,
         );
+        let setup = optimising(&optics, &shape, has_cells);
         let extent = Extent {
-            keeps_walks: plain.keeps_walks || has_cells,
+            keeps_walks: setup.keeps_walks(&optics.model, &optics.lights, &grid),
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
@@ -240,10 +241,7 @@ impl Scene {
 
     /// What light passes in the optimisation, and the surface where an objective has cells.
     pub(crate) fn setup(&self) -> Setup<'_> {
-        Setup {
-            solid: self.has_cells.then_some(&self.shape),
-            ..self.optics.setup()
-        }
+        optimising(&self.optics, &self.shape, self.has_cells)
     }
 
     /// The target on a grid.
@@ -784,6 +782,15 @@ fn set_quasi_newton_memory(section: &mut Value, memory: usize) {
         .and_then(|map| map.values_mut().next())
     {
         parameters.insert("memory".to_owned(), memory.into());
+    }
+}
+
+/// What light passes in an optimisation for a shape.
+fn optimising<'a>(optics: &'a Optics, shape: &'a Arc<dyn Shape>, has_cells: bool) -> Setup<'a> {
+    Setup {
+        solid: has_cells.then_some(shape),
+        asked_often: true,
+        ..optics.setup()
     }
 }
 

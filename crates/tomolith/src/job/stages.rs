@@ -1,12 +1,13 @@
 //! The stages of a run: target → voxels → patterns → judgement → files.
 
 use super::device::{self, Written};
-use super::estimate::{self, Work};
+use super::estimate::Work;
 use super::folder::RunFolder;
 use super::judge::judge;
 use super::optimise::{keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
+use super::rates;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
 use super::write::{self, Done};
@@ -190,7 +191,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
             .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
             .map_err(|e| job.locate(e))?,
     );
-    let rates = estimate::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
+    let rates = rates::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
     let work = Work {
         extent: &scene.extent,
         iterations: scene.spec.stop.iterations,
@@ -222,7 +223,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
         seconds: cost.optimisation_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,
         optimisation_s: cost.optimisation_s,
-        updates_per_s: 1.0 / rates.dose.per_update_s,
+        updates_per_s: 1.0 / rates.calls.dose.per_update_s,
         notes: scene.notes.clone(),
         warnings,
     })

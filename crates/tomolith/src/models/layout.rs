@@ -294,11 +294,18 @@ impl PatternLayout {
     /// Elements of the pattern field that belong to some of its frames.
     #[must_use]
     pub fn elements_of(&self, frames: Range<usize>) -> Range<usize> {
-        let begin = |frame: usize| {
-            let run = self.runs.get(frame * self.grid.columns);
+        let columns = self.grid.columns;
+        self.elements_of_columns(frames.start * columns..frames.end * columns)
+    }
+
+    /// Elements of the pattern field that belong to some of its columns, counted through all frames.
+    #[must_use]
+    pub fn elements_of_columns(&self, columns: Range<usize>) -> Range<usize> {
+        let begin = |column: usize| {
+            let run = self.runs.get(column);
             run.map_or(self.offset + self.len, |run| run.offset)
         };
-        begin(frames.start)..begin(frames.end)
+        begin(columns.start)..begin(columns.end)
     }
 
     /// Number of active pixels.

@@ -83,11 +83,15 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn of(matrix: &Csr, offset_of: impl Fn(u32) -> u32) -> Self {
+    pub(super) fn of(matrix: Csr, offset_of: impl Fn(u32) -> u32) -> Self {
+        let mut offsets = matrix.indices;
+        for offset in &mut offsets {
+            *offset = offset_of(*offset);
+        }
         Rows {
-            starts: matrix.starts.clone(),
-            offsets: matrix.indices.iter().map(|&i| offset_of(i)).collect(),
-            values: matrix.values.clone(),
+            starts: matrix.starts,
+            offsets,
+            values: matrix.values,
         }
     }
 
@@ -183,8 +187,8 @@ impl MatrixModel {
             outputs: vec![places.output.clone()],
             depth: places.depth,
             updates: places.updates(&ordered),
-            adjoint: Rows::of(&ordered.transposed(), |rank| places.dose_offset(rank)),
-            forward: Rows::of(&ordered, |rank| rank * depth),
+            adjoint: Rows::of(ordered.transposed(), |rank| places.dose_offset(rank)),
+            forward: Rows::of(ordered, |rank| rank * depth),
         }
     }
 

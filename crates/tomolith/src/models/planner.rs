@@ -44,6 +44,8 @@ pub struct Setup<'a> {
     pub optics: &'a [Optics],
     /// The shape whose surface cuts voxels into cells; None: whole voxels.
     pub solid: Option<&'a Arc<dyn Shape>>,
+    /// Whether a dose is asked for again and again, as in an optimisation: walks of rays are then kept where they are few.
+    pub asked_often: bool,
 }
 
 /// How light becomes dose: what was asked for, or the cheapest that is exact.
@@ -61,6 +63,13 @@ enum Optical<'a> {
 }
 
 impl Setup<'_> {
+    /// Whether walks of rays are kept where they are few ([`Rays::keeping`]).
+    #[must_use]
+    pub fn keeps_walks(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> bool {
+        let way = || self.way(choice, lights, grid);
+        self.asked_often && matches!(way(), Ok(Way::Optical(Optical::Rays(_))))
+    }
+
     /// Refuses a model that does not cover these optics; to be called before any work.
     ///
     /// # Errors
@@ -344,7 +353,14 @@ fn optical(
     let rays = |params: &_| {
         let (vial, optics) = (setup.vial, setup.optics);
         Rays::new(vial, lights.clone(), optics, params, grid.clone())
-            .map(|model| boxed(model.keeping(), solid))
+            .map(|model| {
+                if setup.asked_often {
+                    model.keeping()
+                } else {
+                    model
+                }
+            })
+            .map(|model| boxed(model, solid))
     };
     let scatter = |params| {
         scatter::model(setup.vial, &lights, setup.optics, params, grid.clone())
@@ -412,6 +428,7 @@ mod tests {
             vial: &VIAL,
             optics,
             solid,
+            asked_often: true,
         };
         let [parallel, rays] = [
             Choice::Parallel(crate::models::parallel::Params::default()),
@@ -465,6 +482,7 @@ mod tests {
                 vial: &VIAL,
                 optics: &optics,
                 solid: None,
+                asked_often: true,
             };
             let lights = vec![light];
             let wanted = Some(&wanted);
@@ -506,6 +524,7 @@ mod tests {
             vial: &VIAL,
             optics: &optics,
             solid: Some(&ball),
+            asked_often: true,
         };
         let nothing = Volume::filled(grid.clone(), 0u8);
         let any = Choice::Cheapest;

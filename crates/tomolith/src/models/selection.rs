@@ -247,6 +247,7 @@ mod tests {
                 vial: &VIAL,
                 optics: &optics,
                 solid: None,
+                asked_often: true,
             };
             let planned = |light: Light| {
                 let (lights, grid) = (vec![light], grid.clone());
@@ -309,6 +310,7 @@ mod tests {
             vial: &VIAL,
             optics: &optics,
             solid: None,
+            asked_often: true,
         };
         let mut light = light();
         light.selection.masks = vec![mask()];

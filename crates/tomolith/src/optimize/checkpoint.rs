@@ -177,11 +177,16 @@ impl Checkpoints {
 
     /// Whether it is time for the next one, which would hold what is `saved`.
     pub(super) fn is_due<F: Field>(&self, saved: &Saved<'_, F>) -> bool {
-        let expected = || Duration::from_secs_f64(self.bytes(saved) as f64 / RATE);
-        let wait = self.every.unwrap_or_else(|| {
+        self.last.elapsed() >= self.wait(self.bytes(saved))
+    }
+
+    /// Time between two checkpoints of so many bytes: as asked, else 50 times what the last one took, or is expected to take,
+    /// and 10 s at least.
+    fn wait(&self, bytes: usize) -> Duration {
+        let expected = || Duration::from_secs_f64(bytes as f64 / RATE);
+        (self.every).unwrap_or_else(|| {
             (self.cost.unwrap_or_else(expected) * 50).max(Duration::from_secs(10))
-        });
-        self.last.elapsed() >= wait
+        })
     }
 
     /// Size of the arrays.
@@ -494,6 +499,25 @@ mod tests {
         assert!(read("every_s = \"often\"").is_err() && read("every_s = true").is_err());
         let written = toml::to_string(&Params::default()).unwrap();
         assert!(written.contains("every_s = \"auto\""), "{written}");
+    }
+
+    #[test]
+    fn the_first_checkpoint_waits_as_its_bytes_say_and_later_ones_as_it_took() {
+        let with = |every_s| {
+            let params = Params {
+                every_s,
+                ..Params::default()
+            };
+            Checkpoints::new("nowhere", 0, &params).unwrap()
+        };
+        // 50 times 600 MB at 300 MB/s; ten seconds at least
+        let mut auto = with(None);
+        assert_eq!(auto.wait(600_000_000), Duration::from_secs(100));
+        assert_eq!(auto.wait(1000), Duration::from_secs(10));
+        auto.cost = Some(Duration::from_secs(3));
+        assert_eq!(auto.wait(600_000_000), Duration::from_secs(150));
+        let asked = with(Some(2.5));
+        assert_eq!(asked.wait(600_000_000), Duration::from_millis(2500));
     }
 
     #[test]

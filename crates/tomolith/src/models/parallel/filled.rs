@@ -166,7 +166,7 @@ impl FilledTile {
 pub(super) struct NeededEntries {
     /// Of each run: bits that all, and that any of its voxels have.
     bits: Vec<[u64; 2]>,
-    kept: Kept,
+    chosen: Chosen,
 }
 
 impl NeededEntries {
@@ -193,7 +193,7 @@ impl NeededEntries {
             return Some(entries);
         }
         Some(
-            self.kept
+            self.chosen
                 .of(entries, |voxel| filled.any_in(voxel as usize, block)),
         )
     }
@@ -201,12 +201,12 @@ impl NeededEntries {
 
 /// Some of a list of entries.
 #[derive(Default)]
-pub(super) struct Kept {
+pub(super) struct Chosen {
     slots: Vec<u32>,
     weights: Vec<f32>,
 }
 
-impl Kept {
+impl Chosen {
     /// Those whose slot `keep` wants.
     pub(super) fn of(&mut self, entries: Entries, keep: impl Fn(u32) -> bool) -> Entries<'_> {
         let len = entries.slots.len();

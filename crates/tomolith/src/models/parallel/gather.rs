@@ -1,7 +1,7 @@
 //! The dose of a tile: what a group of views brings to its voxels, gathered voxel by voxel.
 
 use super::chains::{Avx512, Chain, GUARD, Taps};
-use super::filled::{Filled, Kept};
+use super::filled::{Chosen, Filled};
 use super::kernel::{Entries, accumulate};
 use super::plan::{KernelPath, LightPlan};
 use super::strips::Major;
@@ -109,7 +109,7 @@ struct Sorter {
     /// First entry of each voxel.
     starts: Vec<u32>,
     /// Entries that are lit in the block at hand.
-    kept: Kept,
+    chosen: Chosen,
 }
 
 impl Sorter {
@@ -182,7 +182,7 @@ impl Sorter {
                     weights: &self.weights[own],
                 };
                 if dark > 0 {
-                    entries = self.kept.of(entries, is_lit);
+                    entries = self.chosen.of(entries, is_lit);
                 }
                 if !entries.slots.is_empty() {
                     let out = &mut voxel[block.first * LANES..][..block.count * LANES];

@@ -6,7 +6,7 @@
 //! of the uninterrupted one.
 //!
 //! # Cost
-//! 16 bytes an entry, 540 MB at most. What is walked before it is known to be too much costs some seconds at most.
+//! 16 bytes an entry, while they are made and after, 540 MB at most. What is walked before it is known to be too much costs some seconds at most.
 
 use super::segment::Segment;
 use super::walk::{self, Ways};
@@ -24,6 +24,9 @@ pub(crate) const MOST: usize = 1 << 25;
 /// Bytes of an entry, by place and by pixel.
 pub(crate) const BYTES: usize = 16;
 
+/// Pixels that are walked at a time.
+const BLOCK: usize = 64;
+
 /// What one pixel leaves in one place: (place, pixel, energy per voxel volume). Places are voxels, those inside a solid behind
 /// all others.
 type Entry = (u32, u32, f32);
@@ -39,7 +42,13 @@ pub(super) struct Kept {
 impl Kept {
     /// The walks of all rays of a model; None when they have more than `most` entries, or seem to have twice as many.
     pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
-        let mut entries = Vec::new();
+        let places = model.outputs[0].voxels() * (1 + usize::from(model.solid.is_some()));
+        let pixels: usize = model.patterns.iter().map(PatternLayout::len).sum();
+        let mut by_pixel = Csr {
+            columns: places,
+            starts: vec![0; pixels + 1],
+            ..Csr::default()
+        };
         for (light, layout) in model.patterns.iter().enumerate() {
             let chunks = model.chunks(light, 0..layout.grid.frames());
             let count = chunks.len();
@@ -47,22 +56,33 @@ impl Kept {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
-                let lit = model.bundles(light, pairs, |_| true);
-                entries.extend(merged(model.entries(&lit)));
+                let lit = model.bundles(light, pairs.clone(), |_| true);
+                // A chunk has all rays of its pixels, and later ones have later pixels
+                for (place, pixel, deposit) in
+                    model.entries(&lit, layout.elements_of_columns(pairs))
+                {
+                    by_pixel.starts[pixel as usize + 1] += 1;
+                    by_pixel.indices.push(place);
+                    by_pixel.values.push(deposit);
+                }
+                let found = by_pixel.entries();
                 // The first chunk tells of the others
-                if entries.len() > most || i == 0 && entries.len() * count > 2 * most {
+                if found > most || i == 0 && found * count > 2 * most {
                     return Ok(None);
                 }
             }
         }
-        let pixels = model.patterns.iter().map(PatternLayout::len).sum();
-        let places = model.outputs[0].voxels() * (1 + usize::from(model.solid.is_some()));
-        let by_place = Csr::from_entries(places, pixels, &entries);
-        drop(entries);
+        let mut end = 0;
+        for start in &mut by_pixel.starts {
+            end += *start;
+            *start = end;
+        }
+        by_pixel.indices.shrink_to_fit();
+        by_pixel.values.shrink_to_fit();
         Ok(Some(Kept {
-            updates: by_place.entries() as u64,
-            pixels: Rows::of(&by_place.transposed(), |place| place),
-            places: Rows::of(&by_place, |pixel| pixel),
+            updates: by_pixel.entries() as u64,
+            places: Rows::of(by_pixel.transposed(), |pixel| pixel),
+            pixels: Rows::of(by_pixel, |place| place),
         }))
     }
 
@@ -96,45 +116,63 @@ impl Kept {
 }
 
 impl Rays {
-    /// What segments leave, piece by piece.
-    fn entries(&self, lit: &Lit) -> Vec<Entry> {
+    /// What the rays of some pixels leave, in the order of pixels and places; `lit` has all segments of these.
+    fn entries(&self, lit: &Lit, pixels: Range<usize>) -> impl Iterator<Item = Entry> {
         let inside = self.outputs[0].voxels() as u32;
-        let mut all = Vec::new();
-        for (bundles, first) in [(&lit.straight, 0), (&lit.inside, inside)] {
-            for (axis, segments) in bundles.iter().enumerate() {
+        let bundles: Vec<(Ways, &[Segment], u32)> = [(&lit.straight, 0), (&lit.inside, inside)]
+            .into_iter()
+            .flat_map(|(bundles, first)| (0..3).map(move |axis| (axis, &bundles[axis], first)))
+            .map(|(axis, segments, first)| {
                 let ways = Ways::new(&self.lattice, axis);
-                let of_segment = |found: &mut Vec<Entry>, segment: &Segment| {
-                    walk::for_each(self.gait, ways, segment, |voxel, deposit| {
-                        found.push((first + voxel as u32, segment.pixel, deposit));
-                    });
-                };
-                // In the order of the segments, whatever the threads
-                let found: Vec<Vec<Entry>> = segments
-                    .par_chunks(1024)
-                    .map(|segments| {
-                        let mut found = Vec::new();
-                        segments
-                            .iter()
-                            .for_each(|segment| of_segment(&mut found, segment));
-                        found
-                    })
-                    .collect();
-                all.extend(found.into_iter().flatten());
+                (ways, segments.as_slice(), first)
+            })
+            .collect();
+        let of_block = |begin: usize| {
+            let end = pixels.end.min(begin + BLOCK);
+            // Segments come in the order of pixels
+            let before = |segments: &[Segment], pixel: usize| {
+                segments.partition_point(|segment| (segment.pixel as usize) < pixel)
+            };
+            let mut left: Vec<&[Segment]> = (bundles.iter())
+                .map(|(_, segments, _)| &segments[before(segments, begin)..])
+                .collect();
+            let (mut all, mut found) = (Vec::new(), Vec::new());
+            for pixel in begin..end {
+                found.clear();
+                for ((ways, _, first), left) in bundles.iter().zip(&mut left) {
+                    let own = left.iter().take_while(|s| s.pixel as usize == pixel);
+                    let count = own.count();
+                    for segment in &left[..count] {
+                        walk::for_each(self.gait, *ways, segment, |voxel, deposit| {
+                            found.push((first + voxel as u32, deposit));
+                        });
+                    }
+                    *left = &left[count..];
+                }
+                add_up(&mut found);
+                all.extend(found.iter().map(|&(place, sum)| (place, pixel as u32, sum)));
             }
-        }
-        all
+            all
+        };
+        let blocks: Vec<Vec<Entry>> = pixels
+            .clone()
+            .into_par_iter()
+            .step_by(BLOCK)
+            .map(of_block)
+            .collect();
+        blocks.into_iter().flatten()
     }
 }
 
-/// Sorted by pixel and place, with what belongs together added up in the order given.
-fn merged(mut entries: Vec<Entry>) -> Vec<Entry> {
-    entries.par_sort_by_key(|&(place, pixel, _)| (pixel, place));
-    entries.dedup_by(|next, sum| {
-        let same = (next.0, next.1) == (sum.0, sum.1);
+/// Sorts by place, and makes one of those at one place.
+fn add_up(found: &mut Vec<(u32, f32)>) {
+    // Not stable, but the same for the same rays
+    found.sort_unstable_by_key(|&(place, _)| place);
+    found.dedup_by(|next, sum| {
+        let same = next.0 == sum.0;
         if same {
-            sum.2 += next.2;
+            sum.1 += next.1;
         }
         same
     });
-    entries
 }

@@ -176,7 +176,7 @@ fn fits(ways: Ways, len: usize) -> bool {
 
 /// (1 − e^(−x))/x for |x| ≤ 0.5, to 1e-8.
 fn phi(x: f32) -> f32 {
-    PHI.iter().fold(0.0, |sum, &c| sum.mul_add(x, c))
+    PHI.iter().fold(0.0, |sum, &c| sum * x + c)
 }
 
 /// Coefficients of φ's series, (−1)^n/(n + 1)!, highest first.
@@ -207,7 +207,7 @@ fn plain(ways: Ways, slab: usize, segment: &Segment, mut visit: impl FnMut(usize
         if end <= begin {
             continue;
         }
-        let along = |i: usize, a: f32| segment.slope[i].mul_add(a, segment.offset[i]).floor();
+        let along = |i: usize, a: f32| (segment.slope[i] * a + segment.offset[i]).floor();
         let cells: [[f32; 2]; 2] = std::array::from_fn(|i| [along(i, begin), along(i, end)]);
         // Where the faces of b and c are crossed; at the end when they are not
         let crossing: [f32; 2] = std::array::from_fn(|i| {

@@ -1,0 +1,403 @@
+//! How fast this machine is with a job, measured: as busy as it is, before any work.
+//!
+//! The model that the optimiser asks and the one that judges are made for few of the job's frames, and for some more: the line
+//! through both tells what a call costs at any size from what grows with it. The optimiser's adjoint is asked for what
+//! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
+//! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two thinned copies of
+//! the target.
+//!
+//! # Cost
+//! Some seconds; memory below what the run needs.
+
+use super::scene::{Scene, Voxels};
+use crate::error::Result;
+use crate::field::{Field, HostField};
+use crate::grid::{Volume, VolumeGrid};
+use crate::metrics::evaluate;
+use crate::metrics::print::Print;
+use crate::models::layout::PatternLayout;
+use crate::models::parallel::Light;
+use crate::models::planner::{self, Plan, Setup};
+use crate::models::rays::kept;
+use crate::models::selection::Selection;
+use crate::models::{Choice, DoseModel, Run};
+use crate::objective::Objective;
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// Updates of the calls that are timed, about; and neighbouring frames, as many as the kernel does at once: they share what
+/// they light.
+const TRIAL_UPDATES: usize = 50_000_000;
+const TRIAL_FRAMES: usize = 8;
+/// Groups of neighbouring frames at least: one and the opposite one.
+const TRIAL_GROUPS: usize = 2;
+/// How many times more frames the second of the timed calls has.
+const MORE_FRAMES: usize = 4;
+/// Voxels along the longest edge of the thinned copies whose metrics are timed.
+const TRIAL_EDGES: [usize; 2] = [80, 160];
+/// What the dose that the adjoint is timed with has of the wanted one, and what it has everywhere.
+const GOOD: [f32; 2] = [0.99, 0.005];
+
+/// How fast this machine is with this job.
+#[derive(Clone, Debug)]
+pub(crate) struct Rates {
+    /// Which model.
+    pub(crate) model: String,
+    /// Calls of the optimisation's model.
+    pub(crate) calls: CallRates,
+    /// Calls of the model that judges, on the same voxels.
+    pub(crate) judging: CallRates,
+    /// One pass of the objective, s.
+    pub(crate) objective_s: f64,
+    /// One step of a pattern vector, s per pixel.
+    pub(crate) vector_s: f64,
+    /// Sampling the target, s per voxel.
+    pub(crate) sampling_s: f64,
+    /// Measuring a print, above all the distances of surfaces, s per voxel.
+    pub(crate) measuring_s: f64,
+}
+
+/// How fast a model is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallRates {
+    /// Updates of one dose call per frame: what masks leave.
+    pub(crate) updates_per_frame: f64,
+    /// Making the model, pixels chosen.
+    pub(crate) making: CallRate,
+    /// What the first call takes beyond others: walks that are kept.
+    pub(crate) first: CallRate,
+    /// Dose calls.
+    pub(crate) dose: CallRate,
+    /// Adjoint calls.
+    pub(crate) adjoint: CallRate,
+}
+
+/// What a call costs, by its updates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallRate {
+    /// With any number of frames, s.
+    pub(crate) begin_s: f64,
+    /// Beside that, s per update.
+    pub(crate) per_update_s: f64,
+}
+
+impl CallRate {
+    /// From two calls (updates, seconds): the line through both. Where the second is not larger or did not take longer, all
+    /// is put on its size.
+    fn through([few, more]: [(f64, f64); 2]) -> Self {
+        let per_update_s = (more.1 - few.1) / (more.0 - few.0);
+        let begin_s = few.1 - per_update_s * few.0;
+        if more.0 > few.0 && per_update_s > 0.0 && begin_s >= 0.0 {
+            return CallRate {
+                begin_s,
+                per_update_s,
+            };
+        }
+        CallRate {
+            begin_s: 0.0,
+            per_update_s: more.1 / more.0.max(1.0),
+        }
+    }
+
+    pub(super) fn seconds(&self, updates: f64) -> f64 {
+        self.begin_s + updates * self.per_update_s
+    }
+}
+
+/// Measures the rates of this machine with a job's own optics, grid, objective and target; `sampling_s` is how long
+/// the target's voxels took.
+///
+/// # Errors
+/// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
+    let mut setup = scene.setup();
+    let (mut trials, mut plan) = by_optimiser(scene, setup, voxels, run)?;
+    let entries = trials[0].updates_per_frame() * scene.extent.frames as f64;
+    if scene.extent.keeps_walks && entries > kept::MOST as f64 {
+        // What few frames can keep is too much for all
+        setup.asked_often = false;
+        (trials, plan) = by_optimiser(scene, setup, voxels, run)?;
+    }
+    let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
+    drop(plan.model);
+    Ok(Rates {
+        calls: CallRates::of(&trials),
+        judging: CallRates::of(&by_judge(scene, &trials, run)?),
+        objective_s,
+        vector_s,
+        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
+        measuring_s: measuring(voxels)?,
+        model: plan.reason,
+    })
+}
+
+/// Calls of the optimiser's model with few frames and with some more, and the second of these models.
+fn by_optimiser(
+    scene: &Scene,
+    setup: Setup<'_>,
+    voxels: &Voxels,
+    run: &Run,
+) -> Result<([Calls; 2], Plan)> {
+    let choice = computed(&scene.optics.model);
+    let trial = |frames| -> Result<(Calls, Plan)> {
+        let (lights, grid) = (some_frames(scene, frames), scene.grid.clone());
+        let wanted = voxels.wanted();
+        let (making_s, plan) =
+            timed(|| planner::plan(&choice, setup, lights, grid, Some(&wanted), run));
+        let plan = plan?;
+        let cotangent = cotangent_of_a_good_dose(&plan, scene, voxels)?;
+        let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
+        Ok((calls, plan))
+    };
+    let frames = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
+        .max(1)
+        .next_multiple_of(TRIAL_GROUPS * TRIAL_FRAMES);
+    let (few, _) = trial(frames)?;
+    let (more, plan) = trial(frames * MORE_FRAMES)?;
+    Ok(([few, more], plan))
+}
+
+/// Calls of the model that judges, with the same pixels lit; random paths as many as the optimiser's.
+fn by_judge(scene: &Scene, [few, more]: &[Calls; 2], run: &Run) -> Result<[Calls; 2]> {
+    let choice = match scene.optics.model_for(1, &scene.grid) {
+        Choice::Scatter(_) => scene.optics.model.clone(),
+        other => computed(&other),
+    };
+    let trial = |calls: &Calls| -> Result<Calls> {
+        let mut lights = some_frames(scene, calls.asked);
+        for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
+            let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
+            (light.active, light.selection) = (Some(lit.collect()), Selection::default());
+        }
+        let (setup, grid) = (scene.optics.setup(), scene.grid.clone());
+        let (making_s, plan) = timed(|| planner::plan(&choice, setup, lights, grid, None, run));
+        Calls::of(&plan?, calls.asked, making_s, None, run)
+    };
+    Ok([trial(few)?, trial(more)?])
+}
+
+/// A matrix is known for its own pixels only: what the geometry would take stands for it.
+fn computed(choice: &Choice) -> Choice {
+    match choice {
+        Choice::Matrix(_) => Choice::default(),
+        other => other.clone(),
+    }
+}
+
+/// The job's lights with about so many of their frames.
+fn some_frames(scene: &Scene, frames: usize) -> Vec<Light> {
+    let mut lights = scene.optics.lights_turning(1);
+    for light in &mut lights {
+        let chosen = in_groups(light.pixels.frames(), frames);
+        let azimuths = &mut light.pixels.azimuths;
+        *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
+        light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
+    }
+    lights
+}
+
+/// About so many of `frames` frames: evenly spaced groups of neighbours.
+fn in_groups(frames: usize, wanted: usize) -> Vec<usize> {
+    if wanted >= frames {
+        return (0..frames).collect();
+    }
+    let groups = wanted.div_ceil(TRIAL_FRAMES);
+    let mut chosen: Vec<usize> = (0..groups)
+        .flat_map(|group| {
+            let first = group * frames / groups;
+            first..(first + TRIAL_FRAMES).min(frames)
+        })
+        .collect();
+    chosen.dedup();
+    chosen
+}
+
+/// What the calls of a model take.
+struct Calls {
+    /// Frames of a light that were asked for, and those of all lights that there are.
+    asked: usize,
+    frames: usize,
+    layouts: Vec<PatternLayout>,
+    updates: u64,
+    /// Making it, what the first dose takes beyond others, a dose, an adjoint (0 if none was asked for).
+    seconds: [f64; 4],
+}
+
+impl Calls {
+    fn of(
+        plan: &Plan,
+        asked: usize,
+        making_s: f64,
+        cotangent: Option<&HostField>,
+        run: &Run,
+    ) -> Result<Self> {
+        let model = plan.model.as_ref();
+        let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+        let mut gradient = x.zeros_like();
+        x.fill(1.0);
+        // Caches, threads and pages wake up, walks are kept
+        let (first, done) = timed(|| model.dose(&x, &mut dose, run));
+        done?;
+        // The better of two: what disturbs a clock makes it longer
+        let mut dose_s = f64::INFINITY;
+        for _ in 0..2 {
+            let (seconds, done) = timed(|| model.dose(&x, &mut dose, run));
+            done?;
+            dose_s = dose_s.min(seconds);
+        }
+        let mut adjoint_s: Option<f64> = None;
+        for cotangent in cotangent.iter().cycle().take(2) {
+            let (seconds, done) = timed(|| model.pullback(&x, cotangent, &mut gradient, run));
+            done?;
+            adjoint_s = Some(adjoint_s.map_or(seconds, |least| least.min(seconds)));
+        }
+        let first_s = (first - dose_s).max(0.0);
+        Ok(Calls {
+            asked,
+            frames: model.patterns().iter().map(|p| p.grid.frames()).sum(),
+            layouts: model.patterns().to_vec(),
+            updates: model.updates(),
+            seconds: [making_s, first_s, dose_s, adjoint_s.unwrap_or(0.0)],
+        })
+    }
+
+    fn updates_per_frame(&self) -> f64 {
+        self.updates as f64 / self.frames.max(1) as f64
+    }
+}
+
+impl CallRates {
+    /// From calls with few frames and with some more.
+    fn of(trials: &[Calls; 2]) -> Self {
+        let rate = |i: usize| {
+            let point = |calls: &Calls| (calls.updates as f64, calls.seconds[i]);
+            CallRate::through(trials.each_ref().map(point))
+        };
+        CallRates {
+            updates_per_frame: trials[0].updates_per_frame(),
+            making: rate(0),
+            first: rate(1),
+            dose: rate(2),
+            adjoint: rate(3),
+        }
+    }
+}
+
+/// Seconds of one pass of the objective, and of one step of a pattern vector per pixel.
+fn passes(
+    model: &dyn DoseModel<Field = HostField>,
+    scene: &Scene,
+    voxels: &Voxels,
+    run: &Run,
+) -> Result<(f64, f64)> {
+    let (mut x, mut dose, mut gradient) =
+        (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
+    x.fill(1.0);
+    let zeros = x.zeros_like();
+    let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
+    let objective = scene.objective(&model.outputs()[0], voxels)?;
+    model.dose(&x, &mut dose, run)?;
+    objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
+    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    Ok((objective_s, vector_s / x.len().max(1) as f64))
+}
+
+/// What the objective says of a dose that is nearly the wanted one.
+fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
+    let layout = &plan.model.outputs()[0];
+    let response = scene.response()?;
+    let wanted = Volume {
+        grid: layout.grid.clone(),
+        values: (voxels.target.inside.values.par_iter())
+            .map(|&inside| response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0))
+            .collect(),
+    };
+    let mut dose = plan.model.new_dose()?;
+    dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
+    let mut cotangent = plan.model.new_dose()?;
+    scene
+        .objective(layout, voxels)?
+        .value_and_gradient(&dose, &mut cotangent);
+    Ok(cotangent)
+}
+
+/// Seconds, and what came out.
+fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let result = work();
+    (start.elapsed().as_secs_f64().max(1e-7), result)
+}
+
+/// Seconds per voxel to measure a print, beside what measuring any print takes: from every n-th voxel of the target taken for
+/// its dose, so that surfaces are as long as a good print's, and as close to the part's.
+fn measuring(voxels: &Voxels) -> Result<f64> {
+    let longest = voxels.labels.grid.shape.iter().copied().max();
+    let mut found = [(0.0, 0.0); 2];
+    for (found, edge) in found.iter_mut().zip(TRIAL_EDGES) {
+        let step = longest.unwrap_or(1).div_ceil(edge);
+        let labels = thinned(&voxels.labels, step);
+        let inside = thinned(&voxels.target.inside, step);
+        let (seconds, measured) = timed(|| -> Result<_> {
+            let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
+            Ok(evaluate(&print))
+        });
+        drop(measured?);
+        *found = (labels.values.len() as f64, seconds);
+    }
+    Ok(CallRate::through(found).per_update_s)
+}
+
+/// Every `step`-th voxel along each axis.
+fn thinned<T: Copy>(volume: &Volume<T>, step: usize) -> Volume<T> {
+    let grid = VolumeGrid {
+        shape: volume.grid.shape.map(|n| n.div_ceil(step)),
+        pitch_mm: volume.grid.pitch_mm * step as f64,
+        center_mm: volume.grid.center_mm,
+    };
+    let [nz, ny, nx] = grid.shape;
+    let mut values = Vec::with_capacity(grid.len());
+    for z in 0..nz {
+        for y in 0..ny {
+            let row = &volume.values[volume.grid.index(z * step, y * step, 0)..];
+            values.extend((0..nx).map(|x| row[x * step]));
+        }
+    }
+    Volume { grid, values }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_measurements_tell_what_grows_from_what_does_not() {
+        let line = |measured| {
+            let rate = CallRate::through(measured);
+            (rate.begin_s, rate.per_update_s)
+        };
+        let (begin, slope) = line([(10.0, 3.0), (40.0, 6.0)]);
+        assert!((begin - 2.0).abs() < 1e-12 && (slope - 0.1).abs() < 1e-12);
+        // A job that is too small for two sizes, and a clock that was disturbed
+        assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
+        assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
+    }
+
+    #[test]
+    fn frames_of_a_trial_are_neighbours_all_around() {
+        assert_eq!(in_groups(5, 16), [0, 1, 2, 3, 4]);
+        let chosen = in_groups(400, 16);
+        let expected: Vec<usize> = (0..8).chain(200..208).collect();
+        assert_eq!(chosen, expected);
+        assert!(in_groups(17, 16).windows(2).all(|pair| pair[0] < pair[1]));
+    }
+
+    #[test]
+    fn a_thinned_copy_keeps_every_nth_voxel() {
+        let grid = VolumeGrid::centered([3, 2, 5], 0.1);
+        let values: Vec<u32> = (0..30).collect();
+        let thin = thinned(&Volume { grid, values }, 2);
+        assert_eq!(thin.grid.shape, [2, 1, 3]);
+        assert_eq!(thin.values, [0, 2, 4, 20, 22, 24]);
+        assert!((thin.grid.pitch_mm - 0.2).abs() < 1e-15);
+    }
+}
