@@ -23,8 +23,11 @@ const BYTES_PER_PIXEL: f64 = 10.0;
 const BYTES_PER_VOXEL_OF_FIELDS: f64 = 12.0;
 /// A level of a machine's canvas.
 const BYTES_PER_CANVAS_PIXEL: f64 = 2.0;
-/// What every run needs: the program, the report, one movie frame, …
-const BASE_MB: f64 = 20.0;
+/// What every run needs: the program, the report, one movie frame, …: 35 to 80 measured for the smallest jobs.
+const BASE_MB: f64 = 50.0;
+/// Bytes of the print's triangles and of the tree that measures distances, per face of a cube of as many voxels as are
+/// evaluated: 500 to 3000 measured.
+const BYTES_PER_FACE: f64 = 1000.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
 /// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
@@ -44,6 +47,8 @@ const MODELS: f64 = 4.0;
 const MEASURES_PER_FINE_VOXEL: f64 = 1.2;
 const MEASURES_PER_VOXEL: f64 = 2.4;
 const MEASURES_PER_PIXEL: f64 = 1.8;
+/// The same for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
+const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
 /// Passes over the dose of an iteration, the line search's included.
 const PASSES: f64 = 5.0;
 
@@ -135,6 +140,11 @@ impl Extent {
         (row_of(nz) * ny * nx) as f64
     }
 
+    /// Faces of one side of a cube of as many voxels as are evaluated.
+    fn faces(&self) -> f64 {
+        (self.grid.len() as f64 * self.refine.pow(3) as f64).powf(2.0 / 3.0)
+    }
+
     /// Bytes of the pixels brought to the voxels' heights, which the model keeps between calls.
     fn scratch(&self, factor: usize) -> f64 {
         (self.columns * row_of(self.grid.shape[0] * factor) * 4) as f64
@@ -155,7 +165,7 @@ impl Extent {
     pub(crate) fn evaluation(&self) -> [f64; 2] {
         let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
         [
-            self.lanes(self.refine) * BYTES_PER_FINE_VOXEL / 1e6,
+            (self.lanes(self.refine) * BYTES_PER_FINE_VOXEL + self.faces() * BYTES_PER_FACE) / 1e6,
             (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
         ]
     }
@@ -179,9 +189,8 @@ impl Extent {
     pub(crate) fn disk_mb(&self) -> u64 {
         let voxels = self.grid.len() as f64;
         let checkpoint = self.active_pixels as f64 * 4.0 * (2 * self.memory + VECTORS) as f64;
-        let fine = voxels * self.refine.pow(3) as f64;
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
-            + fine.powf(2.0 / 3.0) * BYTES_PER_FACE_ON_DISK
+            + self.faces() * BYTES_PER_FACE_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + (self.canvas * self.stacked) as f64
             + checkpoint;
@@ -218,15 +227,25 @@ pub(crate) struct Cost {
 }
 
 impl Work<'_> {
-    /// The evaluation's dose calls, in calls of the optimisation.
-    fn judging_calls(&self) -> f64 {
-        let refine = self.extent.refine as f64;
+    /// Dose calls of the evaluation.
+    fn judging_s(&self, rates: &Rates) -> f64 {
+        let refine = self.extent.refine;
+        let CallRates {
+            dose,
+            updates_per_frame,
+            ..
+        } = rates.judging;
+        let updates = updates_per_frame * self.extent.frames as f64;
         if self.random_paths {
             // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
             // standing and turning
-            return JUDGING as f64 * (4.0 + 2.0 * refine);
+            return JUDGING as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
         }
-        refine.powi(3) * (1.0 + self.sub_angles[1] as f64)
+        // Raw and written on the job's voxels, standing and turning on finer ones
+        let [own, turning] = self.sub_angles.map(|n| n as f64);
+        let tried = self.extent.lanes(rates.judging_refine);
+        let calls = 2.0 * own * self.extent.lanes(1) + (1.0 + turning) * self.extent.lanes(refine);
+        4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
 
     /// Rates times work.
@@ -238,7 +257,7 @@ impl Work<'_> {
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
         let frames = extent.frames as f64;
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
-        let [judge_s, _, judging_s, _] = seconds(&rates.judging, frames);
+        let [judge_s, ..] = seconds(&rates.judging, frames);
         let vectors = extent.active_pixels as f64 * rates.vector_s;
         let step_s = own * (dose_s + adjoint_s)
             + PASSES * rates.objective_s
@@ -248,11 +267,12 @@ impl Work<'_> {
             + first_s
             + model_s;
         let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
-            + extent.pixels as f64 * MEASURES_PER_PIXEL;
+            + extent.pixels as f64 * MEASURES_PER_PIXEL
+            + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
         Cost {
             optimisation_s,
             rest_s: MODELS * judge_s
-                + self.judging_calls() * judging_s
+                + self.judging_s(rates)
                 + measures * rates.measuring_s
                 + voxels * (finer + 1.0) * rates.sampling_s,
         }
@@ -307,6 +327,7 @@ mod tests {
                 dose: rate(1.0, 1e-3),
                 adjoint: rate(7.0, 7.0),
             },
+            judging_refine: 1,
             objective_s: 0.01,
             vector_s: 1e-5,
             sampling_s: 1e-3,
@@ -376,7 +397,7 @@ mod tests {
         let scratch = 600.0 * row_of(10) as f64 * 4.0;
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
-        assert_eq!(whole_mb([300.0, 4.5]), 324);
+        assert_eq!(whole_mb([300.0, 4.5]), 354);
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
             keeps_walks: true,

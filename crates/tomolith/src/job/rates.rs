@@ -3,8 +3,8 @@
 //! The model that the optimiser asks and the one that judges are made for few of the job's frames, and for some more: the line
 //! through both tells what a call costs at any size from what grows with it. The optimiser's adjoint is asked for what
 //! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
-//! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two thinned copies of
-//! the target.
+//! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two copies of the
+//! target.
 //!
 //! # Cost
 //! Some seconds; memory below what the run needs.
@@ -31,10 +31,15 @@ const TRIAL_UPDATES: usize = 50_000_000;
 const TRIAL_FRAMES: usize = 8;
 /// Groups of neighbouring frames at least: one and the opposite one.
 const TRIAL_GROUPS: usize = 2;
-/// How many times more frames the second of the timed calls has.
-const MORE_FRAMES: usize = 4;
-/// Voxels along the longest edge of the thinned copies whose metrics are timed.
-const TRIAL_EDGES: [usize; 2] = [80, 160];
+/// Seconds above which the least number of frames is enough to time.
+const TRIAL_S: f64 = 0.3;
+/// How many times more frames the second of the timed calls has, where these take long and where not.
+const SOME_MORE: usize = 2;
+const MANY_MORE: usize = 4;
+/// Voxels along the longest edge of the larger of the copies whose metrics are timed, at most; the other one has half as many.
+const TRIAL_EDGE: usize = 160;
+/// Voxels of the evaluation up to which its own grid is tried; beyond, the job's.
+const TRIAL_VOXELS: usize = 20_000_000;
 /// What the dose that the adjoint is timed with has of the wanted one, and what it has everywhere.
 const GOOD: [f32; 2] = [0.99, 0.005];
 
@@ -45,8 +50,10 @@ pub(crate) struct Rates {
     pub(crate) model: String,
     /// Calls of the optimisation's model.
     pub(crate) calls: CallRates,
-    /// Calls of the model that judges, on the same voxels.
+    /// Calls of the model that judges.
     pub(crate) judging: CallRates,
+    /// How many times finer than the job's the voxels of these are.
+    pub(crate) judging_refine: usize,
     /// One pass of the objective, s.
     pub(crate) objective_s: f64,
     /// One step of a pattern vector, s per pixel.
@@ -120,13 +127,22 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     }
     let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
     drop(plan.model);
+    let fine = scene.fine_grid();
+    let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.setup().scatters();
+    let (judging_refine, grid) = if is_small {
+        (scene.extent.refine, fine)
+    } else {
+        (1, scene.grid.clone())
+    };
+    let judged = by_judge(scene, judging_refine, &grid, &trials, run)?;
     Ok(Rates {
         calls: CallRates::of(&trials),
-        judging: CallRates::of(&by_judge(scene, &trials, run)?),
+        judging: CallRates::of(&judged),
+        judging_refine,
         objective_s,
         vector_s,
         sampling_s: sampling_s / scene.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels)?,
+        measuring_s: measuring(voxels, scene.extent.refine)?,
         model: plan.reason,
     })
 }
@@ -149,17 +165,29 @@ fn by_optimiser(
         let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
         Ok((calls, plan))
     };
-    let frames = (TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len())
-        .max(1)
-        .next_multiple_of(TRIAL_GROUPS * TRIAL_FRAMES);
-    let (few, _) = trial(frames)?;
-    let (more, plan) = trial(frames * MORE_FRAMES)?;
+    let least = TRIAL_GROUPS * TRIAL_FRAMES;
+    let frames = TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
+    let (mut few, _) = trial(least)?;
+    let mut times = SOME_MORE;
+    if few.seconds() < TRIAL_S {
+        times = MANY_MORE;
+        if frames > least {
+            (few, _) = trial(frames.next_multiple_of(least))?;
+        }
+    }
+    let (more, plan) = trial(few.asked * times)?;
     Ok(([few, more], plan))
 }
 
-/// Calls of the model that judges, with the same pixels lit; random paths as many as the optimiser's.
-fn by_judge(scene: &Scene, [few, more]: &[Calls; 2], run: &Run) -> Result<[Calls; 2]> {
-    let choice = match scene.optics.model_for(1, &scene.grid) {
+/// Calls of the model that judges on a grid, with the same pixels lit; random paths as many as the optimiser's.
+fn by_judge(
+    scene: &Scene,
+    refine: usize,
+    grid: &VolumeGrid,
+    [few, more]: &[Calls; 2],
+    run: &Run,
+) -> Result<[Calls; 2]> {
+    let choice = match scene.optics.model_for(refine, grid) {
         Choice::Scatter(_) => scene.optics.model.clone(),
         other => computed(&other),
     };
@@ -169,11 +197,15 @@ fn by_judge(scene: &Scene, [few, more]: &[Calls; 2], run: &Run) -> Result<[Calls
             let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
             (light.active, light.selection) = (Some(lit.collect()), Selection::default());
         }
-        let (setup, grid) = (scene.optics.setup(), scene.grid.clone());
+        let (setup, grid) = (scene.optics.setup(), grid.clone());
         let (making_s, plan) = timed(|| planner::plan(&choice, setup, lights, grid, None, run));
         Calls::of(&plan?, calls.asked, making_s, None, run)
     };
-    Ok([trial(few)?, trial(more)?])
+    let few = trial(few)?;
+    if few.seconds() > TRIAL_S {
+        return Ok([few.clone(), few]);
+    }
+    Ok([few, trial(more)?])
 }
 
 /// A matrix is known for its own pixels only: what the geometry would take stands for it.
@@ -213,6 +245,7 @@ fn in_groups(frames: usize, wanted: usize) -> Vec<usize> {
 }
 
 /// What the calls of a model take.
+#[derive(Clone)]
 struct Calls {
     /// Frames of a light that were asked for, and those of all lights that there are.
     asked: usize,
@@ -259,6 +292,11 @@ impl Calls {
             updates: model.updates(),
             seconds: [making_s, first_s, dose_s, adjoint_s.unwrap_or(0.0)],
         })
+    }
+
+    /// Of one of each.
+    fn seconds(&self) -> f64 {
+        self.seconds.iter().sum()
     }
 
     fn updates_per_frame(&self) -> f64 {
@@ -328,15 +366,15 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64().max(1e-7), result)
 }
 
-/// Seconds per voxel to measure a print, beside what measuring any print takes: from every n-th voxel of the target taken for
-/// its dose, so that surfaces are as long as a good print's, and as close to the part's.
-fn measuring(voxels: &Voxels) -> Result<f64> {
-    let longest = voxels.labels.grid.shape.iter().copied().max();
+/// Seconds per voxel to measure a print on voxels `refine` times finer, beside what measuring any print takes: the target is
+/// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
+fn measuring(voxels: &Voxels, refine: usize) -> Result<f64> {
+    let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
+    let edge = (longest * refine).min(TRIAL_EDGE);
     let mut found = [(0.0, 0.0); 2];
-    for (found, edge) in found.iter_mut().zip(TRIAL_EDGES) {
-        let step = longest.unwrap_or(1).div_ceil(edge);
-        let labels = thinned(&voxels.labels, step);
-        let inside = thinned(&voxels.target.inside, step);
+    for (found, edge) in found.iter_mut().zip([edge.div_ceil(2), edge]) {
+        let labels = resampled(&voxels.labels, edge);
+        let inside = resampled(&voxels.target.inside, edge);
         let (seconds, measured) = timed(|| -> Result<_> {
             let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
             Ok(evaluate(&print))
@@ -347,19 +385,22 @@ fn measuring(voxels: &Voxels) -> Result<f64> {
     Ok(CallRate::through(found).per_update_s)
 }
 
-/// Every `step`-th voxel along each axis.
-fn thinned<T: Copy>(volume: &Volume<T>, step: usize) -> Volume<T> {
+/// The same volume with `edge` voxels along its longest axis: every n-th voxel, or some of them several times.
+fn resampled<T: Copy>(volume: &Volume<T>, edge: usize) -> Volume<T> {
+    let shape = volume.grid.shape;
+    let longest = shape.iter().copied().max().unwrap_or(1);
     let grid = VolumeGrid {
-        shape: volume.grid.shape.map(|n| n.div_ceil(step)),
-        pitch_mm: volume.grid.pitch_mm * step as f64,
+        shape: shape.map(|n| (n * edge).div_ceil(longest)),
+        pitch_mm: volume.grid.pitch_mm * longest as f64 / edge as f64,
         center_mm: volume.grid.center_mm,
     };
     let [nz, ny, nx] = grid.shape;
+    let source = |i: usize| i * longest / edge;
     let mut values = Vec::with_capacity(grid.len());
     for z in 0..nz {
         for y in 0..ny {
-            let row = &volume.values[volume.grid.index(z * step, y * step, 0)..];
-            values.extend((0..nx).map(|x| row[x * step]));
+            let row = &volume.values[volume.grid.index(source(z), source(y), 0)..];
+            values.extend((0..nx).map(|x| row[source(x)]));
         }
     }
     Volume { grid, values }
@@ -392,12 +433,18 @@ mod tests {
     }
 
     #[test]
-    fn a_thinned_copy_keeps_every_nth_voxel() {
+    fn a_copy_has_every_nth_voxel_or_each_several_times() {
         let grid = VolumeGrid::centered([3, 2, 5], 0.1);
         let values: Vec<u32> = (0..30).collect();
-        let thin = thinned(&Volume { grid, values }, 2);
-        assert_eq!(thin.grid.shape, [2, 1, 3]);
-        assert_eq!(thin.values, [0, 2, 4, 20, 22, 24]);
-        assert!((thin.grid.pitch_mm - 0.2).abs() < 1e-15);
+        let volume = Volume { grid, values };
+        // 5 voxels become 3: those at 0, ⌊5/3⌋ and ⌊10/3⌋
+        let thin = resampled(&volume, 3);
+        assert_eq!(thin.grid.shape, [2, 2, 3]);
+        assert_eq!(thin.values, [0, 1, 3, 5, 6, 8, 10, 11, 13, 15, 16, 18]);
+        assert!((thin.grid.pitch_mm - 0.5 / 3.0).abs() < 1e-15);
+        let fine = resampled(&volume, 10);
+        assert_eq!(fine.grid.shape, [6, 4, 10]);
+        assert_eq!(fine.values[..6], [0, 0, 1, 1, 2, 2]);
+        assert_eq!(fine.values[6 * 4 * 10 - 1], 29);
     }
 }
