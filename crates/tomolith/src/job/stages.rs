@@ -4,7 +4,7 @@ use super::device::{self, Written};
 use super::estimate::Work;
 use super::folder::RunFolder;
 use super::judge::judge;
-use super::optimise::{keep, optimise};
+use super::optimise::{Optimised, keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::rates;
@@ -14,9 +14,13 @@ use super::write::{self, Done};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
+use crate::optimize::{Counters, Outcome};
 use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
+
+/// The stage whose parts are told apart.
+const OPTIMISING: &str = "optimising";
 
 /// Runs a job from end to end; outputs appear in its run folder.
 ///
@@ -31,7 +35,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     clock.stage("sampling the target");
     let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
-    clock.stage("optimising");
+    clock.stage(OPTIMISING);
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
     warnings.extend(optimised.warning.clone());
@@ -131,7 +135,7 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 /// Writes everything, and makes it visible at once.
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
     clock.stage("writing");
-    let timings = clock.timings();
+    let timings = clock.timings(done.optimised.as_ref());
     write::all(&done, &folder, timings, clock.progress)?;
     let summary = summary(&done, folder.path(), clock.begin);
     folder.publish()?;
@@ -161,17 +165,45 @@ impl<'p> Clock<'p> {
         });
     }
 
-    /// The stages that are over.
-    fn timings(&self) -> Vec<Timing> {
+    /// The stages that are over, the optimisation in its parts.
+    fn timings(&self, optimised: Option<&Optimised>) -> Vec<Timing> {
         let ends = self.stages.iter().skip(1).map(|(_, begin)| *begin);
-        let pairs = self.stages.iter().zip(ends);
-        pairs
-            .map(|((name, begin), end)| Timing {
-                name: (*name).to_owned(),
-                seconds: (end - *begin).as_secs_f64(),
-            })
-            .collect()
+        let mut timings = Vec::new();
+        for ((name, begin), end) in self.stages.iter().zip(ends) {
+            let seconds = (end - *begin).as_secs_f64();
+            let parts = optimised.filter(|_| *name == OPTIMISING);
+            match parts.and_then(|optimised| parts_of(seconds, &optimised.outcome)) {
+                Some(parts) => timings.extend(parts),
+                None => timings.push(Timing {
+                    name: (*name).to_owned(),
+                    seconds,
+                }),
+            }
+        }
+        timings
     }
+}
+
+/// Where the time of an optimisation went; None when some of it was spent before a resume.
+fn parts_of(seconds: f64, outcome: &Outcome) -> Option<[Timing; 4]> {
+    let in_loop = outcome.history.last()?.seconds;
+    let Counters {
+        model_s,
+        objective_s,
+        ..
+    } = outcome.counters;
+    let parts = [
+        ("pixels and start", seconds - in_loop),
+        ("dose and adjoint", model_s),
+        ("objective", objective_s),
+        ("steps, checkpoints", in_loop - model_s - objective_s),
+    ];
+    (parts.iter().all(|(_, seconds)| *seconds >= 0.0)).then(|| {
+        parts.map(|(name, seconds)| Timing {
+            name: format!("{OPTIMISING}: {name}"),
+            seconds,
+        })
+    })
 }
 
 /// Validates a job and says what it will cost, without running it.
