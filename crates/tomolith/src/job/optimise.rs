@@ -24,6 +24,7 @@ use std::borrow::Cow;
 use std::io::Read;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::time::Instant;
 
 /// What an optimisation came to.
 pub(crate) struct Optimised {
@@ -37,6 +38,8 @@ pub(crate) struct Optimised {
     pub(crate) updates: u64,
     /// Metrics on the own grid, where they were measured.
     qualities: Vec<Quality>,
+    /// How long measuring them took, s.
+    pub(crate) metrics_s: f64,
     /// That it did nothing, when it did nothing.
     pub(crate) warning: Option<String>,
 }
@@ -143,6 +146,7 @@ pub(crate) fn optimise(
         layout,
         is_grey: voxels.target.grey,
         qualities: Vec::new(),
+        metrics_s: 0.0,
         progress,
     };
     let ran = optimize::run(
@@ -153,7 +157,11 @@ pub(crate) fn optimise(
         Some(&mut checkpoints),
         &mut [&mut watch],
     );
-    let qualities = watch.qualities;
+    let Watch {
+        qualities,
+        metrics_s,
+        ..
+    } = watch;
     darken(&mut x, &dark);
     let raw: Vec<Patterns> = model
         .patterns()
@@ -172,6 +180,7 @@ pub(crate) fn optimise(
                 model: plan.reason,
                 updates,
                 qualities,
+                metrics_s,
                 warning,
             })
         }
@@ -384,6 +393,7 @@ struct Watch<'a> {
     /// A grey target has no IoU worth following.
     is_grey: bool,
     qualities: Vec<Quality>,
+    metrics_s: f64,
     progress: &'a mut dyn Progress,
 }
 
@@ -391,7 +401,9 @@ impl Watch<'_> {
     fn reached(&mut self, report: &StepReport<'_, HostField>) -> bool {
         let stop = &self.scene.spec.stop;
         let (loss, asked) = (stop.loss, stop.iou);
+        let begin = Instant::now();
         let quality = self.measure(report, asked.is_some());
+        self.metrics_s += begin.elapsed().as_secs_f64();
         let enough = asked
             .zip(quality.and_then(|q| q.iou))
             .is_some_and(|(asked, iou)| iou >= asked);

@@ -14,7 +14,7 @@ use super::write::{self, Done};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
-use crate::optimize::{Counters, Outcome};
+use crate::optimize::Counters;
 use crate::report::Timing;
 use std::path::Path;
 use std::time::Instant;
@@ -172,7 +172,7 @@ impl<'p> Clock<'p> {
         for ((name, begin), end) in self.stages.iter().zip(ends) {
             let seconds = (end - *begin).as_secs_f64();
             let parts = optimised.filter(|_| *name == OPTIMISING);
-            match parts.and_then(|optimised| parts_of(seconds, &optimised.outcome)) {
+            match parts.and_then(|optimised| parts_of(seconds, optimised)) {
                 Some(parts) => timings.extend(parts),
                 None => timings.push(Timing {
                     name: (*name).to_owned(),
@@ -185,18 +185,23 @@ impl<'p> Clock<'p> {
 }
 
 /// Where the time of an optimisation went; None when some of it was spent before a resume.
-fn parts_of(seconds: f64, outcome: &Outcome) -> Option<[Timing; 4]> {
-    let in_loop = outcome.history.last()?.seconds;
+fn parts_of(seconds: f64, optimised: &Optimised) -> Option<[Timing; 5]> {
+    let in_loop = optimised.outcome.history.last()?.seconds;
     let Counters {
         model_s,
         objective_s,
         ..
-    } = outcome.counters;
+    } = optimised.outcome.counters;
+    let metrics_s = optimised.metrics_s;
     let parts = [
         ("pixels and start", seconds - in_loop),
         ("dose and adjoint", model_s),
         ("objective", objective_s),
-        ("steps, checkpoints", in_loop - model_s - objective_s),
+        ("metrics", metrics_s),
+        (
+            "steps, checkpoints",
+            in_loop - model_s - objective_s - metrics_s,
+        ),
     ];
     (parts.iter().all(|(_, seconds)| *seconds >= 0.0)).then(|| {
         parts.map(|(name, seconds)| Timing {
