@@ -31,7 +31,7 @@
 //! # Cost
 //! About 1.7 voxels per ray and voxel plane; see docs/speed.md. Where a round vial turns about its own axis, rays are traced
 //! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
-//! what all pixels leave is at most 540 MB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
+//! what all pixels leave is at most 2.1 GB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
 //!
 //! # Example
 //! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
@@ -364,7 +364,7 @@ impl Rays {
         })
     }
 
-    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 540 MB; not where light is
+    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 2.1 GB; not where light is
     /// scattered. Worth it where a dose is asked for more than once or twice.
     #[must_use]
     pub fn keeping(mut self) -> Self {
