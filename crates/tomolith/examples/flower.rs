@@ -10,14 +10,18 @@
 //! integrals, so that a step η of theirs, given for an absorption of 0.001 per voxel-length unit, is η·10⁻⁶ here: 10⁻⁵.
 #![expect(clippy::print_stdout, reason = "a bench prints its tables")]
 
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 use tomolith::Error;
+use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
+use tomolith::io::csr::Csr;
 use tomolith::kind::Section;
+use tomolith::models::matrix::MatrixModel;
 use tomolith::models::parallel::{Kernel, Light, Parallel};
 use tomolith::models::{DoseModel, Run};
 use tomolith::objective::{OBJECTIVES, ObjectiveInput};
@@ -42,13 +46,23 @@ enum Material {
     Identity,
 }
 
+/// How light is followed.
+#[derive(Clone, Copy, PartialEq)]
+enum Operator {
+    /// By [`Parallel`] with one of its kernels.
+    Kernel(Kernel),
+    /// By the stored matrix of a ray tracer as theirs: one ray for each pixel, a deposit every half voxel, shared among the
+    /// four voxels around it.
+    Traced,
+}
+
 /// One run.
 #[derive(Clone)]
 struct Setting {
     epsilon: f64,
     steepness: f64,
     material: Material,
-    kernel: Kernel,
+    operator: Operator,
     voxels: usize,
     frames: usize,
     /// Degrees over which the frames are spread.
@@ -68,7 +82,7 @@ impl Setting {
             epsilon: 0.05,
             steepness: 10.0,
             material: Material::Clamped,
-            kernel: Kernel::DistanceDriven,
+            operator: Operator::Kernel(Kernel::DistanceDriven),
             voxels,
             frames: 360,
             arc: 360.0,
@@ -122,6 +136,55 @@ fn response(setting: &Setting) -> Result<Arc<dyn Response>, Error> {
     })
 }
 
+/// The matrix of [`Operator::Traced`], from pixels to voxels of edge 1 on a square of `n`²; light deposits in the inscribed
+/// circle only.
+fn traced(n: usize, pixels: &PatternGrid) -> Csr {
+    let half = (n as f64 - 1.0) / 2.0;
+    let reach = n as f64 / 2.0;
+    let of_pixel = |i: usize| -> Vec<(u32, f32)> {
+        let (sin, cos) = pixels.azimuths[i / n].sin_cos();
+        let across = (i % n) as f64 - half;
+        let mut found = Vec::new();
+        for step in 0..=4 * n {
+            let along = 0.5 * step as f64 - reach;
+            let place = [along * cos - across * sin, along * sin + across * cos];
+            let [x, y] = place.map(|c| c + half);
+            let shares = |c: f64| [(c.floor(), 1.0 - c.fract()), (c.floor() + 1.0, c.fract())];
+            for (y, of_y) in shares(y) {
+                for (x, of_x) in shares(x) {
+                    if (x - half).hypot(y - half) <= half {
+                        let voxel = y as usize * n + x as usize;
+                        found.push((voxel as u32, (0.5 * of_x * of_y) as f32));
+                    }
+                }
+            }
+        }
+        found.sort_unstable_by_key(|&(voxel, _)| voxel);
+        found.dedup_by(|next, sum| {
+            let same = next.0 == sum.0;
+            if same {
+                sum.1 += next.1;
+            }
+            same
+        });
+        found
+    };
+    let rows: Vec<Vec<(u32, f32)>> = (0..pixels.len()).into_par_iter().map(of_pixel).collect();
+    let mut by_pixel = Csr {
+        columns: n * n,
+        starts: vec![0],
+        ..Csr::default()
+    };
+    for row in rows {
+        for (voxel, share) in row {
+            by_pixel.indices.push(voxel);
+            by_pixel.values.push(share);
+        }
+        by_pixel.starts.push(by_pixel.values.len());
+    }
+    by_pixel.transposed()
+}
+
 /// The picture on the voxels of the inscribed circle.
 fn picture(image: &str, setting: &Setting, edge: f64) -> Result<(Target, Volume<u8>), Error> {
     let source = match image {
@@ -158,15 +221,25 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         pitch_mm: [grid.pitch_mm; 2],
         offset_mm: [0.0; 2],
     };
-    let mut light = Light::new(pixels, Resin::pure_radon(1.5));
-    light.kernel = setting.kernel;
-    // Beyond the corners: rows that no wall cuts are quick, and light that nothing absorbs does not care
-    let vial = IndexMatched { radius_mm: edge };
-    let model = Parallel::new(&vial, vec![light], grid)?;
+    let model: Box<dyn DoseModel<Field = HostField>> = match setting.operator {
+        Operator::Traced => Box::new(MatrixModel::new(
+            &traced(setting.voxels, &pixels),
+            vec![pixels],
+            grid,
+        )?),
+        Operator::Kernel(kernel) => {
+            let mut light = Light::new(pixels, Resin::pure_radon(1.5));
+            light.kernel = kernel;
+            // Beyond the corners: rows that no wall cuts are quick, and light that nothing absorbs does not care
+            let vial = IndexMatched { radius_mm: edge };
+            Box::new(Parallel::new(&vial, vec![light], grid)?)
+        }
+    };
+    let model = model.as_ref();
     let response = response(setting)?;
     let limits = [Limits::default()];
     let input = StartInput {
-        model: &model,
+        model,
         target: &target,
         labels: &labels,
         response: response.as_ref(),
@@ -175,7 +248,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
     let flag = Run::new();
     let (row, section) = Section::new("start", setting.start.clone()).kind(STARTS)?;
     let mut x = (row.build)(&section)?.patterns(&input, &flag)?;
-    let layout = &DoseModel::outputs(&model)[0];
+    let layout = &model.outputs()[0];
     let objective_input = ObjectiveInput {
         layout,
         labels: &labels,
@@ -188,7 +261,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
     let (name, params) = &setting.optimizer;
     let (row, section) = Section::new("optimizer", json!({ *name: params })).kind(OPTIMIZERS)?;
     let mut optimizer = (row.build)(&section)?;
-    let mut problem = Problem::new(&model, objective.as_ref(), &limits, &flag)?;
+    let mut problem = Problem::new(model, objective.as_ref(), &limits, &flag)?;
     let stop = Stop {
         iterations: setting.iterations,
         change: setting.change,
@@ -204,7 +277,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         &mut [],
     )?;
     let seconds = begin.elapsed().as_secs_f64();
-    let mut dose = DoseModel::new_dose(&model)?;
+    let mut dose = model.new_dose()?;
     model.dose(&x, &mut dose, &flag)?;
     let dose = layout.volume_of(dose.as_slice());
     Ok(count(
@@ -344,13 +417,15 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
         setting
     };
     let step = |factor: f64| with(&|s| s.optimizer = ("bclp", json!({"step": factor * STEP})));
-    let kernel = |kernel: Kernel| with(&|s| s.kernel = kernel);
+    let operator = |operator: Operator| with(&|s| s.operator = operator);
     let start = |start: Value| with(&|s| s.start = start.clone());
     let grey = |map: fn(f32) -> f32| with(&|s| s.grey = map);
     vec![
         ("as published", base.clone()),
-        ("kernel linear", kernel(Kernel::Linear)),
-        ("kernel line", kernel(Kernel::Line)),
+        ("kernel linear", operator(Operator::Kernel(Kernel::Linear))),
+        ("kernel line", operator(Operator::Kernel(Kernel::Line))),
+        ("kernel strip", operator(Operator::Kernel(Kernel::Strip))),
+        ("traced in half voxels", operator(Operator::Traced)),
         ("step ÷ 10", step(0.1)),
         ("step × 0.5", step(0.5)),
         ("step × 0.7", step(0.7)),

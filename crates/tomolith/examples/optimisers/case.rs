@@ -94,6 +94,7 @@ impl Case {
             optics: &[Optics::collimated(light.pixels.pitch_mm[0])],
             solid: None,
             asked_often: true,
+            dose_factor: 1.0,
         };
         let plan = planner::plan(
             &Choice::default(),

@@ -1,7 +1,7 @@
 //! Tables → objects: vial, lights, and whether the target fits them.
 
 use super::selection::selection_of;
-use super::spec::{JobSpec, LightSpec, MapSpec, Region, VialCommon};
+use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, VialCommon};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
@@ -43,6 +43,8 @@ pub(crate) struct Optics {
     bodies: usize,
     /// How light becomes dose.
     pub(crate) model: Choice,
+    /// What every dose is multiplied by.
+    pub(crate) dose_factor: f64,
 }
 
 impl Optics {
@@ -105,13 +107,18 @@ impl Optics {
             light.selection =
                 selection_of(&own.selection, place, pixels, vial.as_ref(), &paths[i])?;
         }
-        Ok(Optics {
+        let mut optics = Optics {
             vial,
             lights,
             paths,
             bodies: obstacles.len(),
             model,
-        })
+            dose_factor: 1.0,
+        };
+        if spec.resin.dose_convention == DoseConvention::Drtvam {
+            optics.dose_factor = optics.refracted_factor();
+        }
+        Ok(optics)
     }
 
     /// What light passes, as the planner sees it.
@@ -121,6 +128,7 @@ impl Optics {
             optics: &self.paths,
             solid: None,
             asked_often: false,
+            dose_factor: self.dose_factor,
         }
     }
 
@@ -257,6 +265,14 @@ impl Optics {
             f64::INFINITY
         };
         move |[x, y, z]| x.hypot(y) < radius && self.vial.in_resin([x, y, z])
+    }
+
+    /// (n_surrounding/n_resin)²: 1 where the bath has the resin's index.
+    fn refracted_factor(&self) -> f64 {
+        let light = &self.lights[0];
+        let resin = light.resin.refractive_index;
+        let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
+        (surrounding / resin).powi(2)
     }
 
     /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
@@ -721,6 +737,31 @@ mod tests {
             Error::Config { key, .. } => key,
             other => panic!("{other}"),
         }
+    }
+
+    #[test]
+    fn the_convention_of_another_program_is_a_factor_of_every_dose() {
+        let run = crate::models::Run::new();
+        let dose = |convention: &str| {
+            let spec = spec(&[
+                &format!("resin.dose_convention=\"{convention}\""),
+                "vial.surrounding_index=1.2",
+            ]);
+            let optics = Optics::new(&spec, Path::new(".")).unwrap();
+            let grid = VolumeGrid::centered([4, 8, 8], 0.2);
+            let (setup, lights) = (optics.setup(), optics.lights.clone());
+            let choice = Choice::default();
+            let plan = crate::models::planner::plan(&choice, setup, lights, grid, None, &run);
+            let model = plan.unwrap().model;
+            let mut x = model.new_patterns().unwrap();
+            x.as_mut_slice().fill(1.0);
+            let mut dose = model.new_dose().unwrap();
+            model.dose(&x, &mut dose, &run).unwrap();
+            let sum: f64 = dose.as_slice().iter().map(|&d| f64::from(d)).sum();
+            (sum, (1.2 / spec.resin.refractive_index).powi(2))
+        };
+        let ((energy, factor), (theirs, _)) = (dose("energy"), dose("drtvam"));
+        assert!((theirs / energy / factor - 1.0).abs() < 1e-5);
     }
 
     #[test]

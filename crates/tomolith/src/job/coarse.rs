@@ -9,7 +9,7 @@ use super::optimise::{limits, starting_patterns};
 use super::scene::Scene;
 use crate::error::Result;
 use crate::grid::{PatternGrid, Patterns, VolumeGrid};
-use crate::models::darkened::darken;
+use crate::models::dimmed::darken;
 use crate::models::parallel::Light;
 use crate::models::{Run, planner};
 use crate::optimize::start::given::Given;

@@ -349,7 +349,7 @@ fn vial(mut keys: Keys, ours: &mut Ours) -> Result<(bool, Option<f64>)> {
         let factor = (surrounding / index).powi(2);
         ours.notes.push(format!(
             "doses there carry a factor (n_surrounding/n_resin)² = {factor:.6} that energy does not have: pattern values here are \
-             {factor:.6} of those there for the same dose thresholds"
+             {factor:.6} of those there for the same dose thresholds; resin.dose_convention = \"drtvam\" takes the factor along"
         ));
     }
     occlusions(obstacles, ours)?;

@@ -12,7 +12,7 @@ use crate::grid::{Patterns, Volume};
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
-use crate::models::darkened::{Darkened, darken, pixels_through};
+use crate::models::dimmed::{Dimmed, darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -89,7 +89,7 @@ pub(crate) fn optimise(
     });
     let of_bodies = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
     let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
-        Some(dark) => Box::new(Darkened::new(plan.model, dark)),
+        Some(dark) => Box::new(Dimmed::new(plan.model, dark)),
         None => plan.model,
     };
     let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);

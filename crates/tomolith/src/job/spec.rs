@@ -143,9 +143,22 @@ pub struct ResinSpec {
     pub phase: Value,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
     pub pure_radon: bool,
+    /// What a dose counts.
+    pub dose_convention: DoseConvention,
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_dose_mj_per_mm3: Option<f64>,
+}
+
+/// What a dose counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DoseConvention {
+    /// Absorbed energy per volume, Σ over the frames.
+    #[default]
+    Energy,
+    /// Dr.TVAM's: (n_surrounding/n_resin)² of it, which its refracted light carries; for comparisons side by side.
+    Drtvam,
 }
 
 /// Absorption per cell, centred on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of f32 or f64, 1/mm:
@@ -482,6 +495,7 @@ impl Default for ResinSpec {
             scattering_per_mm: 0.0,
             phase: kind("rayleigh"),
             pure_radon: false,
+            dose_convention: DoseConvention::Energy,
             critical_dose_mj_per_mm3: None,
         }
     }

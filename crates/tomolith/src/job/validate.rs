@@ -1,6 +1,6 @@
 //! Ranges of every key, before any work.
 
-use super::spec::{Angles, BoundsSpec, JobSpec, LightSpec, SelectionSpec};
+use super::spec::{Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, SelectionSpec};
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::shown_rate;
@@ -142,6 +142,13 @@ fn resin(spec: &JobSpec) -> Result<()> {
                 resin.scattering_per_mm
             ),
             "0, or an absorption in place of pure_radon",
+        ));
+    }
+    if resin.critical_dose_mj_per_mm3.is_some() && resin.dose_convention != DoseConvention::Energy {
+        return Err(Error::config(
+            "resin.critical_dose_mj_per_mm3",
+            "found together with resin.dose_convention = \"drtvam\", whose doses are no energies",
+            "resin.dose_convention = \"energy\"",
         ));
     }
     match resin.critical_dose_mj_per_mm3 {
@@ -459,6 +466,7 @@ mod tests {
             ("resin.absorption_per_mm=0", "resin.absorption_per_mm"),
             ("resin.absorption_per_mm=-0.1", "resin.absorption_per_mm"),
             ("resin.attenuation_per_mm=0.01", "resin.attenuation_per_mm"),
+            ("resin.dose_convention=\"watts\"", "resin.dose_convention"),
             ("resin.scattering_per_mm=-0.1", "resin.scattering_per_mm"),
             (
                 "resin.critical_dose_mj_per_mm3=0",

@@ -7,7 +7,7 @@
 
 pub mod cells;
 mod coarse;
-pub mod darkened;
+pub mod dimmed;
 pub mod layout;
 pub mod matrix;
 pub mod orders;

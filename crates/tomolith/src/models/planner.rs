@@ -5,7 +5,7 @@
 //! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
-use super::darkened::Darkened;
+use super::dimmed::Dimmed;
 use super::matrix::{self, MatrixModel};
 use super::parallel::{self, Light, Parallel};
 use super::rays::solid::Solid;
@@ -46,6 +46,8 @@ pub struct Setup<'a> {
     pub solid: Option<&'a Arc<dyn Shape>>,
     /// Whether a dose is asked for again and again, as in an optimisation: walks of rays are then kept where they are few.
     pub asked_often: bool,
+    /// What every dose is multiplied by: 1, or the factor of another program's doses.
+    pub dose_factor: f64,
 }
 
 /// How light becomes dose: what was asked for, or the cheapest that is exact.
@@ -241,7 +243,9 @@ pub fn plan(
     run: &Run,
 ) -> Result<Plan> {
     let way = match setup.way(choice, &lights, &grid)? {
-        Way::Stored(params) => return stored(params, &lights, grid, wanted, run),
+        Way::Stored(params) => {
+            return stored(params, setup.dose_factor, &lights, grid, wanted, run);
+        }
         Way::Optical(way) => way,
     };
     let solid = setup.solid.map(|shape| Solid::new(shape, &grid));
@@ -257,7 +261,8 @@ pub fn plan(
         dark = narrow(&mut lights, straight.patterns(), Some(brought.as_slice()));
     }
     let why = setup.why(&way, choice, &lights, &grid);
-    let model = darkened(optical(&way, setup, lights, grid, solid.as_ref())?, &dark);
+    let model = optical(&way, setup, lights, grid, solid.as_ref())?;
+    let model = dimmed(model, &dark, setup.dose_factor);
     Ok(Plan {
         reason: format!("{}: {why}", model.describe()),
         model,
@@ -265,15 +270,19 @@ pub fn plan(
     })
 }
 
-/// A model some of whose pixels stay dark, if there are such.
-fn darkened(
-    model: Box<dyn DoseModel<Field = HostField>>,
+/// A model some of whose pixels stay dark, and all of whose doses have a factor, if there are such.
+fn dimmed(
+    mut model: Box<dyn DoseModel<Field = HostField>>,
     dark: &[bool],
+    factor: f64,
 ) -> Box<dyn DoseModel<Field = HostField>> {
-    if dark.is_empty() {
-        return model;
+    if factor != 1.0 {
+        model = Box::new(Dimmed::by(model, factor as f32));
     }
-    Box::new(Darkened::new(model, dark))
+    if !dark.is_empty() {
+        model = Box::new(Dimmed::new(model, dark));
+    }
+    model
 }
 
 /// The straight light of a model: which pixels meet a voxel. Scattered light meets all of them.
@@ -307,6 +316,7 @@ fn straight(
 /// A stored matrix as a model. All its pixels are unknowns, but those that the selection of a light leaves out.
 fn stored(
     matrix: &matrix::Params,
+    factor: f64,
     lights: &[Light],
     grid: VolumeGrid,
     wanted: Option<&Volume<u8>>,
@@ -326,7 +336,7 @@ fn stored(
             .map(|chosen| !chosen)
             .collect();
     }
-    let model = darkened(Box::new(model), &dark);
+    let model = dimmed(Box::new(model), &dark, factor);
     Ok(Plan {
         reason: format!("{} from {}", model.describe(), matrix.file.display()),
         model,
@@ -429,6 +439,7 @@ mod tests {
             optics,
             solid,
             asked_often: true,
+            dose_factor: 1.0,
         };
         let [parallel, rays] = [
             Choice::Parallel(crate::models::parallel::Params::default()),
@@ -483,6 +494,7 @@ mod tests {
                 optics: &optics,
                 solid: None,
                 asked_often: true,
+                dose_factor: 1.0,
             };
             let lights = vec![light];
             let wanted = Some(&wanted);
@@ -525,6 +537,7 @@ mod tests {
             optics: &optics,
             solid: Some(&ball),
             asked_often: true,
+            dose_factor: 1.0,
         };
         let nothing = Volume::filled(grid.clone(), 0u8);
         let any = Choice::Cheapest;

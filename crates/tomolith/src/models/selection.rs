@@ -7,7 +7,7 @@
 //! *May be lit.* [`PixelMask`]s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
 //!
 //! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
-//! them that are not are held dark ([`Darkened`](super::darkened::Darkened)): they have no effect and no derivative.
+//! them that are not are held dark ([`Dimmed`](super::dimmed::Dimmed)): they have no effect and no derivative.
 
 use super::layout::{PatternLayout, PixelRun};
 use super::parallel::Light;
@@ -248,6 +248,7 @@ mod tests {
                 optics: &optics,
                 solid: None,
                 asked_often: true,
+                dose_factor: 1.0,
             };
             let planned = |light: Light| {
                 let (lights, grid) = (vec![light], grid.clone());
@@ -287,7 +288,7 @@ mod tests {
             x.fill(1.0);
             assert_eq!(masked.dark.len(), x.len());
             let mut kept = x.clone();
-            super::super::darkened::darken(&mut kept, &masked.dark);
+            super::super::dimmed::darken(&mut kept, &masked.dark);
             assert_ne!(kept.as_slice(), x.as_slice());
             let dose = |x: &HostField| {
                 let mut dose = masked.model.new_dose().unwrap();
@@ -311,6 +312,7 @@ mod tests {
             optics: &optics,
             solid: None,
             asked_often: true,
+            dose_factor: 1.0,
         };
         let mut light = light();
         light.selection.masks = vec![mask()];

@@ -1,6 +1,7 @@
-//! A model some of whose pixels are switched off: F(D·x) with D = 1 or 0 per pixel, and its derivative D·F′(D·x)ᵀ.
+//! A model whose pixels give less light, or none: F(D·x) with D = 0 or a common factor per pixel, and its derivative
+//! D·F′(D·x)ᵀ.
 //!
-//! Rays that may not pass a place are taken away in this way: [`pixels_through`] finds them by the adjoint of an indicator,
+//! The factor is that of a dose convention (`resin.dose_convention`). Rays that may not pass a place are taken away in this way: [`pixels_through`] finds them by the adjoint of an indicator,
 //! which is positive exactly for the pixels that bring light there. An active run of rows cannot have holes; this can.
 //! Every method that calls the model sees dark pixels as pixels without effect, and leaves them alone.
 //!
@@ -13,10 +14,12 @@ use crate::grid::Volume;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// A model with dark pixels.
-pub struct Darkened {
+/// A model with dark pixels, or a factor.
+pub struct Dimmed {
     model: Box<dyn DoseModel<Field = HostField>>,
+    /// One per pixel, or none at all.
     dark: Vec<bool>,
+    factor: f32,
 }
 
 /// Which pixels (elements of a pattern field) bring light to a voxel that is marked; `places` in file order `[z, y, x]`.
@@ -44,7 +47,7 @@ pub fn pixels_through(
     Ok(light.as_slice().par_iter().map(|&v| v > 0.0).collect())
 }
 
-impl Darkened {
+impl Dimmed {
     /// Switches pixels of a model off.
     ///
     /// # Panics
@@ -53,20 +56,39 @@ impl Darkened {
     pub fn new(model: Box<dyn DoseModel<Field = HostField>>, dark: &[bool]) -> Self {
         let pixels: usize = model.patterns().iter().map(PatternLayout::len).sum();
         assert_eq!(dark.len(), pixels, "one mark per active pixel");
-        Darkened {
+        Dimmed {
             model,
             dark: dark.to_vec(),
+            factor: 1.0,
         }
     }
 
-    fn darkened(&self, x: &HostField) -> HostField {
+    /// All light of a model times a factor above 0.
+    #[must_use]
+    pub fn by(model: Box<dyn DoseModel<Field = HostField>>, factor: f32) -> Self {
+        Dimmed {
+            model,
+            dark: Vec::new(),
+            factor,
+        }
+    }
+
+    fn dimmed(&self, x: &HostField) -> HostField {
         let mut x = x.clone();
-        darken(&mut x, &self.dark);
+        self.dim(&mut x);
         x
+    }
+
+    /// x ← D·x
+    fn dim(&self, x: &mut HostField) {
+        darken(x, &self.dark);
+        if self.factor != 1.0 {
+            x.scale(self.factor);
+        }
     }
 }
 
-/// Sets dark pixels to 0.
+/// Sets dark pixels to 0; none are where `dark` is empty.
 pub fn darken(x: &mut HostField, dark: &[bool]) {
     x.as_mut_slice()
         .par_iter_mut()
@@ -74,7 +96,7 @@ pub fn darken(x: &mut HostField, dark: &[bool]) {
         .for_each(|(x, &dark)| *x = if dark { 0.0 } else { *x });
 }
 
-impl DoseModel for Darkened {
+impl DoseModel for Dimmed {
     type Field = HostField;
 
     fn patterns(&self) -> &[PatternLayout] {
@@ -94,7 +116,7 @@ impl DoseModel for Darkened {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.model.dose(&self.darkened(x), dose, run)
+        self.model.dose(&self.dimmed(x), dose, run)
     }
 
     fn pullback(
@@ -104,9 +126,8 @@ impl DoseModel for Darkened {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.model
-            .pullback(&self.darkened(x), cotangent, grad, run)?;
-        darken(grad, &self.dark);
+        self.model.pullback(&self.dimmed(x), cotangent, grad, run)?;
+        self.dim(grad);
         Ok(())
     }
 
@@ -117,11 +138,11 @@ impl DoseModel for Darkened {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.model.dose_of(frames, &self.darkened(x), dose, run)
+        self.model.dose_of(frames, &self.dimmed(x), dose, run)
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        self.model.along(&self.darkened(x), &self.darkened(d), run)
+        self.model.along(&self.dimmed(x), &self.dimmed(d), run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -145,12 +166,13 @@ impl DoseModel for Darkened {
     }
 
     fn describe(&self) -> String {
+        let model = self.model.describe();
         let dark = self.dark.iter().filter(|dark| **dark).count();
-        format!(
-            "{}, {dark} of {} pixels dark",
-            self.model.describe(),
-            self.dark.len()
-        )
+        if dark > 0 {
+            format!("{model}, {dark} of {} pixels dark", self.dark.len())
+        } else {
+            format!("{model}, dose times {:.6}", self.factor)
+        }
     }
 }
 
@@ -200,7 +222,7 @@ mod tests {
         full.as_mut_slice().fill(1.0);
         let mut plain = model.new_dose().unwrap();
         model.dose(&full, &mut plain, &run).unwrap();
-        let darkened = Darkened::new(model, &dark);
+        let darkened = Dimmed::new(model, &dark);
         let mut dose = darkened.new_dose().unwrap();
         darkened.dose(&full, &mut dose, &run).unwrap();
         let layout = &darkened.outputs()[0];
@@ -229,6 +251,27 @@ mod tests {
     }
 
     #[test]
+    fn a_factor_multiplies_every_dose() {
+        let run = Run::new();
+        let mut x = model().new_patterns().unwrap();
+        x.copy_from_host(&check::model::noise(3, x.len()));
+        let dose_of = |model: &dyn DoseModel<Field = HostField>| {
+            let mut dose = model.new_dose().unwrap();
+            model.dose(&x, &mut dose, &run).unwrap();
+            dose
+        };
+        let (plain, scaled) = (
+            dose_of(model().as_ref()),
+            dose_of(&Dimmed::by(model(), 0.25)),
+        );
+        // A power of two: to the bit
+        for (plain, scaled) in plain.as_slice().iter().zip(scaled.as_slice()) {
+            assert_eq!(0.25 * plain, *scaled);
+        }
+        check::model::model(&Dimmed::by(model(), 0.453), 5).unwrap();
+    }
+
+    #[test]
     fn it_is_an_exact_pair() {
         let model = model();
         let dark = pixels_through(
@@ -237,6 +280,6 @@ mod tests {
             &Run::new(),
         )
         .unwrap();
-        check::model::model(&Darkened::new(model, &dark), 5).unwrap();
+        check::model::model(&Dimmed::new(model, &dark), 5).unwrap();
     }
 }
