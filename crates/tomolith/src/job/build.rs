@@ -177,7 +177,9 @@ impl Optics {
             }
         }
         match &mut model {
-            Choice::Rays(params) => params.rays_per_pixel *= refine * refine,
+            Choice::Rays(params) => {
+                params.rays_per_pixel = Some(params.rays(false) * refine * refine);
+            }
             Choice::Scatter(params) => *params = params.for_judging(),
             _ => {}
         }

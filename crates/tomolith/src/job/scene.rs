@@ -13,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
+use crate::io::npy::read_patterns;
 use crate::kind::Section;
 use crate::models::cells::Cells;
 use crate::models::planner::Setup;
@@ -88,7 +89,8 @@ impl Scene {
         let mut optics = Optics::new(&spec, &job.base())?;
         optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
-        let unlit = optics.leave_dark(printers.as_deref().unwrap_or_default());
+        let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
+        notes.extend(given_patterns(&spec, &optics)?);
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
@@ -135,7 +137,7 @@ impl Scene {
             base: job.base(),
             name: spec.target.name(),
             warnings: [shape.warnings(), optics.leaning(shape.as_ref()), light].concat(),
-            notes: unlit,
+            notes,
             spec,
             shape,
             has_cells,
@@ -783,6 +785,31 @@ fn set_quasi_newton_memory(section: &mut Value, memory: usize) {
     {
         parameters.insert("memory".to_owned(), memory.into());
     }
+}
+
+/// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.
+fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
+    let Some(file) = spec.start.pointer("/patterns/file").and_then(Value::as_str) else {
+        return Ok(Vec::new());
+    };
+    let key = "start.patterns.file";
+    let lights = optics.lights.len();
+    let accepted = format!(
+        "patterns.npz of a run, or an .npz with an array `patterns` [angle, row, column]; of {lights} light(s)"
+    );
+    let arrays = read_patterns(Path::new(file))
+        .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
+    if arrays.len() != lights {
+        let found = format!("patterns of {} lights", arrays.len());
+        return Err(Error::config(key, found, accepted));
+    }
+    let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
+        let (found, own) = (array.shape, light.pixels.shape());
+        (found != own).then(|| {
+            format!("{key}: patterns of {found:?} [angle, row, column] are brought to {own:?} on the same field of view")
+        })
+    });
+    Ok(others.collect())
 }
 
 /// What light passes in an optimisation for a shape.

@@ -143,7 +143,7 @@ pub struct ResinSpec {
     pub phase: Value,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
     pub pure_radon: bool,
-    /// What a dose counts.
+    /// What a dose counts: "energy" (default), absorbed per volume, or "drtvam", (n_surrounding/n_resin)² of it as in Dr.TVAM.
     pub dose_convention: DoseConvention,
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
     #[serde(skip_serializing_if = "Option::is_none")]

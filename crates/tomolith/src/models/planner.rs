@@ -32,9 +32,6 @@ pub struct Plan {
     pub dark: Vec<bool>,
 }
 
-/// Rays that a pixel sends through parts of voxels, for each through whole ones, where nobody says how many.
-const CELLS: usize = 4;
-
 /// What light passes from the projectors to the resin.
 #[derive(Clone, Copy)]
 pub struct Setup<'a> {
@@ -85,15 +82,6 @@ impl Setup<'_> {
         self.way(choice, lights, grid).map(drop)
     }
 
-    /// How many rays a pixel sends where nobody says so: parts of voxels need more of them than whole ones.
-    fn rays(&self) -> rays::Params {
-        let mut params = rays::Params::default();
-        if self.solid.is_some() {
-            params.rays_per_pixel *= CELLS;
-        }
-        params
-    }
-
     fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
@@ -121,7 +109,7 @@ impl Setup<'_> {
                     Optical::Scatter(Cow::default())
                 }
             }
-            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::Owned(self.rays())),
+            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
             (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
         };
         let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
@@ -303,8 +291,8 @@ fn straight(
         Optical::Rays(params) => {
             let mut params = params.clone().into_owned();
             if solid.is_some() {
-                let enough = rays::Params::default().rays_per_pixel;
-                params.rays_per_pixel = params.rays_per_pixel.min(enough);
+                let enough = rays::Params::default().rays(false);
+                params.rays_per_pixel = Some(params.rays(true).min(enough));
             }
             let model = Rays::new(setup.vial, lights, setup.optics, &params, grid)?;
             Ok(boxed(model, solid))
@@ -360,9 +348,13 @@ fn optical(
     grid: VolumeGrid,
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-    let rays = |params: &_| {
+    let rays = |params: &rays::Params| {
         let (vial, optics) = (setup.vial, setup.optics);
-        Rays::new(vial, lights.clone(), optics, params, grid.clone())
+        let params = rays::Params {
+            rays_per_pixel: Some(params.rays(solid.is_some())),
+            ..rays::Params::clone(params)
+        };
+        Rays::new(vial, lights.clone(), optics, &params, grid.clone())
             .map(|model| {
                 if setup.asked_often {
                     model.keeping()

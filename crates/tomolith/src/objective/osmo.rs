@@ -24,7 +24,7 @@ pub struct Params {
     pub d_h: f64,
     /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
     pub d_l: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default) or "fraction"
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
     pub surface: Surface,
 }
 

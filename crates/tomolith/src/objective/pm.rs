@@ -41,7 +41,7 @@ pub struct Params {
     pub p: f64,
     /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
     pub buffer_mm: Mm,
-    /// How voxels cut by the surface are weighed: "voxel" (default) or "fraction"
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
     pub surface: Surface,
 }
 

@@ -181,7 +181,9 @@ impl AroundTarget {
             return bands.build(surface, input);
         }
         if surface != Surface::Voxel {
-            return Err(surface.refused("the target is grey: its values are no inside fractions"));
+            return Err(surface.refused(
+                "the target is grey: its values are no inside fractions; surface = \"voxel\"",
+            ));
         }
         check_shape("labels", &input.labels.grid.shape, input)?;
         finish(self.grey(input), self.p, self.q, input)

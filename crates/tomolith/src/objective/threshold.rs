@@ -39,7 +39,7 @@ pub struct Params {
     pub part_weight: f64,
     /// Weight of void voxels, 0 or above (default 1)
     pub void_weight: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default) or "fraction"
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
     pub surface: Surface,
 }
 

@@ -29,7 +29,7 @@ pub struct Params {
     pub lower: f64,
     /// τ_u: threshold of part voxels (default 0.9)
     pub upper: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default) or "fraction"
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
     pub surface: Surface,
 }
 
@@ -53,7 +53,7 @@ pub struct WindowParams {
     pub upper: f64,
     /// Width of the part's band above τ_u, 0 or above (default 0)
     pub w: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default) or "fraction"
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
     pub surface: Surface,
 }
 

@@ -161,7 +161,7 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
         for (name, optics) in optics() {
             for reflections in [false, true] {
                 let params = Params {
-                    rays_per_pixel: 3,
+                    rays_per_pixel: Some(3),
                     reflections,
                     least_power: 0.02,
                     ..Params::default()
@@ -215,7 +215,7 @@ fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
         let mut light = light(6, 6, 24, 0.13);
         light.map = map.map(Arc::new);
         let params = Params {
-            rays_per_pixel: 1024,
+            rays_per_pixel: Some(1024),
             ..Params::default()
         };
         let optics = Optics::collimated(0.13);
@@ -358,7 +358,7 @@ fn with_many_rays_it_is_what_parallel_says() {
         let expected = dose(&parallel, &x);
         let difference = |count: usize| {
             let params = Params {
-                rays_per_pixel: count,
+                rays_per_pixel: Some(count),
                 ..Params::default()
             };
             let optics = Optics::collimated(0.13);
@@ -419,7 +419,7 @@ fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
     light.resin = Resin::pure_radon(1.5);
     let grid = VolumeGrid::centered([80, 11, 41], 0.05);
     let params = Params {
-        rays_per_pixel: 1024,
+        rays_per_pixel: Some(1024),
         ..Params::default()
     };
     let model = rays(
@@ -568,7 +568,7 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
         for vial in vials() {
             for (name, optics) in optics() {
                 let params = Params {
-                    rays_per_pixel: 3,
+                    rays_per_pixel: Some(3),
                     reflections: true,
                     least_power: 0.02,
                     ..Params::default()
@@ -696,7 +696,7 @@ fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
     light.resin = Resin::pure_radon(1.48);
     let vial = IndexMatched { radius_mm: 1.7 };
     let params = Params {
-        rays_per_pixel: 100,
+        rays_per_pixel: Some(100),
         ..Params::default()
     };
     for solid in solids(&grid) {
