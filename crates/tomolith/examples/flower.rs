@@ -28,7 +28,7 @@ use tomolith::objective::{OBJECTIVES, ObjectiveInput};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 use tomolith::optimize::start::{STARTS, StartInput};
-use tomolith::optimize::{Limits, OPTIMIZERS, Outcome, Problem, Stop, StopReason, run};
+use tomolith::optimize::{Limits, OPTIMIZERS, Outcome, Problem, Row, Stop, StopReason, run};
 use tomolith::response::{Identity, Logistic, Response, logistic};
 use tomolith::target::{self, Target, TargetSpec, label, label_voxels};
 
@@ -68,11 +68,15 @@ struct Setting {
     /// Degrees over which the frames are spread.
     arc: f64,
     start: Value,
+    /// Factor on the patterns of the start.
+    brightness: f32,
     optimizer: (&'static str, Value),
     iterations: usize,
     change: f64,
     /// Grey values of the picture → grey values of the target.
     grey: fn(f32) -> f32,
+    /// How far the picture is sharpened: this times its difference from the mean with its neighbours is added.
+    detail: f32,
 }
 
 impl Setting {
@@ -87,10 +91,12 @@ impl Setting {
             frames: 360,
             arc: 360.0,
             start: json!({"fbp": {"scale": "analytic"}}),
+            brightness: 1.0,
             optimizer: ("bclp", json!({"step": STEP})),
             iterations: PATIENCE,
             change: 0.001,
             grey: |value| value,
+            detail: 0.0,
         }
     }
 }
@@ -185,6 +191,20 @@ fn traced(n: usize, pixels: &PatternGrid) -> Csr {
     by_pixel.transposed()
 }
 
+/// Adds `detail` times what the mean over 3 × 3 pixels, weighted 1, 2, 1, takes away; greys stay between 0 and 1.
+fn sharpen(values: &mut [f32], n: usize, detail: f32) {
+    let mean = |of: &[f32], i: usize, stride: usize, at: usize| {
+        let before = if at == 0 { i } else { i - stride };
+        let after = if at + 1 == n { i } else { i + stride };
+        0.25 * (of[before] + 2.0 * of[i] + of[after])
+    };
+    let rows: Vec<f32> = (0..n * n).map(|i| mean(values, i, 1, i % n)).collect();
+    let means: Vec<f32> = (0..n * n).map(|i| mean(&rows, i, n, i / n)).collect();
+    for (value, mean) in values.iter_mut().zip(means) {
+        *value = (*value + detail * (*value - mean)).clamp(0.0, 1.0);
+    }
+}
+
 /// The picture on the voxels of the inscribed circle.
 fn picture(image: &str, setting: &Setting, edge: f64) -> Result<(Target, Volume<u8>), Error> {
     let source = match image {
@@ -201,6 +221,7 @@ fn picture(image: &str, setting: &Setting, edge: f64) -> Result<(Target, Volume<
     for value in &mut target.inside.values {
         *value = (setting.grey)(*value);
     }
+    sharpen(&mut target.inside.values, setting.voxels, setting.detail);
     // Voxels whose centres lie in the circle through the centres of the outermost ones
     let radius = (edge - grid.pitch_mm) / 2.0;
     let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) <= radius * (1.0 + 1e-12));
@@ -248,6 +269,9 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
     let flag = Run::new();
     let (row, section) = Section::new("start", setting.start.clone()).kind(STARTS)?;
     let mut x = (row.build)(&section)?.patterns(&input, &flag)?;
+    for value in x.as_mut_slice() {
+        *value *= setting.brightness;
+    }
     let layout = &model.outputs()[0];
     let objective_input = ObjectiveInput {
         layout,
@@ -338,6 +362,7 @@ fn row(image: &str, name: &str, setting: &Setting) -> Result<(), Error> {
     let solved = solve(image, setting)?;
     let history = &solved.outcome.history;
     let at = |k: usize| history[k.min(history.len() - 1)].loss;
+    passing(history, setting);
     let why = match solved.outcome.reason {
         StopReason::ZeroLoss => "loss 0",
         StopReason::Steady => "eq. 28",
@@ -358,6 +383,23 @@ fn row(image: &str, name: &str, setting: &Setting) -> Result<(), Error> {
     Ok(())
 }
 
+/// Where on the way the published loss is passed, and what eq. 28 compares with 0.1 % there.
+fn passing(history: &[Row], setting: &Setting) {
+    let Some((_, published)) = PUBLISHED.iter().find(|(e, _)| *e == setting.epsilon) else {
+        return;
+    };
+    let Some(k) = history.iter().position(|r| r.loss <= *published) else {
+        return;
+    };
+    let changes = history[k.saturating_sub(5)..=k].windows(2);
+    let mean: f64 = changes.map(|w| (w[1].loss - w[0].loss).abs()).sum::<f64>() / 5.0;
+    println!(
+        "| {published} is passed at step {k}, where the mean change of five steps is {:.3} % | {} ||||||||",
+        100.0 * mean / history[k].loss,
+        setting.epsilon
+    );
+}
+
 /// B = 10 and 25 at each ε, beside the published losses.
 fn published(image: &str, voxels: usize) -> Result<(), Error> {
     for steepness in [10.0, 25.0] {
@@ -371,6 +413,13 @@ fn published(image: &str, voxels: usize) -> Result<(), Error> {
             };
             row(image, &format!("as published, B = {steepness}"), &setting)?;
         }
+        let setting = Setting {
+            epsilon: 0.0,
+            steepness,
+            optimizer: ("bclp", json!({"step": 0.1 * STEP})),
+            ..Setting::published(voxels)
+        };
+        row(image, &format!("step ÷ 10, B = {steepness}"), &setting)?;
     }
     Ok(())
 }
@@ -419,6 +468,8 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
     let step = |factor: f64| with(&|s| s.optimizer = ("bclp", json!({"step": factor * STEP})));
     let operator = |operator: Operator| with(&|s| s.operator = operator);
     let start = |start: Value| with(&|s| s.start = start.clone());
+    let brightness = |factor: f32| with(&|s| s.brightness = factor);
+    let detail = |more: f32| with(&|s| s.detail = more);
     let grey = |map: fn(f32) -> f32| with(&|s| s.grey = map);
     vec![
         ("as published", base.clone()),
@@ -439,6 +490,26 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
                 s.iterations = 300;
                 s.change = 0.0;
             }),
+        ),
+        ("start × 0.5", brightness(0.5)),
+        ("start × 0.75", brightness(0.75)),
+        ("start × 1.25", brightness(1.25)),
+        ("start × 1.4", brightness(1.4)),
+        ("start × 1.5", brightness(1.5)),
+        ("start × π/2", brightness(1.5708)),
+        ("start × 2", brightness(2.0)),
+        ("start LSQR, 10", start(json!({"lsqr": {"iterations": 10}}))),
+        (
+            "start Shepp-Logan",
+            start(json!({"fbp": {"scale": "analytic", "filter": "shepp_logan"}})),
+        ),
+        (
+            "start cosine",
+            start(json!({"fbp": {"scale": "analytic", "filter": "cosine"}})),
+        ),
+        (
+            "start offset",
+            start(json!({"fbp": {"scale": "fit", "negative": "offset"}})),
         ),
         ("start 0", start(json!("zero"))),
         ("start uniform", start(json!("uniform"))),
@@ -464,6 +535,10 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
         ),
         ("greys 0.1 to 0.9", grey(|v| 0.1 + 0.8 * v)),
         ("greys to the power 2.2", grey(|v| v.powf(2.2))),
+        ("detail × 1.05", detail(0.05)),
+        ("detail × 1.1", detail(0.1)),
+        ("detail × 1.2", detail(0.2)),
+        ("detail × 1.4", detail(0.4)),
     ]
 }
 

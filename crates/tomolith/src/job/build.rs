@@ -709,6 +709,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
             },
             pure_radon: resin.pure_radon,
         },
+        wavelength_nm: light.wavelength_nm,
         surrounding_index: spec.vial.common.surrounding_index,
         map: None,
         bath: None,

@@ -82,14 +82,15 @@ fn solve_level(
         run,
     )?;
     let (model, dark) = (plan.model.as_ref(), &plan.dark);
+    let models = (model, plan.straight.as_deref());
     let objective = scene.objective(&model.outputs()[0], &voxels)?;
     let mut x = match start {
-        Some(given) => starting_patterns(scene, &voxels, model, given, run)?,
-        None => starting_patterns(scene, &voxels, model, scene.start()?.as_ref(), run)?,
+        Some(given) => starting_patterns(scene, &voxels, models, given, run)?,
+        None => starting_patterns(scene, &voxels, models, scene.start()?.as_ref(), run)?,
     };
     darken(&mut x, dark);
     let mut optimizer = scene.optimizer()?;
-    let limits = limits(&scene.spec, &x, optimizer.normalises());
+    let limits = limits(&scene.spec, model, &x, optimizer.normalises());
     let mut problem =
         Problem::new(model, &objective, &limits, run)?.with_bits(scene.spec.bounds.bits)?;
     if optimizer.needs().target.is_some() {

@@ -259,7 +259,7 @@ impl Work<'_> {
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
         let [judge_s, ..] = seconds(&rates.judging, frames);
         let vectors = extent.active_pixels as f64 * rates.vector_s;
-        let step_s = own * (dose_s + adjoint_s)
+        let step_s = own * (rates.doses_per_step * dose_s + adjoint_s)
             + PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
         let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
@@ -327,6 +327,7 @@ mod tests {
                 dose: rate(1.0, 1e-3),
                 adjoint: rate(7.0, 7.0),
             },
+            doses_per_step: 1.0,
             judging_refine: 1,
             objective_s: 0.01,
             vector_s: 1e-5,

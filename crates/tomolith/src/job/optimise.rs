@@ -87,7 +87,8 @@ pub(crate) fn optimise(
     progress.event(&Event::Note {
         text: plan.reason.clone(),
     });
-    let of_bodies = dark_pixels(scene, plan.model.as_ref(), progress, cancel)?;
+    let straight = plan.straight.as_deref();
+    let of_bodies = dark_pixels(scene, straight.unwrap_or(plan.model.as_ref()), progress, cancel)?;
     let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
         Some(dark) => Box::new(Dimmed::new(plan.model, dark)),
         None => plan.model,
@@ -101,13 +102,16 @@ pub(crate) fn optimise(
     let mut start = match coarse::solve(scene, cancel)? {
         Some(levels) => {
             progress.event(&Event::Note { text: levels.note });
-            starting_patterns(scene, voxels, model, &levels.start, cancel)?
+            starting_patterns(scene, voxels, (model, straight), &levels.start, cancel)?
         }
-        None => starting_patterns(scene, voxels, model, scene.start()?.as_ref(), cancel)?,
+        None => {
+            let start = scene.start()?;
+            starting_patterns(scene, voxels, (model, straight), start.as_ref(), cancel)?
+        }
     };
     darken(&mut start, &dark);
     let mut optimizer = scene.optimizer()?;
-    let limits = limits(spec, &start, optimizer.normalises());
+    let limits = limits(spec, model, &start, optimizer.normalises());
     let penalties = scene.penalties(model.patterns())?;
     let mut problem = Problem::new(model, &objective, &limits, cancel)?
         .with_penalties(penalties)
@@ -265,11 +269,19 @@ pub(super) fn target_field(
     input.target_field()
 }
 
-/// Where the optimisation begins: within the bounds that the job gives.
+/// Part of the mean energy of lit pixels that every pixel has at the start of amplitudes: one that is dark, and lights nothing with
+/// others together, would stay dark for ever.
+const GLIMMER: f64 = 0.01;
+
+/// Where the optimisation begins: within the bounds that the job gives. A model whose unknowns are amplitudes begins at the
+/// roots of what straight light would begin with.
 pub(super) fn starting_patterns(
     scene: &Scene,
     voxels: &Voxels,
-    model: &dyn DoseModel<Field = HostField>,
+    (model, straight): (
+        &dyn DoseModel<Field = HostField>,
+        Option<&dyn DoseModel<Field = HostField>>,
+    ),
     start: &dyn Start,
     cancel: &Run,
 ) -> Result<HostField> {
@@ -280,20 +292,51 @@ pub(super) fn starting_patterns(
     };
     let response = scene.response()?;
     let input = StartInput {
-        model,
+        model: straight.unwrap_or(model),
         target: &voxels.target,
         labels: &voxels.labels,
         response: response.as_ref(),
         limits: &vec![limits; scene.spec.light.len()],
     };
-    start.patterns(&input, cancel)
+    let mut x = start.patterns(&input, cancel)?;
+    if straight.is_some() {
+        into_amplitudes(x.as_mut_slice(), GLIMMER)?;
+    }
+    Ok(x)
+}
+
+/// Energies → amplitudes, none of them dark.
+///
+/// # Errors
+/// [`Error::Config`] when all are dark: no step leads away from there.
+fn into_amplitudes(energies: &mut [f32], glimmer: f64) -> Result<()> {
+    let lit = energies.iter().filter(|&&v| v > 0.0);
+    let (count, sum) = lit.fold((0usize, 0.0f64), |(n, s), &v| (n + 1, s + f64::from(v)));
+    if count == 0 {
+        return Err(Error::config(
+            "start",
+            "patterns that are dark everywhere",
+            "a start with light: amplitudes of 0 are a stationary point of waves",
+        ));
+    }
+    let least = glimmer * sum / count as f64;
+    for value in energies {
+        *value = f64::from(*value).max(least).sqrt() as f32;
+    }
+    Ok(())
 }
 
 /// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
 /// pixels at the silhouette grow far beyond all others, and the projector's grey levels are spent on them. A method that
 /// normalises its doses has a scale of its own, to which the start says nothing.
-pub(super) fn limits(spec: &JobSpec, start: &HostField, normalises: bool) -> Vec<Limits> {
-    let largest = f64::from(start.max_abs());
+pub(super) fn limits(
+    spec: &JobSpec,
+    model: &dyn DoseModel<Field = HostField>,
+    start: &HostField,
+    normalises: bool,
+) -> Vec<Limits> {
+    let quantity = model.patterns()[0].quantity;
+    let largest = f64::from(quantity.energy(start.max_abs()));
     let natural = if largest > spec.bounds.min && !normalises {
         largest
     } else {

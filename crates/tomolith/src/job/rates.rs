@@ -54,6 +54,8 @@ pub(crate) struct Rates {
     pub(crate) judging: CallRates,
     /// How many times finer than the job's the voxels of these are.
     pub(crate) judging_refine: usize,
+    /// Doses of one step: the coefficients of the dose along it.
+    pub(crate) doses_per_step: f64,
     /// One pass of the objective, s.
     pub(crate) objective_s: f64,
     /// One step of a pattern vector, s per pixel.
@@ -125,6 +127,8 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         setup.asked_often = false;
         (trials, plan) = by_optimiser(scene, setup, voxels, run)?;
     }
+    // A line, or the three coefficients of a quadratic
+    let doses_per_step = if plan.model.is_linear() { 1.0 } else { 3.0 };
     let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
@@ -139,6 +143,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         calls: CallRates::of(&trials),
         judging: CallRates::of(&judged),
         judging_refine,
+        doses_per_step,
         objective_s,
         vector_s,
         sampling_s: sampling_s / scene.grid.len().max(1) as f64,

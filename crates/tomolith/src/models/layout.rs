@@ -34,6 +34,26 @@ pub enum Quantity {
     Amplitude,
 }
 
+impl Quantity {
+    /// The energy that a value of this kind stands for.
+    #[must_use]
+    pub fn energy(self, value: f32) -> f32 {
+        match self {
+            Quantity::Energy => value,
+            Quantity::Amplitude => value * value,
+        }
+    }
+
+    /// The value of this kind that stands for an energy, 0 or above.
+    #[must_use]
+    pub fn value(self, energy: f32) -> f32 {
+        match self {
+            Quantity::Energy => energy,
+            Quantity::Amplitude => energy.max(0.0).sqrt(),
+        }
+    }
+}
+
 /// Floats that a row of `nz` voxels takes: `nz` rounded up to whole vectors of 16, and long rows to an odd number of
 /// them. Rows a power of two apart would all compete for the same few sets of the caches. A single slice has no lanes
 /// along z: its rows are single voxels.
@@ -326,7 +346,7 @@ impl PatternLayout {
         self.offset..self.offset + self.len
     }
 
-    /// Full images in file order, inactive pixels 0; `field` is the whole field of the model.
+    /// Full images of energy in file order, inactive pixels 0; `field` is the whole field of the model.
     ///
     /// # Panics
     /// When the field is shorter than the layout.
@@ -345,14 +365,15 @@ impl PatternLayout {
                 for (column, run) in runs.iter().enumerate() {
                     let values = &field[run.offset..][..run.count as usize];
                     for (i, &value) in values.iter().enumerate() {
-                        image[(rows - 1 - run.bottom as usize - i) * columns + column] = value;
+                        image[(rows - 1 - run.bottom as usize - i) * columns + column] =
+                            self.quantity.energy(value);
                     }
                 }
             });
         patterns
     }
 
-    /// Writes images in file order into the field; inactive pixels are dropped.
+    /// Writes images of energy in file order into the field; inactive pixels are dropped.
     ///
     /// # Panics
     /// When the images have another shape or the field is shorter than the layout.
@@ -367,8 +388,8 @@ impl PatternLayout {
             let (frame, column) = (slot / columns, slot % columns);
             let image = &patterns.values[frame * rows * columns..][..rows * columns];
             for i in 0..run.count as usize {
-                field[run.offset + i] =
-                    image[(rows - 1 - run.bottom as usize - i) * columns + column];
+                let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
+                field[run.offset + i] = self.quantity.value(energy);
             }
         }
     }

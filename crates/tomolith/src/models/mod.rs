@@ -16,6 +16,7 @@ pub mod planner;
 pub mod rays;
 pub mod scatter;
 pub mod selection;
+pub mod wave;
 
 use crate::error::Result;
 use crate::field::Field;
@@ -38,6 +39,8 @@ pub enum Choice {
     Scatter(scatter::Params),
     /// Scattering by successive orders.
     Orders(orders::Params),
+    /// Coherent light.
+    Wave(wave::Params),
     /// A stored matrix.
     Matrix(matrix::Params),
 }
@@ -51,6 +54,7 @@ pub static MODELS: &[Kind<ChooseModel>] = &[
     rays::KIND,
     scatter::KIND,
     orders::KIND,
+    wave::KIND,
     matrix::KIND,
 ];
 

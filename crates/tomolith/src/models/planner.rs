@@ -11,7 +11,8 @@ use super::parallel::{self, Light, Parallel};
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
 use super::selection::{chosen, contributions, layouts, narrow};
-use super::{Choice, DoseModel, Run, orders, scatter};
+use super::wave::{self, Wave};
+use super::{Choice, DoseModel, Quantity, Run, orders, scatter};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
@@ -30,6 +31,9 @@ pub struct Plan {
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
     pub dark: Vec<bool>,
+    /// Where a model that is asked often is not linear: straight light through the same pixels, which starts and shadows are found
+    /// with.
+    pub straight: Option<Box<dyn DoseModel<Field = HostField>>>,
 }
 
 /// What light passes from the projectors to the resin.
@@ -59,6 +63,7 @@ enum Optical<'a> {
     Rays(Cow<'a, rays::Params>),
     Scatter(Cow<'a, scatter::Params>),
     Orders(Cow<'a, orders::Params>),
+    Wave(&'a wave::Params),
 }
 
 impl Setup<'_> {
@@ -102,6 +107,10 @@ impl Setup<'_> {
                 Some(reason) => return refused("model.orders", reason, other),
                 None => Optical::Orders(Cow::Borrowed(params)),
             },
+            (Choice::Wave(params), _) => match self.beyond_waves(lights) {
+                Some(reason) => return refused("model.wave", reason, other),
+                None => Optical::Wave(params),
+            },
             (Choice::Cheapest, _) if self.scatters() => {
                 if self.beyond_orders(lights, grid).is_none() {
                     Optical::Orders(Cow::default())
@@ -144,6 +153,7 @@ impl Setup<'_> {
                 "as asked; [model.parallel] covers these optics too and is faster".into()
             }
             (Choice::Scatter(_), _, None) => "as asked; nothing scatters".into(),
+            (Choice::Wave(_), _, _) => "as asked".into(),
             (_, Optical::Scatter(_), Some(reason)) => match self.beyond_orders(lights, grid) {
                 Some(other) => format!("{reason} and {other}"),
                 None => format!("{reason}; as asked, [model.orders] covers it without noise"),
@@ -189,6 +199,13 @@ impl Setup<'_> {
     pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
         self.beyond_straight(lights)
             .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
+    }
+
+    /// Why [`Wave`] does not cover it; None when it does.
+    #[must_use]
+    pub fn beyond_waves(&self, lights: &[Light]) -> Option<&'static str> {
+        self.beyond_parallel(lights)
+            .or_else(|| wave::beyond(self.vial, lights))
     }
 
     /// Why [`Parallel`] does not cover its straight light.
@@ -249,12 +266,21 @@ pub fn plan(
         dark = narrow(&mut lights, straight.patterns(), Some(brought.as_slice()));
     }
     let why = setup.why(&way, choice, &lights, &grid);
+    let beside = match way {
+        Optical::Wave(_) if setup.asked_often => {
+            let (lights, grid) = (lights.clone(), grid.clone());
+            let model = straight(&way, setup, lights, grid, solid.as_ref())?;
+            Some(dimmed(model, &dark, setup.dose_factor))
+        }
+        _ => None,
+    };
     let model = optical(&way, setup, lights, grid, solid.as_ref())?;
     let model = dimmed(model, &dark, setup.dose_factor);
     Ok(Plan {
         reason: format!("{}: {why}", model.describe()),
         model,
         dark,
+        straight: beside,
     })
 }
 
@@ -265,6 +291,9 @@ fn dimmed(
     factor: f64,
 ) -> Box<dyn DoseModel<Field = HostField>> {
     if factor != 1.0 {
+        // A factor of energies: of amplitudes its root
+        let is_amplitude = model.patterns().iter().any(|p| p.quantity == Quantity::Amplitude);
+        let factor = if is_amplitude { factor.sqrt() } else { factor };
         model = Box::new(Dimmed::by(model, factor as f32));
     }
     if !dark.is_empty() {
@@ -273,7 +302,7 @@ fn dimmed(
     model
 }
 
-/// The straight light of a model: which pixels meet a voxel. Scattered light meets all of them.
+/// The straight light of a model: which pixels meet a voxel. Scattered light, and waves to some extent, meet all of them.
 fn straight(
     way: &Optical<'_>,
     setup: Setup<'_>,
@@ -282,7 +311,9 @@ fn straight(
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     match way {
-        Optical::Orders(_) => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
+        Optical::Orders(_) | Optical::Wave(_) => {
+            Ok(Box::new(Parallel::new(setup.vial, lights, grid)?))
+        }
         Optical::Scatter(params) => {
             let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
             Ok(boxed(model, solid))
@@ -329,6 +360,7 @@ fn stored(
         reason: format!("{} from {}", model.describe(), matrix.file.display()),
         model,
         dark,
+        straight: None,
     })
 }
 
@@ -376,6 +408,7 @@ fn optical(
             Ok(Box::new(model))
         }
         Optical::Rays(params) => rays(params),
+        Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),
         Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! A search walks the *feasible segment* x + α·(x̄ − x), α ∈ [0, 1], whose end x̄ lies within the bounds; no point of it needs
 //! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
-//! then costs passes over the dose only. (Searching first and clamping afterwards promises losses that are not delivered.)
+//! then costs passes over the dose only; for waves it is a quadratic in α, whose three coefficients serve it. (Searching first and clamping afterwards promises losses that are not delivered.)
 
 use crate::error::{Error, Result};
 use crate::field::{Bounds, Field};
@@ -368,7 +368,10 @@ impl<'a, F: Field> Problem<'a, F> {
         at: &mut Position<F>,
     ) -> Result<Found> {
         if !self.model.is_linear() {
-            return self.backtrack(x, step, slope, at);
+            return match self.along(x, step)? {
+                Some(curve) => Ok(self.search_curve(x, step, slope, (&curve, at))),
+                None => self.backtrack(x, step, slope, at),
+            };
         }
         self.dose(step, &mut at.cotangent)?;
         let Position {
@@ -397,7 +400,53 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(found)
     }
 
-    /// The search for models whose dose is not linear in x: shrinks the step until the loss falls enough (Armijo), one
+    /// α ↦ F(x + αd) where it is a polynomial; counted as a forward call for each coefficient.
+    fn along(&mut self, x: &F, d: &F) -> Result<Option<Vec<F>>> {
+        let begin = Instant::now();
+        let curve = self.model.along(x, d, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        if let Ok(Some(curve)) = &curve {
+            self.counters.forward += curve.len() as u64;
+        }
+        curve
+    }
+
+    /// The search where the dose along the segment is a polynomial of α: exact, as for a linear model.
+    fn search_curve(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        (curve, at): (&[F], &mut Position<F>),
+    ) -> Found {
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let mut place = dose.clone();
+        let found = self.timed(|objective, penalties| {
+            let found = segment_minimum(*loss, slope, |alpha| {
+                place_on(curve, alpha, &mut place, cotangent);
+                sum(
+                    objective.slope_along(&place, cotangent, 0.0),
+                    penalties.slope_along(x, step, alpha),
+                )
+            });
+            if found.alpha != 0.0 {
+                place_on(curve, found.alpha, dose, cotangent);
+            }
+            *loss = objective.value_and_gradient(dose, cotangent);
+            found
+        });
+        if found.alpha != 0.0 {
+            x.move_along(step, found.alpha, &self.bounds);
+        }
+        at.loss += self.timed(|_, penalties| penalties.value(x));
+        found
+    }
+
+    /// The search for models whose dose is no polynomial of the step: shrinks the step until the loss falls enough (Armijo), one
     /// forward call a trial.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn backtrack(
@@ -477,18 +526,30 @@ impl<'a, F: Field> Problem<'a, F> {
         if sums.slope >= 0.0 {
             return Ok(unit);
         }
-        self.dose(direction, &mut at.cotangent)?;
+        let curve = if self.model.is_linear() {
+            None
+        } else {
+            self.along(x, direction)?
+        };
+        if curve.is_none() {
+            self.dose(direction, &mut at.cotangent)?;
+        }
         let Position {
             dose,
             cotangent,
             loss,
         } = at;
+        let mut place = curve.as_ref().map(|_| dose.clone());
         let length = self.timed(|objective, penalties| {
             let length = ray_minimum(*loss, sums.slope, |a| {
-                sum(
-                    objective.slope_along(dose, cotangent, a),
-                    penalties.slope_along(x, direction, a),
-                )
+                let of_dose = match (&curve, &mut place) {
+                    (Some(curve), Some(place)) => {
+                        place_on(curve, a, place, cotangent);
+                        objective.slope_along(place, cotangent, 0.0)
+                    }
+                    _ => objective.slope_along(dose, cotangent, a),
+                };
+                sum(of_dose, penalties.slope_along(x, direction, a))
             });
             *loss = objective.value_and_gradient(dose, cotangent) + penalties.value(x);
             length
@@ -501,6 +562,18 @@ impl<'a, F: Field> Problem<'a, F> {
         let result = work(self.objective, &self.penalties);
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         result
+    }
+}
+
+/// The dose at α of a polynomial, and its derivative there.
+fn place_on<F: Field>(curve: &[F], alpha: f32, place: &mut F, slope: &mut F) {
+    place.fill(0.0);
+    slope.fill(0.0);
+    for (power, term) in curve.iter().enumerate() {
+        place.axpy(alpha.powi(power as i32), term);
+        if power > 0 {
+            slope.axpy(power as f32 * alpha.powi(power as i32 - 1), term);
+        }
     }
 }
 

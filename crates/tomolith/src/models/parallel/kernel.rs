@@ -12,13 +12,13 @@ use crate::field::LANES;
 use std::sync::OnceLock;
 
 /// Vectors of 16 lanes that a block has at most.
-pub(super) const MAX_BLOCK: usize = 16;
+pub(in crate::models) const MAX_BLOCK: usize = 16;
 
 /// Weighted rows of lanes: `slots[i]` counts `weights[i]` times.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Entries<'a> {
-    pub(super) slots: &'a [u32],
-    pub(super) weights: &'a [f32],
+pub(in crate::models) struct Entries<'a> {
+    pub(in crate::models) slots: &'a [u32],
+    pub(in crate::models) weights: &'a [f32],
 }
 
 impl Entries<'_> {
@@ -32,10 +32,10 @@ impl Entries<'_> {
 
 /// Rows of lanes: `row` vectors of 16 floats each, of which a block `first..first + count` is used.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
-    pub(super) row: usize,
-    pub(super) first: usize,
-    pub(super) count: usize,
+pub(in crate::models) struct Block {
+    pub(in crate::models) row: usize,
+    pub(in crate::models) first: usize,
+    pub(in crate::models) count: usize,
 }
 
 /// An instruction set that this program has a path for.
@@ -101,7 +101,7 @@ impl Isa {
 ///
 /// # Panics
 /// When a slot lies outside `source` or `out` is too short: the check is one comparison per entry.
-pub(super) fn accumulate(
+pub(in crate::models) fn accumulate(
     isa: Isa,
     out: &mut [f32],
     source: &[f32],

@@ -123,6 +123,8 @@ pub struct Light {
     pub pixels: PatternGrid,
     /// The resin at this wavelength.
     pub resin: Resin,
+    /// Vacuum wavelength, nm: what waves diffract by.
+    pub wavelength_nm: f64,
     /// Index of what surrounds the vial.
     pub surrounding_index: f64,
     /// Absorption that changes across the plane; None: the resin's plain numbers everywhere.
@@ -142,12 +144,13 @@ pub struct Light {
 }
 
 impl Light {
-    /// Unpolarised light in air, standing still, all pixels active.
+    /// Unpolarised light of 405 nm in air, standing still, all pixels active.
     #[must_use]
     pub fn new(pixels: PatternGrid, resin: Resin) -> Self {
         Light {
             pixels,
             resin,
+            wavelength_nm: 405.0,
             surrounding_index: 1.0,
             map: None,
             bath: None,
@@ -478,7 +481,7 @@ fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
 }
 
 /// Whether light passes the vial as if it were not there: one round wall between equal indices.
-fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
+pub(in crate::models) fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
     let index = light.resin.refractive_index;
     let outside = vial.surrounding_index(light.surrounding_index, index);
     vial.walls().len() == 1 && vial.is_round() && (outside - index).abs() < 1e-12

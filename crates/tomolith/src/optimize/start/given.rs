@@ -8,7 +8,7 @@
 //! column\] (`patterns_<light>`, in the order of the job's lights, when there are several); `patterns_raw`, the values before
 //! quantisation, is preferred. Its field of view is that of the job's light.
 //!
-//! **Cost** no model call. **Limits** none on the model; amplitudes are not energies, so a wave model wants its own.
+//! **Cost** no model call. **Limits** none on the model: patterns are energies, whatever its unknowns are.
 //!
 //! ```
 //! use tomolith::grid::{PatternGrid, Patterns};
@@ -28,7 +28,7 @@ use crate::field::HostField;
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::npy::read_patterns;
 use crate::kind::Kind;
-use crate::models::{PatternLayout, Quantity, Run};
+use crate::models::{PatternLayout, Run};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -104,13 +104,7 @@ impl Start for Given {
 
 /// The patterns of a light, in the quantity of the model.
 fn fill(given: &Patterns, light: &PatternLayout, x: &mut HostField) {
-    let mut patterns = resample(given, &light.grid);
-    if light.quantity == Quantity::Amplitude {
-        patterns
-            .values
-            .par_iter_mut()
-            .for_each(|v| *v = v.max(0.0).sqrt());
-    }
+    let patterns = resample(given, &light.grid);
     light.fill_field(&patterns, x.as_mut_slice());
 }
 

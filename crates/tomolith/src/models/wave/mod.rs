@@ -1,0 +1,568 @@
+//! The `wave` dose model: coherent light, by the band-limited angular spectrum.
+//!
+//! # Model
+//! The unknown is the amplitude a ≥ 0 of each pixel, the square root of its areal dose: files and frames hold energy. A pattern is the
+//! field in the focal plane; it spreads before and behind it as a scalar wave in resin, and the light of all frames adds up incoherently.
+//! With `etendue_deg` the light of a frame is itself a sum of modes, plane waves within a cone that carry the pattern.
+//!
+//! # Equation
+//! ```text
+//! dose(X, Y, z) = μ_a Σ_φ e^(−μ_t·way) Σ_m w_m |ψ_φm(d, u, z)|²,      ψ_φm(d) = F⁻¹[W(d)·H(d, f + f_m)·pupil(f + f_m)·F a_φ]
+//! H(d, f) = e^(2πi d √(λ⁻² − f²)),     λ = λ₀/n,     d = −(X cos φ + Y sin φ) − focus,     u = −X sin φ + Y cos φ
+//! ```
+//! F(a + αδ) is a quadratic in α, so searches along a line are exact; dose and gradient store no volume per frame.
+//!
+//! # Source
+//! Wechsler et al. 2024, eqs. 2 to 4 and Algorithms 2 and 3; Matsushima & Shimobaba 2009 (band limit). What is saved against the published
+//! algorithm, with its errors: docs/wave.md.
+//!
+//! # Parameters
+//! | key | unit | range | default | meaning |
+//! |---|---|---|---|---|
+//! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of \|ψ\|² between the depths that are computed |
+//! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of \|ψ\|² between lateral samples, for light that fills the band |
+//! | `numerical_aperture` | – | > 0, below n | none | of the projector's lens: patterns are limited to what it passes |
+//! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
+//! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
+//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane before the voxels |
+//! | `etendue_deg` | ° | 0 to 10 | 0 | half angle of the cone of modes in resin |
+//! | `rings` | – | 1 to 6 | 2 | rings of modes about the middle one: 7, 19, 37 … modes; only with an étendue |
+//!
+//! # Shapes
+//! Patterns and dose as everywhere. Rows of pixels must be voxels apart, or a whole multiple or fraction of it.
+//!
+//! # Limits
+//! Scalar, one index: an index-matched vial, no scattering, no bodies, collimated light normal to the axis. Light of one frame does not
+//! interfere with that of another. x = 0 is a stationary point: starts must be positive.
+//!
+//! # Cost
+//! Per frame 2 + K Fourier transforms for a dose and 2 + 2K for a pullback, K the number of depths on one side of the focal plane; then
+//! taps along × taps across multiply-adds per voxel. Memory: K planes of samples per frame at work and thread.
+//!
+//! # Example
+//! A slit 4 µm wide spreads: at 0.2 mm from the focus the middle holds less than in it, and light has arrived beside it.
+//! ```
+//! use tomolith::field::{Field, HostField};
+//! use tomolith::grid::{PatternGrid, VolumeGrid};
+//! use tomolith::models::{DoseModel, Run, parallel::Light, wave::{Params, Wave}};
+//! use tomolith::optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
+//! let vial = IndexMatched { radius_mm: 1.0 };
+//! // Voxels of 2 µm along x, the direction of the light, through the middle of the slit
+//! let grid = VolumeGrid::centered([2, 1, 201], 0.002);
+//! let model = Wave::new(&vial, vec![light], &Params::default(), grid).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.as_mut_slice()[63 * 64..65 * 64].fill(1.0); // columns 63 and 64, all rows
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let dose = model.outputs()[0].volume_of(dose.as_slice());
+//! let (focus, far) = (*dose.at(0, 0, 100), *dose.at(0, 0, 0));
+//! // Fraunhofer: width²/(λ·distance) = 16/(0.27·200) = 0.30 of the fluence in the slit, for a slit that is long
+//! assert!(far > 0.2 * focus && far < 0.4 * focus, "{far} {focus}");
+//! ```
+
+mod light;
+mod number;
+mod sampling;
+mod spectrum;
+mod taps;
+mod turn;
+#[cfg(test)]
+mod tests;
+
+use super::parallel::{Light, is_straight};
+use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
+use crate::error::{Error, Result};
+use crate::field::{Field, HostField};
+use crate::grid::VolumeGrid;
+use crate::kind::{Kind, Section};
+use crate::optics::vial::{Curve, Vial};
+use light::WaveLight;
+use number::Number;
+use sampling::{Beam, Sampling, Side};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+pub use spectrum::BandLimit;
+use spectrum::{Heights, Mode, Waves};
+use std::f64::consts::TAU;
+use std::ops::Range;
+use turn::{Turn, Uptake};
+
+/// Where the resin begins to absorb.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Entrance {
+    /// At its round wall.
+    #[default]
+    Wall,
+    /// At a plane before the voxels, as in the article.
+    Plane,
+}
+
+/// Keys of `[model.wave]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Error of the intensity between the depths that are computed, relative to light that fills the band, 1e-6 to 0.1.
+    pub relative_error: f64,
+    /// Error of the intensity between lateral samples, 1e-6 to 0.5.
+    pub rotation_error: f64,
+    /// Numerical aperture of the projector's lens.
+    pub numerical_aperture: Option<f64>,
+    /// How far behind the axis, seen with the light, the focal plane lies, mm.
+    pub focus_mm: f64,
+    /// How components end that would come back from the far side of the window.
+    pub band_limit: BandLimit,
+    /// Where the resin begins to absorb.
+    pub entrance: Entrance,
+    /// Half angle of the cone of modes in resin, degrees, 0 to 10.
+    pub etendue_deg: f64,
+    /// Rings of modes about the middle one, 1 to 6.
+    pub rings: usize,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            relative_error: 1e-3,
+            rotation_error: 0.03,
+            numerical_aperture: None,
+            focus_mm: 0.0,
+            band_limit: BandLimit::Hard,
+            entrance: Entrance::Wall,
+            etendue_deg: 0.0,
+            rings: 2,
+        }
+    }
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "wave",
+    summary: "Coherent light in an index-matched vial: band-limited angular spectrum, amplitudes as unknowns.",
+    example: "[model.wave]\nrelative_error = 1e-3\nnumerical_aperture = 0.05\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Wave(params_of(section)?)),
+};
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let refused = |key: &str, value: f64, accepted: &str| {
+        Err(Error::config(
+            format!("{}.{key}", section.path),
+            format!("found {value}"),
+            accepted,
+        ))
+    };
+    let (depth, turn) = (params.relative_error, params.rotation_error);
+    if !(1e-6..=0.1).contains(&depth) {
+        return refused("relative_error", depth, "1e-6 to 0.1");
+    }
+    if !(1e-6..=0.5).contains(&turn) {
+        return refused("rotation_error", turn, "1e-6 to 0.5");
+    }
+    if let Some(na) = params.numerical_aperture
+        && !(na > 0.0 && na.is_finite())
+    {
+        return refused("numerical_aperture", na, "a number > 0");
+    }
+    if !params.focus_mm.is_finite() {
+        return refused("focus_mm", params.focus_mm, "a finite number");
+    }
+    if !(0.0..=10.0).contains(&params.etendue_deg) {
+        return refused("etendue_deg", params.etendue_deg, "0 to 10 degrees");
+    }
+    if !(1..=6).contains(&params.rings) {
+        return refused("rings", params.rings as f64, "1 to 6");
+    }
+    Ok(params)
+}
+
+/// How errors are shared among the parts of the sampling.
+#[derive(Clone, Copy, Debug)]
+struct Settings {
+    relative_error: f64,
+    rotation_error: f64,
+    /// Lateral samples that a voxel is interpolated from.
+    lateral_taps: usize,
+    /// Turn volumes as the published program does: bilinear between samples at the pixels.
+    published_rotation: bool,
+}
+
+/// See the [module page](self).
+pub struct Wave {
+    lights: Vec<WaveLight<f32>>,
+    patterns: Vec<PatternLayout>,
+    outputs: Vec<DoseLayout>,
+}
+
+/// Why the model does not cover a vial and its lights; None when it does.
+#[must_use]
+pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
+    let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
+    if any(&|light| !is_straight(vial, light)) {
+        Some("waves know one refractive index, and this vial refracts or has walls; [vial.index_matched] does not")
+    } else if any(&|light| light.resin.gradient.is_some()) {
+        Some("waves know one refractive index, and the resin's changes from place to place")
+    } else if any(&|light| light.map.is_some()) {
+        Some("waves know one absorption for all the resin")
+    } else if any(&|light| light.bath.is_some()) {
+        Some("waves know no absorption before the vial")
+    } else {
+        None
+    }
+}
+
+impl Wave {
+    /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for pixels, voxels, wavelength and aperture that contradict each other, with the numbers that would work;
+    /// [`Error::Unsupported`] where [`beyond`] says why.
+    pub fn new(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        params: &Params,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        let settings = Settings {
+            relative_error: params.relative_error,
+            rotation_error: params.rotation_error,
+            lateral_taps: 4,
+            published_rotation: false,
+        };
+        Wave::with(vial, lights, (params, settings), grid)
+    }
+
+    fn with(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        (params, settings): (&Params, Settings),
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if let Some(reason) = beyond(vial, &lights) {
+            return Err(Error::Unsupported {
+                what: "model.wave".into(),
+                reason: reason.into(),
+            });
+        }
+        if grid.is_empty() {
+            return Err(Error::config(
+                "grid",
+                format!("shape {:?} [z, y, x]", grid.shape),
+                "at least one voxel",
+            ));
+        }
+        let layout = DoseLayout::new("dose", grid, 0);
+        let (mut built, mut patterns) = (Vec::new(), Vec::new());
+        let (mut offset, mut first_frame) = (0, 0);
+        for light in lights {
+            light.check()?;
+            let mut pixels = light.layout(offset);
+            pixels.quantity = Quantity::Amplitude;
+            built.push(light_of(
+                vial,
+                &light,
+                (params, &settings),
+                &layout,
+                first_frame,
+            )?);
+            offset += pixels.len();
+            first_frame += light.pixels.frames();
+            patterns.push(pixels);
+        }
+        Ok(Wave {
+            lights: built,
+            patterns,
+            outputs: vec![layout],
+        })
+    }
+
+    /// Additions and multiplications of the Fourier transforms of one dose call.
+    #[must_use]
+    pub fn operations(&self) -> f64 {
+        let frames = self.patterns.iter().map(|p| p.grid.frames() as f64);
+        (self.lights.iter().zip(frames))
+            .map(|(light, frames)| frames * light.waves.operations())
+            .sum()
+    }
+}
+
+/// A light of the wave model, of either kind of number.
+fn light_of<T: Number>(
+    vial: &dyn Vial,
+    light: &Light,
+    (params, settings): (&Params, &Settings),
+    layout: &DoseLayout,
+    first_frame: usize,
+) -> Result<WaveLight<T>> {
+    let grid = &layout.grid;
+    let pixels = &light.pixels;
+    let heights = heights_of(pixels.pitch_mm[1], grid)?;
+    let beam = beam_of(light, params)?;
+    let [nz, ny, nx] = grid.shape;
+    let in_resin: Vec<bool> = (0..nx * ny)
+        .map(|i| vial.in_resin([grid.x(i % nx), grid.y(i / nx), 0.0]))
+        .collect();
+    let lit = (0..nx * ny).filter(|&i| in_resin[i]);
+    let radius = lit
+        .map(|i| grid.x(i % nx).hypot(grid.y(i / nx)))
+        .fold(0.0, f64::max);
+    let u = Side {
+        pitch: pixels.pitch_mm[0],
+        pixels: pixels.columns,
+        from: pixels.column_u(0),
+        voxels: [-radius, radius],
+    };
+    let z = Side {
+        pitch: pixels.pitch_mm[1],
+        pixels: pixels.rows,
+        from: pixels.row_z(pixels.rows - 1),
+        voxels: [grid.z(0), grid.z(nz - 1)],
+    };
+    let deepest = radius + params.focus_mm.abs();
+    let sampling = Sampling::new(&beam, [&u, &z], deepest, settings)?;
+    let resin = light.resin.uptake();
+    let wall = match vial.resin_wall() {
+        Curve::Circle(radius) if params.entrance == Entrance::Wall => Some(radius),
+        _ => None,
+    };
+    let uptake = Uptake {
+        active: resin.active_per_mm,
+        attenuation: resin.attenuation_per_mm,
+        wall,
+        entrance: -radius,
+    };
+    let pitch = sampling.padded[0] as f64 * u.pitch / sampling.fine as f64;
+    let sides = [&u, &z];
+    let modes = modes_of(&beam, params);
+    let waves = Waves::new(
+        (beam, sampling, params.band_limit),
+        sides,
+        (heights, nz),
+        modes,
+    );
+    let first = u.from + waves.samples.start as f64 * pitch;
+    let turn = Turn::new(
+        (pixels, light.sub_angles),
+        grid,
+        in_resin,
+        (uptake, params.focus_mm),
+        (first, pitch, waves.width()),
+    );
+    Ok(WaveLight::new(
+        (waves, turn),
+        [nx, ny],
+        layout.row,
+        first_frame,
+    ))
+}
+
+/// How rows of pixels and of voxels lie on each other.
+fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
+    let ratio = row_mm / grid.pitch_mm;
+    let whole = |r: f64| (r.round() >= 1.0 && (r / r.round() - 1.0).abs() < 1e-6).then(|| r.round());
+    match (whole(ratio), whole(1.0 / ratio)) {
+        (Some(finer), _) => Ok(Heights {
+            finer: finer as usize,
+            stride: 1,
+        }),
+        (None, Some(stride)) => Ok(Heights {
+            finer: 1,
+            stride: stride as usize,
+        }),
+        (None, None) => {
+            let nearest = if ratio > 1.0 {
+                row_mm / ratio.round()
+            } else {
+                row_mm * (1.0 / ratio).round()
+            };
+            Err(Error::config(
+                "grid.pitch_mm",
+                format!("voxels of {} mm and rows of pixels {row_mm} mm apart", grid.pitch_mm),
+                format!(
+                    "with [model.wave] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
+                ),
+            ))
+        }
+    }
+}
+
+/// Wavelength and aperture of a light, checked against its pixels.
+fn beam_of(light: &Light, params: &Params) -> Result<Beam> {
+    let vacuum_mm = light.wavelength_nm * 1e-6;
+    let index = light.resin.refractive_index;
+    let wavenumber = index / vacuum_mm;
+    let pitch = light.pixels.pitch_mm[0].min(light.pixels.pitch_mm[1]);
+    let most = vacuum_mm / (2.0 * pitch);
+    if let Some(na) = params.numerical_aperture {
+        if na >= index {
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!("found {na} in a resin of index {index}"),
+                format!("below {index}"),
+            ));
+        }
+        if na > most * std::f64::consts::SQRT_2 {
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!("found {na}, but pixels of {pitch} mm make at most {most:.5} at {} nm", light.wavelength_nm),
+                format!("at most {most:.5}, pixels of at most {:.6} mm, or no such key", vacuum_mm / (2.0 * na)),
+            ));
+        }
+    } else if most >= index {
+        return Err(Error::config(
+            "light.pixel_pitch_mm",
+            format!("pixels of {pitch} mm are finer than half a wavelength in resin ({:.6} mm): what they show does not travel", 0.5 / wavenumber),
+            format!("at least {:.6} mm, or `model.wave.numerical_aperture` below {index}", 0.5 / wavenumber),
+        ));
+    }
+    Ok(Beam {
+        wavenumber,
+        aperture: params.numerical_aperture.map(|na| na / vacuum_mm),
+        tilt: wavenumber * params.etendue_deg.to_radians().sin(),
+    })
+}
+
+/// The modes of a light: one, or rings of equal areas. Each has its opposite, so that their sum is the same before and behind the focal
+/// plane.
+fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
+    let mut modes = vec![Mode {
+        frequency: [0.0; 2],
+        weight: 1.0,
+    }];
+    if beam.tilt == 0.0 {
+        return modes;
+    }
+    let count = 1 + 3 * params.rings * (params.rings + 1);
+    for ring in 1..=params.rings {
+        let (inner, outer) = (1 + 3 * ring * (ring - 1), 1 + 3 * ring * (ring + 1));
+        // Where half of the ring's area lies within
+        let share = 0.5 * (inner + outer) as f64 / count as f64;
+        for i in 0..6 * ring {
+            let (sin, cos) = (TAU * i as f64 / (6 * ring) as f64).sin_cos();
+            let size = beam.tilt * share.sqrt();
+            modes.push(Mode {
+                frequency: [size * cos, size * sin],
+                weight: 1.0,
+            });
+        }
+    }
+    for mode in &mut modes {
+        mode.weight = 1.0 / count as f64;
+    }
+    modes
+}
+
+impl DoseModel for Wave {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        let pixels = self.patterns.iter().map(PatternLayout::len);
+        Ok(HostField::zeros(pixels.sum()))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(HostField::zeros(self.outputs[0].len()))
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        dose.fill(0.0);
+        let frames = self.patterns.iter().map(|p| p.grid.frames()).sum();
+        self.dose_of(0..frames, x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, layout) in self.lights.iter().zip(&self.patterns) {
+            let own = &mut grad.as_mut_slice()[layout.range()];
+            light.pull_back(layout, x.as_slice(), cotangent.as_slice(), own, run)?;
+        }
+        Ok(())
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, layout) in self.lights.iter().zip(&self.patterns) {
+            let count = layout.grid.frames();
+            let local = |f: usize| f.saturating_sub(light.first_frame).min(count);
+            let own = local(frames.start)..local(frames.end);
+            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
+        }
+        Ok(())
+    }
+
+    /// F(x), 2·Re ΣF′ and F(d), by the doses of x ± s·d: with s = ‖x‖/‖d‖ nothing cancels.
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let mut terms = Vec::with_capacity(3);
+        let (of_x, of_d) = (x.norm(), d.norm());
+        let scale = if of_x > 0.0 && of_d > 0.0 {
+            of_x / of_d
+        } else {
+            1.0
+        };
+        let at = |sign: f64| -> Result<HostField> {
+            let mut place = x.clone();
+            place.axpy((sign * scale) as f32, d);
+            let mut dose = self.new_dose()?;
+            self.dose(&place, &mut dose, run)?;
+            Ok(dose)
+        };
+        let (here, mut more, less) = (at(0.0)?, at(1.0)?, at(-1.0)?);
+        let mut curved = more.clone();
+        curved.axpy(1.0, &less);
+        curved.axpy(-2.0, &here);
+        curved.scale((0.5 / (scale * scale)) as f32);
+        more.axpy(-1.0, &less);
+        more.scale((0.5 / scale) as f32);
+        terms.extend([here, more, curved]);
+        Ok(Some(terms))
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        let reach = |light: &WaveLight<f32>| light.waves.sampling.guard[1];
+        ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max))
+    }
+
+    fn is_linear(&self) -> bool {
+        false
+    }
+
+    fn updates(&self) -> u64 {
+        let columns = self.lights.iter().zip(&self.patterns);
+        let nz = self.outputs[0].grid.shape[0];
+        columns
+            .map(|(light, p)| (light.turn.columns() * nz * p.grid.frames()) as u64)
+            .sum()
+    }
+
+    fn describe(&self) -> String {
+        let s = &self.lights[0].waves.sampling;
+        let modes = match self.lights[0].waves.modes.len() {
+            1 => String::new(),
+            n => format!(", {n} modes"),
+        };
+        format!(
+            "wave ({} depths {:.4} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples, {} × {} taps{modes})",
+            s.depths, s.step, s.padded[0], s.padded[1], s.fine, s.along.taps, s.across.taps
+        )
+    }
+}
