@@ -88,7 +88,12 @@ pub(crate) fn optimise(
         text: plan.reason.clone(),
     });
     let straight = plan.straight.as_deref();
-    let of_bodies = dark_pixels(scene, straight.unwrap_or(plan.model.as_ref()), progress, cancel)?;
+    let of_bodies = dark_pixels(
+        scene,
+        straight.unwrap_or(plan.model.as_ref()),
+        progress,
+        cancel,
+    )?;
     let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
         Some(dark) => Box::new(Dimmed::new(plan.model, dark)),
         None => plan.model,

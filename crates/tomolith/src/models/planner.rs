@@ -292,7 +292,10 @@ fn dimmed(
 ) -> Box<dyn DoseModel<Field = HostField>> {
     if factor != 1.0 {
         // A factor of energies: of amplitudes its root
-        let is_amplitude = model.patterns().iter().any(|p| p.quantity == Quantity::Amplitude);
+        let is_amplitude = model
+            .patterns()
+            .iter()
+            .any(|p| p.quantity == Quantity::Amplitude);
         let factor = if is_amplitude { factor.sqrt() } else { factor };
         model = Box::new(Dimmed::by(model, factor as f32));
     }

@@ -1,7 +1,7 @@
 //! Dose and pullback of one light.
 
 use super::number::Number;
-use super::spectrum::{Scratch, Waves};
+use super::spectrum::{Mode, Scratch, Waves};
 use super::turn::{Sorted, TILE, TileEntries, Turn};
 use crate::error::{Error, Result};
 use crate::models::{PatternLayout, Run};
@@ -77,21 +77,49 @@ impl<T: Number> WaveLight<T> {
 
     /// |ψ|² of a frame at all samples.
     fn light(&self, layout: &PatternLayout, frame: usize, x: &[T], samples: &mut [T]) {
-        let (voxels, width) = (self.waves.voxels, self.waves.width());
-        samples.fill(T::zero());
         self.with_scratch(|scratch| {
             self.load(layout, frame, x, scratch);
-            self.waves.propagate(scratch, |depth, mode, field| {
-                let weight = T::of(mode.weight);
-                let of_depth = &mut samples[depth * width * self.row..][..width * self.row];
-                let rows = of_depth.chunks_exact_mut(self.row);
-                for (row, field) in rows.zip(field.chunks_exact(voxels)) {
-                    for (to, value) in row.iter_mut().zip(field) {
-                        *to = *to + weight * value.norm_sqr();
-                    }
-                }
+            self.waves.propagate([scratch], |depth, mode, [field]| {
+                self.add_at(depth, mode, samples, |i| field[i].norm_sqr());
             });
         });
+    }
+
+    /// |ψ|², 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
+    fn light_along(
+        &self,
+        (layout, frame): (&PatternLayout, usize),
+        [x, d]: [&[T]; 2],
+        samples: &mut [T],
+    ) {
+        let (first, rest) = samples.split_at_mut(self.samples());
+        let (second, third) = rest.split_at_mut(self.samples());
+        let two = T::of(2.0);
+        self.with_scratch(|of_x| {
+            self.load(layout, frame, x, of_x);
+            self.with_scratch(|of_d| {
+                self.load(layout, frame, d, of_d);
+                self.waves
+                    .propagate([of_x, of_d], |depth, mode, [psi, chi]| {
+                        let both = |i: usize| two * (psi[i] * chi[i].conj()).re;
+                        self.add_at(depth, mode, first, |i| psi[i].norm_sqr());
+                        self.add_at(depth, mode, second, both);
+                        self.add_at(depth, mode, third, |i| chi[i].norm_sqr());
+                    });
+            });
+        });
+    }
+
+    /// samples of a depth += a function of the field's elements, weighted as the mode is
+    fn add_at(&self, depth: usize, mode: &Mode, samples: &mut [T], value: impl Fn(usize) -> T) {
+        let (voxels, width) = (self.waves.voxels, self.waves.width());
+        let weight = T::of(mode.weight);
+        let of_depth = &mut samples[depth * width * self.row..][..width * self.row];
+        for (j, row) in of_depth.chunks_exact_mut(self.row).enumerate() {
+            for (i, to) in row[..voxels].iter_mut().enumerate() {
+                *to = *to + weight * value(j * voxels + i);
+            }
+        }
     }
 
     /// dose += light of some frames
@@ -103,28 +131,68 @@ impl<T: Number> WaveLight<T> {
         dose: &mut [T],
         run: &Run,
     ) -> Result<()> {
+        let lit: Vec<usize> = frames.filter(|&f| is_lit(layout, f, x)).collect();
+        let light = |frame: usize, samples: &mut [T]| self.light(layout, frame, x, samples);
+        self.add([dose], &lit, light, run)
+    }
+
+    /// doses += coefficients of α ↦ F(x + αd)
+    pub(super) fn add_along(
+        &self,
+        layout: &PatternLayout,
+        [x, d]: [&[T]; 2],
+        doses: [&mut [T]; 3],
+        run: &Run,
+    ) -> Result<()> {
+        let frames = 0..layout.grid.frames();
+        let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
+        let lit: Vec<usize> = frames.filter(is_lit).collect();
+        let light = |frame: usize, samples: &mut [T]| {
+            self.light_along((layout, frame), [x, d], samples);
+        };
+        self.add(doses, &lit, light, run)
+    }
+
+    /// doses += what `light(frame, samples)` leaves at the samples of frames: those of each dose one after the other
+    fn add<const N: usize>(
+        &self,
+        mut doses: [&mut [T]; N],
+        frames: &[usize],
+        light: impl Fn(usize, &mut [T]) + Sync,
+        run: &Run,
+    ) -> Result<()> {
         let size = self.samples();
-        let lit: Vec<usize> = frames.filter(|&frame| is_lit(layout, frame, x)).collect();
-        let bytes = size * std::mem::size_of::<T>();
+        let bytes = N * size * std::mem::size_of::<T>();
         let together = (TOGETHER / bytes.max(1)).clamp(rayon::current_num_threads(), 16);
-        let mut samples = vec![T::zero(); size * together.min(lit.len())];
-        for frames in lit.chunks(together) {
+        let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
+        for frames in frames.chunks(together) {
             if run.is_cancelled() {
                 return Err(Error::Cancelled);
             }
             samples
-                .par_chunks_mut(size)
+                .par_chunks_mut(N * size)
                 .zip(frames)
-                .for_each(|(samples, &frame)| self.light(layout, frame, x, samples));
-            let used = &samples[..size * frames.len()];
-            self.turn_onto(frames, used, dose);
+                .for_each(|(samples, &frame)| {
+                    samples.fill(T::zero());
+                    light(frame, samples);
+                });
+            for (which, dose) in doses.iter_mut().enumerate() {
+                self.turn_onto(frames, (which, N), &samples, dose);
+            }
         }
         Ok(())
     }
 
-    fn turn_onto(&self, frames: &[usize], samples: &[T], dose: &mut [T]) {
+    /// dose += samples of frames, of which this dose's is one of several
+    fn turn_onto(
+        &self,
+        frames: &[usize],
+        (which, of): (usize, usize),
+        samples: &[T],
+        dose: &mut [T],
+    ) {
         let [nx, ny] = self.plane;
-        let of_frame = self.waves.sampling.depths * self.waves.width();
+        let of_dose = self.waves.sampling.depths * self.waves.width();
         let band = TILE * nx * self.row;
         dose.par_chunks_mut(band).enumerate().for_each_init(
             TileEntries::default,
@@ -133,7 +201,7 @@ impl<T: Number> WaveLight<T> {
                 for x in (0..nx).step_by(TILE) {
                     let xs = x..(x + TILE).min(nx);
                     for (i, &frame) in frames.iter().enumerate() {
-                        let place = (frame, i * of_frame);
+                        let place = (frame, (i * of + which) * of_dose);
                         let area = (xs.clone(), ys.clone());
                         let sampling = &self.waves.sampling;
                         self.turn.enumerate(place, area, sampling, entries);
@@ -166,7 +234,8 @@ impl<T: Number> WaveLight<T> {
             for x in (0..nx).step_by(TILE) {
                 let area = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
                 let sampling = &self.waves.sampling;
-                self.turn.enumerate((frame, 0), area, sampling, &mut entries);
+                self.turn
+                    .enumerate((frame, 0), area, sampling, &mut entries);
                 sorted.sort(&entries);
                 for first in (0..self.waves.voxels).step_by(LANES_AT_ONCE) {
                     let lanes = (self.waves.voxels - first).min(LANES_AT_ONCE);
@@ -237,7 +306,7 @@ impl<T: Number> WaveLight<T> {
         take: impl FnMut(usize, &[Complex<T>]),
     ) {
         let (voxels, width) = (self.waves.voxels, self.waves.width());
-        let cotangent = |depth: usize, mode: &super::spectrum::Mode, field: &mut [Complex<T>]| {
+        let cotangent = |depth: usize, mode: &Mode, field: &mut [Complex<T>]| {
             let twice = T::of(2.0 * mode.weight);
             let of_depth = &samples[depth * width * self.row..][..width * self.row];
             let rows = of_depth.chunks_exact(self.row);

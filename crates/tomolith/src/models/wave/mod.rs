@@ -22,6 +22,7 @@
 //! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of \|ψ\|² between the depths that are computed |
 //! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of \|ψ\|² between lateral samples, for light that fills the band |
 //! | `numerical_aperture` | – | > 0, below n | none | of the projector's lens: patterns are limited to what it passes |
+//! | `soft_edge` | – | 0 to 1 | 0.25 | part of the band of frequencies over which it fades; 0: cut, as published |
 //! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
 //! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
 //! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane before the voxels |
@@ -36,7 +37,7 @@
 //! interfere with that of another. x = 0 is a stationary point: starts must be positive.
 //!
 //! # Cost
-//! Per frame 2 + K Fourier transforms for a dose and 2 + 2K for a pullback, K the number of depths on one side of the focal plane; then
+//! Per frame 1 + K Fourier transforms for a dose, 2 + 2K for a pullback and 2 + 2K for a search, K the number of depths on one side of the focal plane; then
 //! taps along × taps across multiply-adds per voxel. Memory: K planes of samples per frame at work and thread.
 //!
 //! # Example
@@ -66,9 +67,9 @@ mod number;
 mod sampling;
 mod spectrum;
 mod taps;
-mod turn;
 #[cfg(test)]
 mod tests;
+mod turn;
 
 use super::parallel::{Light, is_straight};
 use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
@@ -109,6 +110,8 @@ pub struct Params {
     pub rotation_error: f64,
     /// Numerical aperture of the projector's lens.
     pub numerical_aperture: Option<f64>,
+    /// Part of the band of frequencies over which it fades, 0 to 1; 0: cut, as published.
+    pub soft_edge: f64,
     /// How far behind the axis, seen with the light, the focal plane lies, mm.
     pub focus_mm: f64,
     /// How components end that would come back from the far side of the window.
@@ -127,6 +130,7 @@ impl Default for Params {
             relative_error: 1e-3,
             rotation_error: 0.03,
             numerical_aperture: None,
+            soft_edge: 0.25,
             focus_mm: 0.0,
             band_limit: BandLimit::Hard,
             entrance: Entrance::Wall,
@@ -166,6 +170,9 @@ fn params_of(section: &Section) -> Result<Params> {
     {
         return refused("numerical_aperture", na, "a number > 0");
     }
+    if !(0.0..=1.0).contains(&params.soft_edge) {
+        return refused("soft_edge", params.soft_edge, "0 to 1");
+    }
     if !params.focus_mm.is_finite() {
         return refused("focus_mm", params.focus_mm, "a finite number");
     }
@@ -201,7 +208,9 @@ pub struct Wave {
 pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
     let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
     if any(&|light| !is_straight(vial, light)) {
-        Some("waves know one refractive index, and this vial refracts or has walls; [vial.index_matched] does not")
+        Some(
+            "waves know one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
+        )
     } else if any(&|light| light.resin.gradient.is_some()) {
         Some("waves know one refractive index, and the resin's changes from place to place")
     } else if any(&|light| light.map.is_some()) {
@@ -361,7 +370,8 @@ fn light_of<T: Number>(
 /// How rows of pixels and of voxels lie on each other.
 fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
     let ratio = row_mm / grid.pitch_mm;
-    let whole = |r: f64| (r.round() >= 1.0 && (r / r.round() - 1.0).abs() < 1e-6).then(|| r.round());
+    let whole =
+        |r: f64| (r.round() >= 1.0 && (r / r.round() - 1.0).abs() < 1e-6).then(|| r.round());
     match (whole(ratio), whole(1.0 / ratio)) {
         (Some(finer), _) => Ok(Heights {
             finer: finer as usize,
@@ -379,7 +389,10 @@ fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
             };
             Err(Error::config(
                 "grid.pitch_mm",
-                format!("voxels of {} mm and rows of pixels {row_mm} mm apart", grid.pitch_mm),
+                format!(
+                    "voxels of {} mm and rows of pixels {row_mm} mm apart",
+                    grid.pitch_mm
+                ),
                 format!(
                     "with [model.wave] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
                 ),
@@ -406,21 +419,34 @@ fn beam_of(light: &Light, params: &Params) -> Result<Beam> {
         if na > most * std::f64::consts::SQRT_2 {
             return Err(Error::config(
                 "model.wave.numerical_aperture",
-                format!("found {na}, but pixels of {pitch} mm make at most {most:.5} at {} nm", light.wavelength_nm),
-                format!("at most {most:.5}, pixels of at most {:.6} mm, or no such key", vacuum_mm / (2.0 * na)),
+                format!(
+                    "found {na}, but pixels of {pitch} mm make at most {most:.5} at {} nm",
+                    light.wavelength_nm
+                ),
+                format!(
+                    "at most {most:.5}, pixels of at most {:.6} mm, or no such key",
+                    vacuum_mm / (2.0 * na)
+                ),
             ));
         }
     } else if most >= index {
         return Err(Error::config(
             "light.pixel_pitch_mm",
-            format!("pixels of {pitch} mm are finer than half a wavelength in resin ({:.6} mm): what they show does not travel", 0.5 / wavenumber),
-            format!("at least {:.6} mm, or `model.wave.numerical_aperture` below {index}", 0.5 / wavenumber),
+            format!(
+                "pixels of {pitch} mm are finer than half a wavelength in resin ({:.6} mm): what they show does not travel",
+                0.5 / wavenumber
+            ),
+            format!(
+                "at least {:.6} mm, or `model.wave.numerical_aperture` below {index}",
+                0.5 / wavenumber
+            ),
         ));
     }
     Ok(Beam {
         wavenumber,
         aperture: params.numerical_aperture.map(|na| na / vacuum_mm),
         tilt: wavenumber * params.etendue_deg.to_radians().sin(),
+        soft_edge: params.soft_edge,
     })
 }
 
@@ -510,31 +536,14 @@ impl DoseModel for Wave {
         Ok(())
     }
 
-    /// F(x), 2·Re ΣF′ and F(d), by the doses of x ± s·d: with s = ‖x‖/‖d‖ nothing cancels.
+    /// F(x), F′(x)d and F(d): the fields of x and of d, multiplied.
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let mut terms = Vec::with_capacity(3);
-        let (of_x, of_d) = (x.norm(), d.norm());
-        let scale = if of_x > 0.0 && of_d > 0.0 {
-            of_x / of_d
-        } else {
-            1.0
-        };
-        let at = |sign: f64| -> Result<HostField> {
-            let mut place = x.clone();
-            place.axpy((sign * scale) as f32, d);
-            let mut dose = self.new_dose()?;
-            self.dose(&place, &mut dose, run)?;
-            Ok(dose)
-        };
-        let (here, mut more, less) = (at(0.0)?, at(1.0)?, at(-1.0)?);
-        let mut curved = more.clone();
-        curved.axpy(1.0, &less);
-        curved.axpy(-2.0, &here);
-        curved.scale((0.5 / (scale * scale)) as f32);
-        more.axpy(-1.0, &less);
-        more.scale((0.5 / scale) as f32);
-        terms.extend([here, more, curved]);
-        Ok(Some(terms))
+        let mut terms = [self.new_dose()?, self.new_dose()?, self.new_dose()?];
+        for (light, layout) in self.lights.iter().zip(&self.patterns) {
+            let doses = terms.each_mut().map(HostField::as_mut_slice);
+            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, run)?;
+        }
+        Ok(Some(terms.into()))
     }
 
     fn z_coupling(&self) -> ZCoupling {

@@ -8,15 +8,17 @@
 //! P ≥ D + g,        D = largest distance of a voxel from a pixel, sideways,        g = max |x|·f/w        (at most D)
 //! ```
 //! and what would travel further than P − D is deleted: for P = 2D this is the limit of Matsushima & Shimobaba, eq. 13 and 20 to 22.
-//! Along the depth |ψ|² has frequencies up to ΔF = w_max − w_min, sideways up to twice those of the field; distances of the samples follow from
+//! The band fades towards its end ([`Beam::fade`]): with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of
+//! 2D (docs/wave.md). Along the depth |ψ|² has frequencies up to ΔF = w_max − w_min, sideways up to twice those of the field; distances of the samples follow from
 //! the [`Taps`] that interpolate them.
 //!
 //! # Source
 //! Matsushima & Shimobaba, Opt. Express 17 (2009) 19662; the bound of the depth's frequencies: docs/wave.md.
 
-use super::taps::Taps;
 use super::Settings;
+use super::taps::Taps;
 use crate::error::{Error, Result};
+use std::f64::consts::PI;
 
 /// One side of the window: u, or z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +77,8 @@ pub(super) struct Beam {
     pub(super) aperture: Option<f64>,
     /// Frequency of the widest mode, 1/mm.
     pub(super) tilt: f64,
+    /// Part of the band over which it fades.
+    pub(super) soft_edge: f64,
 }
 
 impl Beam {
@@ -85,15 +89,34 @@ impl Beam {
             .map_or(nyquist, |na| nyquist.min(na + self.tilt))
     }
 
+    /// What passes of a frequency at a share of its limit: all, then less as cos², nothing from the limit on.
+    pub(super) fn fade(&self, share: f64) -> f64 {
+        if share >= 1.0 - 1e-9 {
+            0.0
+        } else if share <= 1.0 - self.soft_edge {
+            1.0
+        } else {
+            let along = (share - 1.0 + self.soft_edge) / self.soft_edge;
+            (0.5 * PI * along).cos().powi(2)
+        }
+    }
+
     /// Largest f_side/w of all components, ∞ where some do not travel.
     fn steepest(&self, [own, other]: [f64; 2]) -> f64 {
-        let (mut side, mut square) = (own + self.tilt, (own + self.tilt).powi(2) + (other + self.tilt).powi(2));
+        let (mut side, mut square) = (
+            own + self.tilt,
+            (own + self.tilt).powi(2) + (other + self.tilt).powi(2),
+        );
         if let Some(aperture) = self.aperture {
             side = side.min(aperture);
             square = square.min(aperture.powi(2));
         }
         let w = self.wavenumber.powi(2) - square;
-        if w > 0.0 { side / w.sqrt() } else { f64::INFINITY }
+        if w > 0.0 {
+            side / w.sqrt()
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// w_max − w_min
@@ -135,8 +158,14 @@ impl Sampling {
         let side = |own: &Side, frequencies: [f64; 2]| {
             let reach = own.reach();
             let travel = deepest * beam.steepest(frequencies);
+            // A soft edge of the band ends the rings around what a pixel lights after some pixels; those of a hard one never end
+            let rings = if beam.soft_edge > 0.0 {
+                3.0 / beam.soft_edge
+            } else {
+                2.0
+            };
             let needed = own.span().max(reach + travel.min(reach)) / own.pitch;
-            smooth_even(needed.ceil() as usize + 2)
+            smooth_even((needed + rings).ceil() as usize)
         };
         let padded = [side(u, highest), side(z, [highest[1], highest[0]])];
         let guard = [

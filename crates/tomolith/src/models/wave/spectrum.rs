@@ -19,7 +19,17 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// Where W falls.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum BandLimit {
     /// At the limit.
@@ -49,6 +59,8 @@ pub(super) struct Waves<T: Number> {
     pub(super) modes: Vec<Mode>,
     /// H of each mode.
     steps: Vec<Vec<Complex<T>>>,
+    /// What passes of each mode.
+    pupils: Vec<Vec<T>>,
     /// Shift of the heights, and the scale of the transforms, one per frequency along z.
     shifts: Vec<Complex<T>>,
     /// Lateral samples that voxels need.
@@ -89,6 +101,12 @@ fn zero<T: Number>() -> Complex<T> {
 
 fn complex<T: Number>((sin, cos): (f64, f64), size: f64) -> Complex<T> {
     Complex::new(T::of(size * cos), T::of(size * sin))
+}
+
+/// The sample `stride` < `count` behind `at`, in a window that repeats.
+fn next(at: usize, stride: usize, count: usize) -> usize {
+    let to = at + stride;
+    if to < count { to } else { to - count }
 }
 
 /// How the heights of voxels lie on the rows of pixels: `ratio[0]` samples for `ratio[1]` rows' distance …
@@ -140,6 +158,7 @@ impl<T: Number> Waves<T> {
             beam,
             window,
             steps: Vec::new(),
+            pupils: Vec::new(),
             modes,
             shifts,
             samples,
@@ -152,6 +171,7 @@ impl<T: Number> Waves<T> {
             fine_inverse,
         };
         waves.steps = waves.modes.iter().map(|m| waves.step(m)).collect();
+        waves.pupils = waves.modes.iter().map(|m| waves.pupil(m)).collect();
         waves
     }
 
@@ -169,7 +189,12 @@ impl<T: Number> Waves<T> {
         let [nu, nz] = self.counts();
         let [mu, mz] = self.sampling.padded;
         let longest = mu.max(mz).max(self.sampling.fine).max(self.heights.2);
-        let plans = [&self.forward, &self.inverse, &self.fine_forward, &self.fine_inverse];
+        let plans = [
+            &self.forward,
+            &self.inverse,
+            &self.fine_forward,
+            &self.fine_inverse,
+        ];
         let rest = plans.iter().flat_map(|pair| pair.iter());
         let rest = rest.map(|plan| plan.get_inplace_scratch_len()).max();
         Scratch {
@@ -216,28 +241,38 @@ impl<T: Number> Waves<T> {
         values
     }
 
-    /// Deletes of a spectrum what does not pass the pupil, or would come back from the far side of the window at this depth.
+    /// What passes of all frequencies of a mode: its own limit is the lens's, the pattern's that of the pixels.
+    fn pupil(&self, mode: &Mode) -> Vec<T> {
+        let [bu, bz] = self.sampling.band.map(|b| b as i64);
+        let pixels = self.sampling.padded.map(|n| 0.5 * n as f64);
+        let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
+        for fz in -bz..=bz {
+            for fu in -bu..=bu {
+                let (_, across) = self.along(mode, [fu, fz]);
+                let by_lens = (self.beam.aperture)
+                    .map_or(1.0, |aperture| self.beam.fade(across.sqrt() / aperture));
+                let shares = [fu as f64 / pixels[0], fz as f64 / pixels[1]];
+                let by_pixels = shares.map(|share| self.beam.fade(share.abs()));
+                values.push(T::of(by_lens * by_pixels[0] * by_pixels[1]));
+            }
+        }
+        values
+    }
+
+    /// Deletes of a spectrum what would come back from the far side of the window at this depth.
     fn limit_to(&self, mode: &Mode, depth: f64, spectrum: &mut [Complex<T>]) {
+        if depth == 0.0 {
+            return;
+        }
         let [bu, bz] = self.sampling.band.map(|b| b as i64);
         let [nu, _] = self.counts();
         let k2 = self.beam.wavenumber.powi(2);
         let [gu, gz] = self.sampling.guard;
-        let aperture2 = self.beam.aperture.map(|na| na * na);
         for (row, fz) in spectrum.chunks_exact_mut(nu).zip(-bz..=bz) {
             let z = fz as f64 / self.window[1] + mode.frequency[1];
-            let mut most = f64::INFINITY;
-            if let Some(aperture2) = aperture2 {
-                most = aperture2 - z * z;
-            }
-            if depth > 0.0 {
-                // u²·x² ≤ g_u²·w² and z²·x² ≤ g_z²·w²
-                most = most
-                    .min((k2 - z * z) * gu * gu / (depth * depth + gu * gu))
-                    .min(k2 - z * z - z * z * depth * depth / (gz * gz));
-            }
-            if most == f64::INFINITY {
-                continue;
-            }
+            // u²·x² ≤ g_u²·w² and z²·x² ≤ g_z²·w²
+            let most = ((k2 - z * z) * gu * gu / (depth * depth + gu * gu))
+                .min(k2 - z * z - z * z * depth * depth / (gz * gz));
             let reach = |at: f64| (at - mode.frequency[0]) * self.window[0];
             let edge = most.max(0.0).sqrt();
             let (low, high) = if most < 0.0 {
@@ -318,7 +353,10 @@ impl<T: Number> Waves<T> {
                 mixed[i * mu + column] = line[(i + mz - bz) % mz] * shift;
             }
         }
-        for (row, to) in mixed.chunks_exact_mut(mu).zip(spectrum.chunks_exact_mut(nu)) {
+        for (row, to) in mixed
+            .chunks_exact_mut(mu)
+            .zip(spectrum.chunks_exact_mut(nu))
+        {
             self.forward[0].process_with_scratch(row, rest);
             to[..bu].copy_from_slice(&row[mu - bu..]);
             to[bu..].copy_from_slice(&row[..=bu]);
@@ -337,7 +375,10 @@ impl<T: Number> Waves<T> {
             rest,
             ..
         } = scratch;
-        for (row, from) in mixed[..mu * nz].chunks_exact_mut(mu).zip(sum.chunks_exact(nu)) {
+        for (row, from) in mixed[..mu * nz]
+            .chunks_exact_mut(mu)
+            .zip(sum.chunks_exact(nu))
+        {
             row.fill(zero());
             row[mu - bu..].copy_from_slice(&from[..bu]);
             row[..=bu].copy_from_slice(&from[bu..]);
@@ -374,11 +415,12 @@ impl<T: Number> Waves<T> {
                 line[..=bu].copy_from_slice(&row[bu..]);
             }
             self.fine_inverse[0].process_with_scratch(&mut lines[..count * fine], rest);
-            for (j, to) in mixed.chunks_exact_mut(nz).take(self.width()).enumerate() {
-                let at = (first + j) % fine;
+            let mut at = first;
+            for to in mixed.chunks_exact_mut(nz).take(self.width()) {
                 for (i, to) in to[group * TOGETHER..][..count].iter_mut().enumerate() {
                     *to = lines[i * fine + at];
                 }
+                at = next(at, 1, fine);
             }
         }
         let (start, stride, high) = self.heights;
@@ -391,7 +433,7 @@ impl<T: Number> Waves<T> {
             let mut at = start;
             for to in to {
                 *to = lines[at];
-                at = (at + stride) % high;
+                at = next(at, stride, high);
             }
         }
     }
@@ -414,7 +456,7 @@ impl<T: Number> Waves<T> {
             let mut at = start;
             for &from in from {
                 line[at] = from;
-                at = (at + stride) % high;
+                at = next(at, stride, high);
             }
             self.fine_forward[1].process_with_scratch(line, rest);
             to[..bz].copy_from_slice(&line[high - bz..]);
@@ -424,11 +466,12 @@ impl<T: Number> Waves<T> {
         for (group, rows) in onto.chunks_mut(TOGETHER * nu).enumerate() {
             let count = rows.len() / nu;
             lines[..count * fine].fill(zero());
-            for (j, from) in mixed.chunks_exact(nz).take(self.width()).enumerate() {
-                let at = (first + j) % fine;
+            let mut at = first;
+            for from in mixed.chunks_exact(nz).take(self.width()) {
                 for (i, &from) in from[group * TOGETHER..][..count].iter().enumerate() {
                     lines[i * fine + at] = lines[i * fine + at] + from;
                 }
+                at = next(at, 1, fine);
             }
             self.fine_forward[0].process_with_scratch(&mut lines[..count * fine], rest);
             for (line, row) in lines.chunks_exact(fine).zip(rows.chunks_exact_mut(nu)) {
@@ -438,31 +481,39 @@ impl<T: Number> Waves<T> {
         }
     }
 
-    /// Calls `see(depth, mode, field)` for every depth and mode of the image whose spectrum lies in the scratch.
-    pub(super) fn propagate(
+    /// Calls `see(depth, mode, fields)` for every depth and mode of the images whose spectra lie in the scratches.
+    pub(super) fn propagate<const N: usize>(
         &self,
-        scratch: &mut Scratch<T>,
-        mut see: impl FnMut(usize, &Mode, &[Complex<T>]),
+        mut scratches: [&mut Scratch<T>; N],
+        mut see: impl FnMut(usize, &Mode, [&[Complex<T>]; N]),
     ) {
         let mut tapered = Vec::new();
-        for (mode, step) in self.modes.iter().zip(&self.steps) {
-            scratch.here.copy_from_slice(&scratch.spectrum);
+        for ((mode, step), pupil) in self.modes.iter().zip(&self.steps).zip(&self.pupils) {
+            for scratch in &mut scratches {
+                let spectrum = scratch.spectrum.iter().zip(pupil);
+                for (here, (value, &passes)) in scratch.here.iter_mut().zip(spectrum) {
+                    *here = value.scale(passes);
+                }
+            }
             for depth in 0..self.sampling.depths {
-                if depth > 0 {
-                    for (v, &h) in scratch.here.iter_mut().zip(step) {
-                        *v = *v * h;
+                let x = depth as f64 * self.sampling.step;
+                for scratch in &mut scratches {
+                    if depth > 0 {
+                        for (v, &h) in scratch.here.iter_mut().zip(step) {
+                            *v = *v * h;
+                        }
+                    }
+                    self.limit_to(mode, x, &mut scratch.here);
+                    let (here, parts) = scratch.split();
+                    if self.limit == BandLimit::Tapered && depth > 0 {
+                        self.tapered(mode, x, here, &mut tapered);
+                        self.field(&tapered, parts);
+                    } else {
+                        self.field(here, parts);
                     }
                 }
-                let x = depth as f64 * self.sampling.step;
-                self.limit_to(mode, x, &mut scratch.here);
-                let (here, parts) = scratch.split();
-                if self.limit == BandLimit::Tapered && depth > 0 {
-                    self.tapered(mode, x, here, &mut tapered);
-                    self.field(&tapered, parts);
-                } else {
-                    self.field(here, parts);
-                }
-                see(depth, mode, &scratch.field);
+                let fields = scratches.each_ref().map(|scratch| scratch.field.as_slice());
+                see(depth, mode, fields);
             }
         }
     }
@@ -478,12 +529,12 @@ impl<T: Number> Waves<T> {
         let len = scratch.spectrum.len();
         scratch.sum.clear();
         scratch.sum.resize(len, zero());
-        let one = Complex::new(T::one(), T::zero());
         let mut back = vec![zero(); len];
         let mut tapered = Vec::new();
-        for (mode, step) in self.modes.iter().zip(&self.steps) {
+        for ((mode, step), pupil) in self.modes.iter().zip(&self.steps).zip(&self.pupils) {
             scratch.power.clear();
-            scratch.power.resize(len, one);
+            let passes = pupil.iter().map(|&passes| Complex::new(passes, T::zero()));
+            scratch.power.extend(passes);
             for depth in 0..self.sampling.depths {
                 if depth > 0 {
                     for (p, &h) in scratch.power.iter_mut().zip(step) {

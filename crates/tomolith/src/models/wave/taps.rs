@@ -171,7 +171,11 @@ mod tests {
             assert!(worst < 5e-7, "{taps}: {worst}");
             // A sine of this power, 1/2, half way up the band errs no more than noise of power 1 that fills it, most of it lower
             let error = square.sqrt();
-            assert!(error < 1.5 * found.error, "{taps} {band}: {error} {}", found.error);
+            assert!(
+                error < 1.5 * found.error,
+                "{taps} {band}: {error} {}",
+                found.error
+            );
         }
     }
 
@@ -183,6 +187,9 @@ mod tests {
             assert!((error / expected - 1.0).abs() < 0.05, "{taps}: {error}");
         }
         let widest = Taps::widest_band(6, 1e-3);
-        assert!((Taps::new(6, widest).error / 1e-3 - 1.0).abs() < 0.1, "{widest}");
+        assert!(
+            (Taps::new(6, widest).error / 1e-3 - 1.0).abs() < 0.1,
+            "{widest}"
+        );
     }
 }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::check;
 use crate::check::model::noise;
+use crate::field::Field;
 use crate::grid::PatternGrid;
 use crate::optics::resin::Resin;
 use crate::optics::vial::index_matched::IndexMatched;
@@ -58,7 +59,10 @@ fn amplitudes(seed: u64, len: usize) -> Vec<f64> {
     noise(seed, len).iter().map(|&v| f64::from(v)).collect()
 }
 
-fn dose_of((built, pixels, layout): &(WaveLight<f64>, PatternLayout, DoseLayout), x: &[f64]) -> Vec<f64> {
+fn dose_of(
+    (built, pixels, layout): &(WaveLight<f64>, PatternLayout, DoseLayout),
+    x: &[f64],
+) -> Vec<f64> {
     let mut dose = vec![0.0; layout.len()];
     let frames = 0..pixels.grid.frames();
     built
@@ -74,7 +78,18 @@ struct Direct {
 }
 
 impl Direct {
-    fn new(light: &Light, frame: usize, x: &[f64], (padded, aperture): ([usize; 2], Option<f64>)) -> Self {
+    fn new(
+        light: &Light,
+        frame: usize,
+        x: &[f64],
+        (padded, aperture): ([usize; 2], Option<f64>),
+    ) -> Self {
+        // A quarter of the band fades as cos²
+        let fade = |share: f64| {
+            (0.5 * PI * ((share - 0.75) / 0.25).clamp(0.0, 1.0))
+                .cos()
+                .powi(2)
+        };
         let pixels = &light.pixels;
         let layout = light.layout(0);
         let wavenumber = light.resin.refractive_index / (light.wavelength_nm * 1e-6);
@@ -85,9 +100,9 @@ impl Direct {
         for fz in 1 - half[1]..half[1] {
             for fu in 1 - half[0]..half[0] {
                 let (u, z) = (fu as f64 / window[0], fz as f64 / window[1]);
-                if aperture.is_some_and(|na| u.hypot(z) > na * (1.0 + 1e-9)) {
-                    continue;
-                }
+                let passes = fade(2.0 * pu * u.abs())
+                    * fade(2.0 * pz * z.abs())
+                    * aperture.map_or(1.0, |na| fade(u.hypot(z) / na));
                 let mut sum = Complex::new(0.0, 0.0);
                 for column in 0..pixels.columns {
                     let run = &layout.runs[frame * pixels.columns + column];
@@ -97,7 +112,7 @@ impl Direct {
                         sum += Complex::from_polar(x[run.offset + i], phase);
                     }
                 }
-                spectrum.push((u, z, sum / (padded[0] * padded[1]) as f64));
+                spectrum.push((u, z, passes * sum / (padded[0] * padded[1]) as f64));
             }
         }
         Direct {
@@ -153,7 +168,11 @@ fn dose_is_the_direct_sum_over_frequencies() {
         ),
     ] {
         let light = light(3);
-        let grid = if finer == 1 { grid() } else { grid().refined(finer) };
+        let grid = if finer == 1 {
+            grid()
+        } else {
+            grid().refined(finer)
+        };
         let model = precise(&light, &params, settings(1e-4), grid.clone());
         let x = amplitudes(7, model.1.len());
         let dose = dose_of(&model, &x);
@@ -265,7 +284,9 @@ fn the_field_before_the_focus_is_the_conjugate_of_that_behind_it() {
 fn along_the_light(light: &Light, x: &[f64], params: &Params, grid: &VolumeGrid) -> Vec<f64> {
     let model = precise(light, params, settings(1e-4), grid.clone());
     let dose = dose_of(&model, x);
-    model.2.volume_of(&dose.iter().map(|&v| v as f32).collect::<Vec<_>>())
+    model
+        .2
+        .volume_of(&dose.iter().map(|&v| v as f32).collect::<Vec<_>>())
         .values
         .iter()
         .map(|&v| f64::from(v))
@@ -314,7 +335,10 @@ fn a_gaussian_beam_widens_as_its_closed_form() {
             for (iz, z) in [(0, 0.0), (1, 0.001)] {
                 let expected = (-2.0 * z * z / (waist * waist * spread)).exp() / spread;
                 let found = found[iz * 121 + ix];
-                assert!((found / expected - 1.0).abs() < 2e-4, "{focus} {ix}: {found} {expected}");
+                assert!(
+                    (found / expected - 1.0).abs() < 2e-4,
+                    "{focus} {ix}: {found} {expected}"
+                );
             }
         }
     }
@@ -348,9 +372,16 @@ fn a_grating_repeats_itself_at_the_talbot_distance() {
         let expected = (0.5 + 0.5 * (TAU * u / period).cos()).powi(2);
         let beside = (0.5 - 0.5 * (TAU * u / period).cos()).powi(2);
         let size = envelope(u, 0.001).powi(2);
-        for (found, expected) in [(here[iy], expected), (half[iy], beside), (full[iy], expected)] {
+        for (found, expected) in [
+            (here[iy], expected),
+            (half[iy], beside),
+            (full[iy], expected),
+        ] {
             // Orders walk apart by λ/p·d = 16 µm under the envelope: 1 − cosh-like terms of (16/90)²/2
-            assert!((found - size * expected).abs() < 0.02, "{u}: {found} {expected}");
+            assert!(
+                (found - size * expected).abs() < 0.02,
+                "{u}: {found} {expected}"
+            );
         }
     }
 }
@@ -415,6 +446,7 @@ fn limits_of_the_band_are_those_of_matsushima_and_shimobaba() {
             wavenumber: 1.0 / wavelength,
             aperture: None,
             tilt: 0.0,
+            soft_edge: 0.0,
         };
         let guard = window / 2.0;
         let own = beam.wavenumber * guard / (edge / 2.0).hypot(guard);
@@ -424,12 +456,15 @@ fn limits_of_the_band_are_those_of_matsushima_and_shimobaba() {
 
 #[test]
 fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
-    let refused = |light: Light, params: &Params, grid: VolumeGrid| {
-        match Wave::new(&VIAL, vec![light], params, grid) {
-            Err(Error::Config { key, accepted, .. }) => format!("{key}: {accepted}"),
-            Err(other) => other.to_string(),
-            Ok(model) => model.describe(),
-        }
+    let refused = |light: Light, params: &Params, grid: VolumeGrid| match Wave::new(
+        &VIAL,
+        vec![light],
+        params,
+        grid,
+    ) {
+        Err(Error::Config { key, accepted, .. }) => format!("{key}: {accepted}"),
+        Err(other) => other.to_string(),
+        Ok(model) => model.describe(),
     };
     let default = Params::default();
     let na = |na: f64| Params {
@@ -442,7 +477,10 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
     );
     let small = VolumeGrid::centered([4, 4, 4], 1e-4);
     let found = refused(fine.clone(), &default, small.clone());
-    assert!(found.starts_with("light.pixel_pitch_mm: at least 0.000135 mm"), "{found}");
+    assert!(
+        found.starts_with("light.pixel_pitch_mm: at least 0.000135 mm"),
+        "{found}"
+    );
     let found = refused(fine.clone(), &na(0.4), small.clone());
     assert!(found.starts_with("wave ("), "{found}");
     let found = refused(fine, &na(1.6), small);
@@ -458,6 +496,29 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
         inner_radius_mm: 8.0,
         refractive_index: 1.52,
     };
-    let found = Wave::new(&vial, vec![bent], &default, grid()).err().unwrap();
+    let found = Wave::new(&vial, vec![bent], &default, grid())
+        .err()
+        .unwrap();
     assert!(found.to_string().contains("refracts"), "{found}");
+}
+
+#[test]
+fn the_dose_along_a_line_is_the_quadratic_that_is_stated() {
+    let model = Wave::new(&VIAL, vec![light(2)], &Params::default(), grid()).unwrap();
+    let run = Run::new();
+    let mut fields = [1, 2].map(|seed| {
+        let mut field = model.new_patterns().unwrap();
+        field.copy_from_host(&noise(seed, field.len()));
+        field
+    });
+    let [x, d] = &mut fields;
+    let terms = model.along(x, d, &run).unwrap().unwrap();
+    x.axpy(0.7, d);
+    let mut expected = model.new_dose().unwrap();
+    model.dose(x, &mut expected, &run).unwrap();
+    let size = f64::from(expected.max_abs());
+    for (power, term) in terms.iter().enumerate() {
+        expected.axpy(-0.7f32.powi(power as i32), term);
+    }
+    assert!(f64::from(expected.max_abs()) < 1e-6 * size);
 }
