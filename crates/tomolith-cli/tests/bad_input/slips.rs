@@ -10,6 +10,33 @@ type Wrong = (
 
 /// One row per kind of slip.
 pub(super) const WRONG: &[Wrong] = &[
+    // Waves
+    (
+        "[stop]",
+        "[model.wave]\n[stop]",
+        "[model.wave",
+        &[
+            "model.wave",
+            "this vial refracts or has walls",
+            "index_matched",
+        ],
+    ),
+    (
+        "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
+        "[model.wave]\nnumerical_aperture = 0.1\n[vial.index_matched]\nradius_mm = 3.0",
+        "numerical_aperture",
+        &[
+            "model.wave.numerical_aperture",
+            "pixels of 0.1 mm make at most 0.00203",
+            "at most 0.002025 mm",
+        ],
+    ),
+    (
+        "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
+        "[model.wave]\nrelative_error = 0.5\n[vial.index_matched]\nradius_mm = 3.0",
+        "relative_error",
+        &["model.wave.relative_error", "1e-6 to 0.1"],
+    ),
     // Names
     (
         "iterations = 2",

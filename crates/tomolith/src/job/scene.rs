@@ -103,7 +103,7 @@ impl Scene {
             optics.add_inserts(shape.as_ref())?;
         }
         let grid = grid_of(&spec, &optics, shape.as_ref())?;
-        optics
+        let covered = optics
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
         optics.matrix_must_fit(&grid)?;
@@ -136,7 +136,13 @@ impl Scene {
         let mut scene = Scene {
             base: job.base(),
             name: spec.target.name(),
-            warnings: [shape.warnings(), optics.leaning(shape.as_ref()), light].concat(),
+            warnings: [
+                shape.warnings(),
+                optics.leaning(shape.as_ref()),
+                light,
+                covered,
+            ]
+            .concat(),
             notes,
             spec,
             shape,

@@ -74,17 +74,21 @@ impl Setup<'_> {
         self.asked_often && matches!(way(), Ok(Way::Optical(Optical::Rays(_))))
     }
 
-    /// Refuses a model that does not cover these optics; to be called before any work.
+    /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
     ///
     /// # Errors
-    /// [`Error::Config`] with the key of the model, or of the absorption map that rays do not know.
+    /// [`Error::Config`] with the key of the model, of the absorption map that rays do not know, or of numbers that contradict each
+    /// other.
     pub fn must_be_covered(
         &self,
         choice: &Choice,
         lights: &[Light],
         grid: &VolumeGrid,
-    ) -> Result<()> {
-        self.way(choice, lights, grid).map(drop)
+    ) -> Result<Vec<String>> {
+        match self.way(choice, lights, grid)? {
+            Way::Optical(Optical::Wave(params)) => wave::must_fit(lights, params, grid),
+            _ => Ok(Vec::new()),
+        }
     }
 
     fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
@@ -437,7 +441,7 @@ mod tests {
 
     /// The reason, or the key of a refusal.
     fn planned(choice: &Choice, setup: Setup<'_>, light: Light) -> String {
-        let grid = VolumeGrid::centered([6, 8, 8], 0.15);
+        let grid = VolumeGrid::centered([6, 8, 8], 0.1);
         match plan(choice, setup, vec![light], grid, None, &Run::new()) {
             Ok(plan) => plan.reason,
             Err(Error::Config { key, .. }) => key,
@@ -473,6 +477,7 @@ mod tests {
             Choice::Parallel(crate::models::parallel::Params::default()),
             Choice::Rays(rays::Params::default()),
         ];
+        let wave = Choice::Wave(crate::models::wave::Params::default());
         let any = Choice::Cheapest;
         for (choice, setup, expected) in [
             (&any, setup(&level, None), "collimated light"),
@@ -492,6 +497,9 @@ mod tests {
                 "as asked; [model.parallel] covers",
             ),
             (&parallel, setup(&leaning, None), "model.parallel"),
+            (&wave, setup(&level, None), "wave ("),
+            (&wave, setup(&leaning, None), "model.wave"),
+            (&wave, setup(&level, Some(&ball)), "model.wave"),
             (&parallel, setup(&level, Some(&ball)), "model.parallel"),
         ] {
             let found = planned(choice, setup, light());

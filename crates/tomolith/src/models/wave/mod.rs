@@ -265,7 +265,7 @@ impl Wave {
         let layout = DoseLayout::new("dose", grid, 0);
         let (mut built, mut patterns) = (Vec::new(), Vec::new());
         let (mut offset, mut first_frame) = (0, 0);
-        for light in lights {
+        for (which, light) in lights.into_iter().enumerate() {
             light.check()?;
             let mut pixels = light.layout(offset);
             pixels.quantity = Quantity::Amplitude;
@@ -274,7 +274,7 @@ impl Wave {
                 &light,
                 (params, &settings),
                 &layout,
-                first_frame,
+                (which, first_frame),
             )?);
             offset += pixels.len();
             first_frame += light.pixels.frames();
@@ -287,7 +287,7 @@ impl Wave {
         })
     }
 
-    /// Additions and multiplications of the Fourier transforms of one dose call.
+    /// Additions and multiplications of the Fourier transforms of a dose and a pullback together.
     #[must_use]
     pub fn operations(&self) -> f64 {
         let frames = self.patterns.iter().map(|p| p.grid.frames() as f64);
@@ -297,18 +297,43 @@ impl Wave {
     }
 }
 
+/// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; what is said of those that do not.
+///
+/// # Errors
+/// As [`Wave::new`].
+pub(super) fn must_fit(
+    lights: &[Light],
+    params: &Params,
+    grid: &VolumeGrid,
+) -> Result<Vec<String>> {
+    let mut warnings = Vec::new();
+    for (i, light) in lights.iter().enumerate() {
+        heights_of(light.pixels.pitch_mm[1], grid)?;
+        let beam = beam_of(i, light, params)?;
+        let half_wave = 0.5 / beam.depth_band(light.pixels.pitch_mm.map(|mm| beam.highest(mm)));
+        if grid.pitch_mm > half_wave {
+            warnings.push(format!(
+                "light[{i}]: waves change along the light within {half_wave:.5} mm, and voxels of {:.5} mm do not show it: \
+                 grid.pitch_mm at most that, or a smaller model.wave.numerical_aperture",
+                grid.pitch_mm
+            ));
+        }
+    }
+    Ok(warnings)
+}
+
 /// A light of the wave model, of either kind of number.
 fn light_of<T: Number>(
     vial: &dyn Vial,
     light: &Light,
     (params, settings): (&Params, &Settings),
     layout: &DoseLayout,
-    first_frame: usize,
+    (which, first_frame): (usize, usize),
 ) -> Result<WaveLight<T>> {
     let grid = &layout.grid;
     let pixels = &light.pixels;
     let heights = heights_of(pixels.pitch_mm[1], grid)?;
-    let beam = beam_of(light, params)?;
+    let beam = beam_of(which, light, params)?;
     let [nz, ny, nx] = grid.shape;
     let in_resin: Vec<bool> = (0..nx * ny)
         .map(|i| vial.in_resin([grid.x(i % nx), grid.y(i / nx), 0.0]))
@@ -401,8 +426,8 @@ fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
     }
 }
 
-/// Wavelength and aperture of a light, checked against its pixels.
-fn beam_of(light: &Light, params: &Params) -> Result<Beam> {
+/// Wavelength and aperture of a light, checked against its pixels; `which` of the lights it is.
+fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
     let vacuum_mm = light.wavelength_nm * 1e-6;
     let index = light.resin.refractive_index;
     let wavenumber = index / vacuum_mm;
@@ -431,7 +456,7 @@ fn beam_of(light: &Light, params: &Params) -> Result<Beam> {
         }
     } else if most >= index {
         return Err(Error::config(
-            "light.pixel_pitch_mm",
+            format!("light[{which}].projector.collimated.pixel_pitch_mm"),
             format!(
                 "pixels of {pitch} mm are finer than half a wavelength in resin ({:.6} mm): what they show does not travel",
                 0.5 / wavenumber

@@ -83,7 +83,7 @@ pub(super) struct Beam {
 
 impl Beam {
     /// Largest lateral frequency along one side.
-    fn highest(&self, pitch: f64) -> f64 {
+    pub(super) fn highest(&self, pitch: f64) -> f64 {
         let nyquist = 0.5 / pitch;
         self.aperture
             .map_or(nyquist, |na| nyquist.min(na + self.tilt))
@@ -120,7 +120,7 @@ impl Beam {
     }
 
     /// w_max − w_min
-    fn depth_band(&self, highest: [f64; 2]) -> f64 {
+    pub(super) fn depth_band(&self, highest: [f64; 2]) -> f64 {
         let mut square: f64 = highest.iter().map(|f| (f + self.tilt).powi(2)).sum();
         if let Some(aperture) = self.aperture {
             square = square.min(aperture.powi(2));

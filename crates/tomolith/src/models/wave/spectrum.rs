@@ -565,14 +565,14 @@ impl<T: Number> Waves<T> {
         self.transform_back(scratch, take);
     }
 
-    /// Fourier transforms of one frame's dose, counted in multiplications and additions: 5·n·log₂n each.
+    /// Multiplications and additions of the Fourier transforms of one frame's dose and pullback, 5·n·log₂n for each of length n.
     pub(super) fn operations(&self) -> f64 {
         let of = |n: usize, times: usize| 5.0 * n as f64 * (n as f64).log2() * times as f64;
         let [mu, mz] = self.sampling.padded;
         let [_, nz] = self.counts();
         let image = of(mz, self.pixels[0]) + of(mu, nz);
         let depth = of(self.sampling.fine, nz) + of(self.heights.2, self.width());
-        image + (self.sampling.depths * self.modes.len()) as f64 * depth
+        3.0 * (image + (self.sampling.depths * self.modes.len()) as f64 * depth)
     }
 }
 

@@ -51,7 +51,7 @@ fn precise(
 ) -> (WaveLight<f64>, PatternLayout, DoseLayout) {
     let layout = DoseLayout::new("dose", grid, 0);
     let vial = if light.resin.pure_radon { WIDE } else { VIAL };
-    let built = light_of(&vial, light, (params, &settings), &layout, 0).unwrap();
+    let built = light_of(&vial, light, (params, &settings), &layout, (0, 0)).unwrap();
     (built, light.layout(0), layout)
 }
 
@@ -478,7 +478,7 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
     let small = VolumeGrid::centered([4, 4, 4], 1e-4);
     let found = refused(fine.clone(), &default, small.clone());
     assert!(
-        found.starts_with("light.pixel_pitch_mm: at least 0.000135 mm"),
+        found.starts_with("light[0].projector.collimated.pixel_pitch_mm: at least 0.000135 mm"),
         "{found}"
     );
     let found = refused(fine.clone(), &na(0.4), small.clone());
