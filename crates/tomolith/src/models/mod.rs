@@ -41,6 +41,8 @@ pub enum Choice {
     Orders(orders::Params),
     /// Coherent light.
     Wave(wave::Params),
+    /// Rays that fill a cone, in an index-matched vial.
+    Spread(wave::spread::Params),
     /// A stored matrix.
     Matrix(matrix::Params),
 }
@@ -55,6 +57,7 @@ pub static MODELS: &[Kind<ChooseModel>] = &[
     scatter::KIND,
     orders::KIND,
     wave::KIND,
+    wave::spread::KIND,
     matrix::KIND,
 ];
 

@@ -11,6 +11,7 @@ use super::parallel::{self, Light, Parallel};
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
 use super::selection::{chosen, contributions, layouts, narrow};
+use super::wave::spread::{self, Spread};
 use super::wave::{self, Wave};
 use super::{Choice, DoseModel, Quantity, Run, orders, scatter};
 use crate::error::{Error, Result};
@@ -64,6 +65,7 @@ enum Optical<'a> {
     Scatter(Cow<'a, scatter::Params>),
     Orders(Cow<'a, orders::Params>),
     Wave(&'a wave::Params),
+    Spread(&'a spread::Params),
 }
 
 impl Setup<'_> {
@@ -87,6 +89,7 @@ impl Setup<'_> {
     ) -> Result<Vec<String>> {
         match self.way(choice, lights, grid)? {
             Way::Optical(Optical::Wave(params)) => wave::must_fit(lights, params, grid),
+            Way::Optical(Optical::Spread(_)) => spread::must_fit(lights, grid).map(|()| Vec::new()),
             _ => Ok(Vec::new()),
         }
     }
@@ -114,6 +117,10 @@ impl Setup<'_> {
             (Choice::Wave(params), _) => match self.beyond_waves(lights) {
                 Some(reason) => return refused("model.wave", reason, other),
                 None => Optical::Wave(params),
+            },
+            (Choice::Spread(params), _) => match self.beyond_waves(lights) {
+                Some(reason) => return refused("model.spread", reason, other),
+                None => Optical::Spread(params),
             },
             (Choice::Cheapest, _) if self.scatters() => {
                 if self.beyond_orders(lights, grid).is_none() {
@@ -157,7 +164,7 @@ impl Setup<'_> {
                 "as asked; [model.parallel] covers these optics too and is faster".into()
             }
             (Choice::Scatter(_), _, None) => "as asked; nothing scatters".into(),
-            (Choice::Wave(_), _, _) => "as asked".into(),
+            (Choice::Wave(_) | Choice::Spread(_), _, _) => "as asked".into(),
             (_, Optical::Scatter(_), Some(reason)) => match self.beyond_orders(lights, grid) {
                 Some(other) => format!("{reason} and {other}"),
                 None => format!("{reason}; as asked, [model.orders] covers it without noise"),
@@ -318,7 +325,7 @@ fn straight(
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     match way {
-        Optical::Orders(_) | Optical::Wave(_) => {
+        Optical::Orders(_) | Optical::Wave(_) | Optical::Spread(_) => {
             Ok(Box::new(Parallel::new(setup.vial, lights, grid)?))
         }
         Optical::Scatter(params) => {
@@ -416,6 +423,7 @@ fn optical(
         }
         Optical::Rays(params) => rays(params),
         Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),
+        Optical::Spread(params) => Ok(Box::new(Spread::new(setup.vial, lights, params, grid)?)),
         Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
     }
 }
@@ -478,6 +486,7 @@ mod tests {
             Choice::Rays(rays::Params::default()),
         ];
         let wave = Choice::Wave(crate::models::wave::Params::default());
+        let spread = Choice::Spread(spread::Params::default());
         let any = Choice::Cheapest;
         for (choice, setup, expected) in [
             (&any, setup(&level, None), "collimated light"),
@@ -499,6 +508,8 @@ mod tests {
             (&parallel, setup(&leaning, None), "model.parallel"),
             (&wave, setup(&level, None), "wave ("),
             (&wave, setup(&leaning, None), "model.wave"),
+            (&spread, setup(&level, None), "spread ("),
+            (&spread, setup(&leaning, None), "model.spread"),
             (&wave, setup(&level, Some(&ball)), "model.wave"),
             (&parallel, setup(&level, Some(&ball)), "model.parallel"),
         ] {

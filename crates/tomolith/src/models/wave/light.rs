@@ -1,7 +1,8 @@
 //! Dose and pullback of one light.
 
+use super::coherent::Coherent;
 use super::number::Number;
-use super::spectrum::{Mode, Scratch, Waves};
+use super::spectrum::{Scratch, Windows};
 use super::turn::{Sorted, TILE, TileEntries, Turn};
 use crate::error::{Error, Result};
 use crate::models::{PatternLayout, Run};
@@ -16,9 +17,29 @@ const TOGETHER: usize = 64 << 20;
 /// Lanes of a row that are gathered at a time.
 const LANES_AT_ONCE: usize = 256;
 
-/// Waves and voxels of one light.
-pub(super) struct WaveLight<T: Number> {
-    pub(super) waves: Waves<T>,
+/// How light goes from the plane of its pixels to the samples.
+pub(super) trait Way<T: Number>: Send + Sync {
+    /// Whether the light is linear in the pixels.
+    const IS_LINEAR: bool;
+    /// Its transforms.
+    fn windows(&self) -> &Windows<T>;
+    /// samples += light of the image whose spectrum lies in the scratch; rows of samples are `row` numbers apart
+    fn shine(&self, scratch: &mut Scratch<T>, samples: &mut [T], row: usize);
+    /// The derivative's transpose at that image: pixels, column by column, handed to `take`.
+    fn send_back(
+        &self,
+        samples: &[T],
+        row: usize,
+        scratch: &mut Scratch<T>,
+        take: &mut dyn FnMut(usize, &[Complex<T>]),
+    );
+    /// Multiplications and additions of the Fourier transforms of one frame's dose and pullback.
+    fn operations(&self) -> f64;
+}
+
+/// Light and voxels of one light.
+pub(super) struct WaveLight<T: Number, W: Way<T>> {
+    pub(super) way: W,
     pub(super) turn: Turn,
     /// Voxels along x and y.
     pub(super) plane: [usize; 2],
@@ -29,15 +50,15 @@ pub(super) struct WaveLight<T: Number> {
     pool: Mutex<Vec<Scratch<T>>>,
 }
 
-impl<T: Number> WaveLight<T> {
+impl<T: Number, W: Way<T>> WaveLight<T, W> {
     pub(super) fn new(
-        (waves, turn): (Waves<T>, Turn),
+        (way, turn): (W, Turn),
         plane: [usize; 2],
         row: usize,
         first_frame: usize,
     ) -> Self {
         WaveLight {
-            waves,
+            way,
             turn,
             plane,
             row,
@@ -46,9 +67,16 @@ impl<T: Number> WaveLight<T> {
         }
     }
 
+    /// Which of this light's frames are among these of all lights.
+    pub(super) fn own(&self, frames: &Range<usize>, layout: &PatternLayout) -> Range<usize> {
+        let count = layout.grid.frames();
+        let local = |f: usize| f.saturating_sub(self.first_frame).min(count);
+        local(frames.start)..local(frames.end)
+    }
+
     /// Numbers of one frame's samples.
     fn samples(&self) -> usize {
-        self.waves.sampling.depths * self.waves.width() * self.row
+        self.way.windows().sampling.depths * self.way.windows().width() * self.row
     }
 
     fn with_scratch<R>(&self, work: impl FnOnce(&mut Scratch<T>) -> R) -> R {
@@ -58,7 +86,7 @@ impl<T: Number> WaveLight<T> {
                 .unwrap_or_else(std::sync::PoisonError::into_inner)
         };
         let found = lock().pop();
-        let mut scratch = found.unwrap_or_else(|| self.waves.scratch());
+        let mut scratch = found.unwrap_or_else(|| self.way.windows().scratch());
         let result = work(&mut scratch);
         lock().push(scratch);
         result
@@ -72,54 +100,15 @@ impl<T: Number> WaveLight<T> {
             let values = &x[run.offset..][..run.count as usize];
             (run.bottom as usize, values)
         });
-        self.waves.transform(scratch, columns);
+        self.way.windows().transform(scratch, columns);
     }
 
-    /// |ψ|² of a frame at all samples.
+    /// Light of a frame, added to all samples.
     fn light(&self, layout: &PatternLayout, frame: usize, x: &[T], samples: &mut [T]) {
         self.with_scratch(|scratch| {
             self.load(layout, frame, x, scratch);
-            self.waves.propagate([scratch], |depth, mode, [field]| {
-                self.add_at(depth, mode, samples, |i| field[i].norm_sqr());
-            });
+            self.way.shine(scratch, samples, self.row);
         });
-    }
-
-    /// |ψ|², 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
-    fn light_along(
-        &self,
-        (layout, frame): (&PatternLayout, usize),
-        [x, d]: [&[T]; 2],
-        samples: &mut [T],
-    ) {
-        let (first, rest) = samples.split_at_mut(self.samples());
-        let (second, third) = rest.split_at_mut(self.samples());
-        let two = T::of(2.0);
-        self.with_scratch(|of_x| {
-            self.load(layout, frame, x, of_x);
-            self.with_scratch(|of_d| {
-                self.load(layout, frame, d, of_d);
-                self.waves
-                    .propagate([of_x, of_d], |depth, mode, [psi, chi]| {
-                        let both = |i: usize| two * (psi[i] * chi[i].conj()).re;
-                        self.add_at(depth, mode, first, |i| psi[i].norm_sqr());
-                        self.add_at(depth, mode, second, both);
-                        self.add_at(depth, mode, third, |i| chi[i].norm_sqr());
-                    });
-            });
-        });
-    }
-
-    /// samples of a depth += a function of the field's elements, weighted as the mode is
-    fn add_at(&self, depth: usize, mode: &Mode, samples: &mut [T], value: impl Fn(usize) -> T) {
-        let (voxels, width) = (self.waves.voxels, self.waves.width());
-        let weight = T::of(mode.weight);
-        let of_depth = &mut samples[depth * width * self.row..][..width * self.row];
-        for (j, row) in of_depth.chunks_exact_mut(self.row).enumerate() {
-            for (i, to) in row[..voxels].iter_mut().enumerate() {
-                *to = *to + weight * value(j * voxels + i);
-            }
-        }
     }
 
     /// dose += light of some frames
@@ -134,23 +123,6 @@ impl<T: Number> WaveLight<T> {
         let lit: Vec<usize> = frames.filter(|&f| is_lit(layout, f, x)).collect();
         let light = |frame: usize, samples: &mut [T]| self.light(layout, frame, x, samples);
         self.add([dose], &lit, light, run)
-    }
-
-    /// doses += coefficients of α ↦ F(x + αd)
-    pub(super) fn add_along(
-        &self,
-        layout: &PatternLayout,
-        [x, d]: [&[T]; 2],
-        doses: [&mut [T]; 3],
-        run: &Run,
-    ) -> Result<()> {
-        let frames = 0..layout.grid.frames();
-        let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
-        let lit: Vec<usize> = frames.filter(is_lit).collect();
-        let light = |frame: usize, samples: &mut [T]| {
-            self.light_along((layout, frame), [x, d], samples);
-        };
-        self.add(doses, &lit, light, run)
     }
 
     /// doses += what `light(frame, samples)` leaves at the samples of frames: those of each dose one after the other
@@ -192,7 +164,7 @@ impl<T: Number> WaveLight<T> {
         dose: &mut [T],
     ) {
         let [nx, ny] = self.plane;
-        let of_dose = self.waves.sampling.depths * self.waves.width();
+        let of_dose = self.way.windows().sampling.depths * self.way.windows().width();
         let band = TILE * nx * self.row;
         dose.par_chunks_mut(band).enumerate().for_each_init(
             TileEntries::default,
@@ -203,7 +175,7 @@ impl<T: Number> WaveLight<T> {
                     for (i, &frame) in frames.iter().enumerate() {
                         let place = (frame, (i * of + which) * of_dose);
                         let area = (xs.clone(), ys.clone());
-                        let sampling = &self.waves.sampling;
+                        let sampling = &self.way.windows().sampling;
                         self.turn.enumerate(place, area, sampling, entries);
                         self.gather(entries, ys.start, samples, rows);
                     }
@@ -214,8 +186,8 @@ impl<T: Number> WaveLight<T> {
 
     /// rows += what the entries of a tile bring; `rows` begin at voxel row `y`.
     fn gather(&self, entries: &TileEntries<T>, y: usize, samples: &[T], rows: &mut [T]) {
-        for first in (0..self.waves.voxels).step_by(LANES_AT_ONCE) {
-            let lanes = (self.waves.voxels - first).min(LANES_AT_ONCE);
+        for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
+            let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
             for (i, &column) in entries.voxels.iter().enumerate() {
                 let own = entries.starts[i] as usize..entries.starts[i + 1] as usize;
                 let at = (column as usize - y * self.plane[0]) * self.row + first;
@@ -233,12 +205,12 @@ impl<T: Number> WaveLight<T> {
         for y in (0..ny).step_by(TILE) {
             for x in (0..nx).step_by(TILE) {
                 let area = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
-                let sampling = &self.waves.sampling;
+                let sampling = &self.way.windows().sampling;
                 self.turn
                     .enumerate((frame, 0), area, sampling, &mut entries);
                 sorted.sort(&entries);
-                for first in (0..self.waves.voxels).step_by(LANES_AT_ONCE) {
-                    let lanes = (self.waves.voxels - first).min(LANES_AT_ONCE);
+                for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
+                    let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
                     for (i, &sample) in sorted.samples.iter().enumerate() {
                         let own = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
                         let at = sample as usize * self.row + first;
@@ -273,22 +245,23 @@ impl<T: Number> WaveLight<T> {
             || vec![T::zero(); self.samples()],
             |samples, (frame, grad)| {
                 grad.fill(T::zero());
-                // Dark patterns are stationary: there F′ = 0
-                if run.is_cancelled() || !is_lit(layout, frame, x) {
+                // Dark patterns of waves are stationary: there F′ = 0
+                if run.is_cancelled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
                     return;
                 }
                 self.ask(frame, cotangent, samples);
                 let runs = &layout.runs[frame * columns..][..columns];
                 let first = layout.elements_of(frame..frame + 1).start;
                 self.with_scratch(|scratch| {
-                    self.load(layout, frame, x, scratch);
-                    self.send_back(samples, scratch, |column, values| {
+                    let mut take = |column: usize, values: &[Complex<T>]| {
                         let run = &runs[column];
                         let own = &mut grad[run.offset - first..][..run.count as usize];
                         for (to, value) in own.iter_mut().zip(&values[run.bottom as usize..]) {
                             *to = value.re;
                         }
-                    });
+                    };
+                    self.load(layout, frame, x, scratch);
+                    self.way.send_back(samples, self.row, scratch, &mut take);
                 });
             },
         );
@@ -297,26 +270,43 @@ impl<T: Number> WaveLight<T> {
         }
         Ok(())
     }
+}
 
-    /// ∂/∂x of Σ samples·|ψ|²: 2·Re of the adjoint of ψ ↦ samples·ψ
-    fn send_back(
+impl<T: Number> WaveLight<T, Coherent<T>> {
+    /// doses += coefficients of α ↦ F(x + αd)
+    pub(super) fn add_along(
         &self,
-        samples: &[T],
-        scratch: &mut Scratch<T>,
-        take: impl FnMut(usize, &[Complex<T>]),
-    ) {
-        let (voxels, width) = (self.waves.voxels, self.waves.width());
-        let cotangent = |depth: usize, mode: &Mode, field: &mut [Complex<T>]| {
-            let twice = T::of(2.0 * mode.weight);
-            let of_depth = &samples[depth * width * self.row..][..width * self.row];
-            let rows = of_depth.chunks_exact(self.row);
-            for (row, field) in rows.zip(field.chunks_exact_mut(voxels)) {
-                for (&asked, value) in row.iter().zip(field) {
-                    *value = value.scale(twice * asked);
-                }
-            }
+        layout: &PatternLayout,
+        [x, d]: [&[T]; 2],
+        doses: [&mut [T]; 3],
+        run: &Run,
+    ) -> Result<()> {
+        let frames = 0..layout.grid.frames();
+        let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
+        let lit: Vec<usize> = frames.filter(is_lit).collect();
+        let light = |frame: usize, samples: &mut [T]| {
+            self.light_along((layout, frame), [x, d], samples);
         };
-        self.waves.pull_back(scratch, cotangent, take);
+        self.add(doses, &lit, light, run)
+    }
+
+    /// |ψ|², 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
+    fn light_along(
+        &self,
+        (layout, frame): (&PatternLayout, usize),
+        [x, d]: [&[T]; 2],
+        samples: &mut [T],
+    ) {
+        let (first, rest) = samples.split_at_mut(self.samples());
+        let (second, third) = rest.split_at_mut(self.samples());
+        self.with_scratch(|of_x| {
+            self.load(layout, frame, x, of_x);
+            self.with_scratch(|of_d| {
+                self.load(layout, frame, d, of_d);
+                let arrays = [first, second, third];
+                self.way.shine_along([of_x, of_d], arrays, self.row);
+            });
+        });
     }
 }
 

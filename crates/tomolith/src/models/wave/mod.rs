@@ -62,10 +62,13 @@
 //! assert!(far > 0.2 * focus && far < 0.4 * focus, "{far} {focus}");
 //! ```
 
+mod coherent;
+mod cones;
 mod light;
 mod number;
 mod sampling;
 mod spectrum;
+pub mod spread;
 mod taps;
 #[cfg(test)]
 mod tests;
@@ -78,13 +81,14 @@ use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 use crate::kind::{Kind, Section};
 use crate::optics::vial::{Curve, Vial};
-use light::WaveLight;
+pub use coherent::BandLimit;
+use coherent::{Coherent, Mode};
+use light::{WaveLight, Way};
 use number::Number;
-use sampling::{Beam, Sampling, Side};
+use sampling::{Beam, Sampling, Side, Spreading};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-pub use spectrum::BandLimit;
-use spectrum::{Heights, Mode, Waves};
+use spectrum::{Heights, Windows};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use turn::{Turn, Uptake};
@@ -192,13 +196,11 @@ struct Settings {
     rotation_error: f64,
     /// Lateral samples that a voxel is interpolated from.
     lateral_taps: usize,
-    /// Turn volumes as the published program does: bilinear between samples at the pixels.
-    published_rotation: bool,
 }
 
 /// See the [module page](self).
 pub struct Wave {
-    lights: Vec<WaveLight<f32>>,
+    lights: Vec<WaveLight<f32, Coherent<f32>>>,
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
 }
@@ -238,17 +240,7 @@ impl Wave {
             relative_error: params.relative_error,
             rotation_error: params.rotation_error,
             lateral_taps: 4,
-            published_rotation: false,
         };
-        Wave::with(vial, lights, (params, settings), grid)
-    }
-
-    fn with(
-        vial: &dyn Vial,
-        lights: Vec<Light>,
-        (params, settings): (&Params, Settings),
-        grid: VolumeGrid,
-    ) -> Result<Self> {
         if let Some(reason) = beyond(vial, &lights) {
             return Err(Error::Unsupported {
                 what: "model.wave".into(),
@@ -292,7 +284,7 @@ impl Wave {
     pub fn operations(&self) -> f64 {
         let frames = self.patterns.iter().map(|p| p.grid.frames() as f64);
         (self.lights.iter().zip(frames))
-            .map(|(light, frames)| frames * light.waves.operations())
+            .map(|(light, frames)| frames * light.way.operations())
             .sum()
     }
 }
@@ -329,11 +321,31 @@ fn light_of<T: Number>(
     (params, settings): (&Params, &Settings),
     layout: &DoseLayout,
     (which, first_frame): (usize, usize),
-) -> Result<WaveLight<T>> {
+) -> Result<WaveLight<T, Coherent<T>>> {
+    let beam = beam_of(which, light, params)?;
+    let place = (params.entrance, params.focus_mm);
+    turning(
+        vial,
+        (light, &beam),
+        (place, settings),
+        layout,
+        first_frame,
+        |windows| Coherent::new(windows, (beam, params.band_limit), modes_of(&beam, params)),
+    )
+}
+
+/// A light whose samples turn with an index-matched vial.
+fn turning<T: Number, W: Way<T>>(
+    vial: &dyn Vial,
+    (light, beam): (&Light, &dyn Spreading),
+    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
+    layout: &DoseLayout,
+    first_frame: usize,
+    way: impl FnOnce(Windows<T>) -> W,
+) -> Result<WaveLight<T, W>> {
     let grid = &layout.grid;
     let pixels = &light.pixels;
     let heights = heights_of(pixels.pitch_mm[1], grid)?;
-    let beam = beam_of(which, light, params)?;
     let [nz, ny, nx] = grid.shape;
     let in_resin: Vec<bool> = (0..nx * ny)
         .map(|i| vial.in_resin([grid.x(i % nx), grid.y(i / nx), 0.0]))
@@ -354,11 +366,11 @@ fn light_of<T: Number>(
         from: pixels.row_z(pixels.rows - 1),
         voxels: [grid.z(0), grid.z(nz - 1)],
     };
-    let deepest = radius + params.focus_mm.abs();
-    let sampling = Sampling::new(&beam, [&u, &z], deepest, settings)?;
+    let deepest = radius + focus_mm.abs();
+    let sampling = Sampling::new(beam, [&u, &z], deepest, settings);
     let resin = light.resin.uptake();
     let wall = match vial.resin_wall() {
-        Curve::Circle(radius) if params.entrance == Entrance::Wall => Some(radius),
+        Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
         _ => None,
     };
     let uptake = Uptake {
@@ -368,24 +380,17 @@ fn light_of<T: Number>(
         entrance: -radius,
     };
     let pitch = sampling.padded[0] as f64 * u.pitch / sampling.fine as f64;
-    let sides = [&u, &z];
-    let modes = modes_of(&beam, params);
-    let waves = Waves::new(
-        (beam, sampling, params.band_limit),
-        sides,
-        (heights, nz),
-        modes,
-    );
-    let first = u.from + waves.samples.start as f64 * pitch;
+    let windows = Windows::new(sampling, [&u, &z], (heights, nz));
+    let first = u.from + windows.samples.start as f64 * pitch;
     let turn = Turn::new(
         (pixels, light.sub_angles),
         grid,
         in_resin,
-        (uptake, params.focus_mm),
-        (first, pitch, waves.width()),
+        (uptake, focus_mm),
+        (first, pitch, windows.width()),
     );
     Ok(WaveLight::new(
-        (waves, turn),
+        (way(windows), turn),
         [nx, ny],
         layout.row,
         first_frame,
@@ -553,9 +558,7 @@ impl DoseModel for Wave {
         run: &Run,
     ) -> Result<()> {
         for (light, layout) in self.lights.iter().zip(&self.patterns) {
-            let count = layout.grid.frames();
-            let local = |f: usize| f.saturating_sub(light.first_frame).min(count);
-            let own = local(frames.start)..local(frames.end);
+            let own = light.own(&frames, layout);
             light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
         }
         Ok(())
@@ -572,8 +575,7 @@ impl DoseModel for Wave {
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        let reach = |light: &WaveLight<f32>| light.waves.sampling.guard[1];
-        ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max))
+        halo(&self.lights)
     }
 
     fn is_linear(&self) -> bool {
@@ -589,14 +591,26 @@ impl DoseModel for Wave {
     }
 
     fn describe(&self) -> String {
-        let s = &self.lights[0].waves.sampling;
-        let modes = match self.lights[0].waves.modes.len() {
+        let way = &self.lights[0].way;
+        let modes = match way.modes.len() {
             1 => String::new(),
             n => format!(", {n} modes"),
         };
-        format!(
-            "wave ({} depths {:.4} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples, {} × {} taps{modes})",
-            s.depths, s.step, s.padded[0], s.padded[1], s.fine, s.along.taps, s.across.taps
-        )
+        format!("wave ({}{modes})", described(way.windows()))
     }
+}
+
+/// The sampling of a light, for people.
+fn described<T: Number>(windows: &Windows<T>) -> String {
+    let s = &windows.sampling;
+    format!(
+        "{} depths {:.4} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples, {} × {} taps",
+        s.depths, s.step, s.padded[0], s.padded[1], s.fine, s.along.taps, s.across.taps
+    )
+}
+
+/// How far along z light reaches from its row.
+fn halo<W: Way<f32>>(lights: &[WaveLight<f32, W>]) -> ZCoupling {
+    let reach = |light: &WaveLight<f32, W>| light.way.windows().sampling.guard[1];
+    ZCoupling::Halo(lights.iter().map(reach).fold(0.0, f64::max))
 }

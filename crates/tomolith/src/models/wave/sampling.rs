@@ -8,7 +8,7 @@
 //! P ≥ D + g,        D = largest distance of a voxel from a pixel, sideways,        g = max |x|·f/w        (at most D)
 //! ```
 //! and what would travel further than P − D is deleted: for P = 2D this is the limit of Matsushima & Shimobaba, eq. 13 and 20 to 22.
-//! The band fades towards its end ([`Beam::fade`]): with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of
+//! The band fades towards its end ([`fade`]): with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of
 //! 2D (docs/wave.md). Along the depth |ψ|² has frequencies up to ΔF = w_max − w_min, sideways up to twice those of the field; distances of the samples follow from
 //! the [`Taps`] that interpolate them.
 //!
@@ -17,7 +17,6 @@
 
 use super::Settings;
 use super::taps::Taps;
-use crate::error::{Error, Result};
 use std::f64::consts::PI;
 
 /// One side of the window: u, or z.
@@ -81,27 +80,40 @@ pub(super) struct Beam {
     pub(super) soft_edge: f64,
 }
 
-impl Beam {
-    /// Largest lateral frequency along one side.
-    pub(super) fn highest(&self, pitch: f64) -> f64 {
+/// What a sampling must know of light.
+pub(super) trait Spreading {
+    /// Largest lateral frequency along one side, for pixels of this distance.
+    fn highest(&self, pitch: f64) -> f64;
+    /// Largest sideways travel over depth, for these largest frequencies along a side and across it.
+    fn steepest(&self, highest: [f64; 2]) -> f64;
+    /// Largest frequency of the light along the depth.
+    fn depth_band(&self, highest: [f64; 2]) -> f64;
+    /// Largest lateral frequency of the light, over that of the field: 2 for squares, 1 for the light itself.
+    fn powers(&self) -> f64;
+    /// Part of the band over which it fades.
+    fn soft_edge(&self) -> f64;
+}
+
+/// What passes of a frequency at a share of its limit: all, then less as cos² over `soft_edge`, nothing from the limit on.
+pub(super) fn fade(soft_edge: f64, share: f64) -> f64 {
+    if share >= 1.0 - 1e-9 {
+        0.0
+    } else if share <= 1.0 - soft_edge {
+        1.0
+    } else {
+        let along = (share - 1.0 + soft_edge) / soft_edge;
+        (0.5 * PI * along).cos().powi(2)
+    }
+}
+
+impl Spreading for Beam {
+    fn highest(&self, pitch: f64) -> f64 {
         let nyquist = 0.5 / pitch;
         self.aperture
             .map_or(nyquist, |na| nyquist.min(na + self.tilt))
     }
 
-    /// What passes of a frequency at a share of its limit: all, then less as cos², nothing from the limit on.
-    pub(super) fn fade(&self, share: f64) -> f64 {
-        if share >= 1.0 - 1e-9 {
-            0.0
-        } else if share <= 1.0 - self.soft_edge {
-            1.0
-        } else {
-            let along = (share - 1.0 + self.soft_edge) / self.soft_edge;
-            (0.5 * PI * along).cos().powi(2)
-        }
-    }
-
-    /// Largest f_side/w of all components, ∞ where some do not travel.
+    /// Of f_side/w, ∞ where some components do not travel.
     fn steepest(&self, [own, other]: [f64; 2]) -> f64 {
         let (mut side, mut square) = (
             own + self.tilt,
@@ -120,7 +132,7 @@ impl Beam {
     }
 
     /// w_max − w_min
-    pub(super) fn depth_band(&self, highest: [f64; 2]) -> f64 {
+    fn depth_band(&self, highest: [f64; 2]) -> f64 {
         let mut square: f64 = highest.iter().map(|f| (f + self.tilt).powi(2)).sum();
         if let Some(aperture) = self.aperture {
             square = square.min(aperture.powi(2));
@@ -129,6 +141,14 @@ impl Beam {
         // As 1/λ − w, without the difference of large numbers
         square.min(self.wavenumber.powi(2)) / (self.wavenumber + w)
     }
+
+    fn powers(&self) -> f64 {
+        2.0
+    }
+
+    fn soft_edge(&self) -> f64 {
+        self.soft_edge
+    }
 }
 
 /// Numbers of taps that are tried.
@@ -136,31 +156,19 @@ const TAPS: [usize; 4] = [4, 6, 8, 10];
 
 impl Sampling {
     /// The cheapest sampling with the errors that the settings allow; `deepest`: largest distance of a voxel from the focal plane.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for pixels that make no travelling wave.
     pub(super) fn new(
-        beam: &Beam,
+        beam: &dyn Spreading,
         [u, z]: [&Side; 2],
         deepest: f64,
         settings: &Settings,
-    ) -> Result<Self> {
-        if let Some(aperture) = beam.aperture
-            && aperture >= beam.wavenumber
-        {
-            return Err(Error::config(
-                "model.wave.numerical_aperture",
-                "an aperture not below the refractive index of the resin",
-                "a number below it",
-            ));
-        }
+    ) -> Self {
         let highest = [beam.highest(u.pitch), beam.highest(z.pitch)];
         let side = |own: &Side, frequencies: [f64; 2]| {
             let reach = own.reach();
             let travel = deepest * beam.steepest(frequencies);
             // A soft edge of the band ends the rings around what a pixel lights after some pixels; those of a hard one never end
-            let rings = if beam.soft_edge > 0.0 {
-                3.0 / beam.soft_edge
+            let rings = if beam.soft_edge() > 0.0 {
+                3.0 / beam.soft_edge()
             } else {
                 2.0
             };
@@ -178,7 +186,6 @@ impl Sampling {
         };
         let band = [band(0, u.pitch), band(1, z.pitch)];
         let depth_band = beam.depth_band(highest);
-        let window = padded[0] as f64 * u.pitch;
         let (mut best, mut least) = (None, f64::INFINITY);
         for taps in TAPS {
             let widest = Taps::widest_band(taps, settings.relative_error);
@@ -192,17 +199,13 @@ impl Sampling {
         }
         let (taps, step, depths) = best.unwrap_or((4, deepest, 3));
         let along = Taps::new(taps, depth_band * step);
-        let (fine, across) = if settings.published_rotation {
-            (padded[0], Taps::linear())
-        } else {
-            let taps = settings.lateral_taps;
-            let widest = Taps::widest_band(taps, settings.rotation_error);
-            let frequencies = 2.0 * band[0] as f64 / window;
-            let fine = smooth_even((window * frequencies / widest).ceil() as usize);
-            let fine = fine.max(smooth_even(2 * band[0] + 2));
-            (fine, Taps::new(taps, frequencies * window / fine as f64))
-        };
-        Ok(Sampling {
+        let taps = settings.lateral_taps;
+        let widest = Taps::widest_band(taps, settings.rotation_error);
+        let frequencies = beam.powers() * band[0] as f64;
+        let fine = smooth_even((frequencies / widest).ceil() as usize);
+        let fine = fine.max(smooth_even(2 * band[0] + 2));
+        let across = Taps::new(taps, frequencies / fine as f64);
+        Sampling {
             padded,
             guard,
             band,
@@ -211,7 +214,7 @@ impl Sampling {
             along,
             fine,
             across,
-        })
+        }
     }
 }
 

@@ -67,19 +67,6 @@ impl Taps {
         }
     }
 
-    /// Linear interpolation between two samples: what the published program turns volumes with.
-    pub(super) fn linear() -> Self {
-        let table = (0..=ROWS).flat_map(|row| {
-            let t = row as f32 / ROWS as f32;
-            [1.0 - t, t]
-        });
-        Taps {
-            taps: 2,
-            table: table.collect(),
-            error: f64::NAN,
-        }
-    }
-
     /// The widest band (cycles a sample) that so many taps interpolate with this error.
     pub(super) fn widest_band(taps: usize, error: f64) -> f64 {
         let (mut low, mut high) = (0.0, 0.5);

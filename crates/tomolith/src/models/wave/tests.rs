@@ -38,7 +38,6 @@ fn settings(error: f64) -> Settings {
         relative_error: error,
         rotation_error: error,
         lateral_taps: 8,
-        published_rotation: false,
     }
 }
 
@@ -48,7 +47,7 @@ fn precise(
     params: &Params,
     settings: Settings,
     grid: VolumeGrid,
-) -> (WaveLight<f64>, PatternLayout, DoseLayout) {
+) -> (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout) {
     let layout = DoseLayout::new("dose", grid, 0);
     let vial = if light.resin.pure_radon { WIDE } else { VIAL };
     let built = light_of(&vial, light, (params, &settings), &layout, (0, 0)).unwrap();
@@ -60,7 +59,7 @@ fn amplitudes(seed: u64, len: usize) -> Vec<f64> {
 }
 
 fn dose_of(
-    (built, pixels, layout): &(WaveLight<f64>, PatternLayout, DoseLayout),
+    (built, pixels, layout): &(WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout),
     x: &[f64],
 ) -> Vec<f64> {
     let mut dose = vec![0.0; layout.len()];
@@ -177,7 +176,7 @@ fn dose_is_the_direct_sum_over_frequencies() {
         let x = amplitudes(7, model.1.len());
         let dose = dose_of(&model, &x);
         let aperture = params.numerical_aperture.map(|na| na / 405e-6);
-        let padded = model.0.waves.sampling.padded;
+        let padded = model.0.way.windows().sampling.padded;
         let frames: Vec<Direct> = (0..3)
             .map(|frame| Direct::new(&light, frame, &x, (padded, aperture)))
             .collect();

@@ -1,0 +1,177 @@
+//! The linear relative of waves: rays that fill a cone, focused in a plane.
+//!
+//! # Equation
+//! Light of a pixel fills the directions within θ of the axis evenly; at depth x behind the focal plane it lies on a disc of radius x·tan θ:
+//! ```text
+//! I(x) = F⁻¹[ T(f, x)·B(f)·F[E] ],     T = 2·J₁(ρ)/ρ,   ρ = 2π·|f|·|x|·tan θ,     B = sinc(f_u p)·sinc(f_z p)·fade
+//! ```
+//! T is the transform of the disc, B that of a square pixel.
+//!
+//! # Source
+//! T: the Fourier transform of a uniform disc, any text on optics (Goodman, *Introduction to Fourier Optics*, eq. 2-35); J₁: Bessel's integral.
+
+use super::light::Way;
+use super::number::Number;
+use super::sampling::{Spreading, fade};
+use super::spectrum::{Scratch, Windows, zero};
+use rustfft::num_complex::Complex;
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+/// Directions of the light of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cone {
+    /// tan θ in resin.
+    pub(super) slope: f64,
+    /// Part of the band over which it fades.
+    pub(super) soft_edge: f64,
+}
+
+impl Spreading for Cone {
+    fn highest(&self, pitch: f64) -> f64 {
+        0.5 / pitch
+    }
+
+    fn steepest(&self, _highest: [f64; 2]) -> f64 {
+        self.slope
+    }
+
+    fn depth_band(&self, highest: [f64; 2]) -> f64 {
+        // A straight cone's light at a place is even in x with frequencies up to |f|·tan θ; never 0, so that depths are finite
+        (SQRT_2 * highest[0].max(highest[1]) * self.slope).max(1e-9)
+    }
+
+    fn powers(&self) -> f64 {
+        1.0
+    }
+
+    fn soft_edge(&self) -> f64 {
+        self.soft_edge
+    }
+}
+
+/// J₁(ρ), by Bessel's integral (1/π)∫cos(t − ρ sin t)dt: the trapezoidal rule converges faster than any power for periodic
+/// functions once its steps outnumber ρ.
+fn bessel_1(rho: f64) -> f64 {
+    let steps = 32 + 2 * rho.ceil() as usize;
+    let at = |i: usize| {
+        let t = TAU * i as f64 / steps as f64;
+        (t - rho * t.sin()).cos()
+    };
+    (0..steps).map(at).sum::<f64>() / steps as f64
+}
+
+/// The transform of a disc of radius 1 and weight 1.
+fn disc(rho: f64) -> f64 {
+    if rho < 1e-4 {
+        1.0 - rho * rho / 8.0
+    } else {
+        2.0 * bessel_1(rho) / rho
+    }
+}
+
+/// Cones of one light.
+pub(super) struct Cones<T: Number> {
+    windows: Windows<T>,
+    /// T·B of each depth.
+    transfers: Vec<Vec<T>>,
+}
+
+impl<T: Number> Cones<T> {
+    pub(super) fn new(windows: Windows<T>, cone: &Cone) -> Self {
+        let sampling = &windows.sampling;
+        let [bu, bz] = sampling.band.map(|b| b as i64);
+        let of_pixel = |share: f64| {
+            let x = 0.5 * PI * share;
+            let sinc = if x == 0.0 { 1.0 } else { x.sin() / x };
+            sinc * fade(cone.soft_edge, share.abs())
+        };
+        let transfer = |depth: usize| {
+            let radius = depth as f64 * sampling.step * cone.slope;
+            let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
+            for fz in -bz..=bz {
+                for fu in -bu..=bu {
+                    let f = [fu as f64 / windows.window[0], fz as f64 / windows.window[1]];
+                    let pixel = of_pixel(2.0 * fu as f64 / sampling.padded[0] as f64)
+                        * of_pixel(2.0 * fz as f64 / sampling.padded[1] as f64);
+                    values.push(T::of(pixel * disc(TAU * f[0].hypot(f[1]) * radius)));
+                }
+            }
+            values
+        };
+        Cones {
+            transfers: (0..sampling.depths).map(transfer).collect(),
+            windows,
+        }
+    }
+}
+
+impl<T: Number> Way<T> for Cones<T> {
+    const IS_LINEAR: bool = true;
+
+    fn windows(&self) -> &Windows<T> {
+        &self.windows
+    }
+
+    fn shine(&self, scratch: &mut Scratch<T>, samples: &mut [T], row: usize) {
+        for (depth, transfer) in self.transfers.iter().enumerate() {
+            let Scratch { spectrum, here, .. } = &mut *scratch;
+            for ((v, s), &t) in here.iter_mut().zip(spectrum).zip(transfer) {
+                *v = s.scale(t);
+            }
+            let (here, parts) = scratch.split();
+            self.windows.field(here, parts);
+            let field = &scratch.field;
+            let value = |i: usize| field[i].re;
+            self.windows
+                .add_at(depth, (&mut *samples, row), T::one(), value);
+        }
+    }
+
+    fn send_back(
+        &self,
+        samples: &[T],
+        row: usize,
+        scratch: &mut Scratch<T>,
+        take: &mut dyn FnMut(usize, &[Complex<T>]),
+    ) {
+        let len = scratch.spectrum.len();
+        scratch.sum.clear();
+        scratch.sum.resize(len, zero());
+        let mut back = vec![zero(); len];
+        for (depth, transfer) in self.transfers.iter().enumerate() {
+            scratch.field.fill(Complex::new(T::one(), T::zero()));
+            let asked = (samples, row);
+            self.windows
+                .multiply_by(depth, asked, T::one(), &mut scratch.field);
+            self.windows.field_back(&mut back, scratch.split().1);
+            for ((sum, b), &t) in scratch.sum.iter_mut().zip(&back).zip(transfer) {
+                *sum = *sum + b.scale(t);
+            }
+        }
+        self.windows.transform_back(scratch, take);
+    }
+
+    fn operations(&self) -> f64 {
+        let [image, depth] = self.windows.operations();
+        2.0 * (image + self.transfers.len() as f64 * depth)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bessel_and_disc_have_their_known_values() {
+        // Abramowitz & Stegun, table 9.1; first zero 3.831706
+        for (x, value) in [
+            (1.0, 0.440_050_585_7),
+            (5.0, -0.327_579_137_6),
+            (20.0, 0.066_833_124_2),
+        ] {
+            assert!((bessel_1(x) - value).abs() < 1e-9);
+        }
+        assert!(disc(3.831_705_970_2).abs() < 1e-9);
+        assert!((disc(1e-4) - disc(1.1e-4)).abs() < 1e-8);
+    }
+}
