@@ -50,7 +50,6 @@ fn ended() -> Vec<Box<dyn Vial>> {
     let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
     vials()
         .into_iter()
-        .take(3)
         .map(|vial| {
             let plate = if vial.walls().len() > 1 { 0.2 } else { 0.0 };
             let ended = Ended::new(vial, end(-0.5, plate), end(0.7, 0.0)).unwrap();
