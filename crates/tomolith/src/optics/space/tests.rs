@@ -613,3 +613,244 @@ fn legs_alone_are_those_of_the_whole_path() {
         }
     }
 }
+
+/// Resin that scatters isotropically, 0.5 per mm beside what it absorbs.
+const MILK_PER_MM: f64 = 0.5;
+
+fn milk(vial: &dyn Vial, resin: Resin, limits: Limits) -> SpaceTracer {
+    let scattering = Scattering {
+        per_mm: MILK_PER_MM,
+        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
+    };
+    let resin = Resin {
+        attenuation_per_mm: resin.absorption_per_mm + MILK_PER_MM,
+        ..resin
+    };
+    SpaceTracer::new(vial, resin, 1.0, Polarisation::Unpolarised, limits)
+        .in_scattering(Some(scattering))
+}
+
+/// Two halves of resin, x < 0 and x > 0, that absorb unlike.
+const HALVES: [f64; 2] = [0.05, 0.6];
+
+fn halves() -> Option<Arc<AbsorptionMap>> {
+    let active = HALVES.map(|a| a as f32).to_vec();
+    let total = active.iter().map(|a| a + MILK_PER_MM as f32).collect();
+    Some(Arc::new(
+        AbsorptionMap::new([1, 1, 2], 20.0, active, total).unwrap(),
+    ))
+}
+
+/// Attenuation of the half that a point is in.
+fn half(x: f64) -> f64 {
+    MILK_PER_MM + HALVES[usize::from(x > 0.0)]
+}
+
+#[test]
+fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&vial, resin(), limits).in_map(halves());
+    // Along −x through the axis: 2 mm of the half that takes more, then 2 mm of the other
+    let ray = level(0.0, 0.0);
+    let direct = tracer.trace(ray);
+    let [first, second] = [half(1.0), half(-1.0)];
+    let left = (-2.0 * (first + second)).exp();
+    assert!((direct.account.transmitted - left).abs() < 1e-7);
+    // Power of what is scattered: μ_s ∫ e^(−τ)
+    let of_half = |mu: f64| (1.0 - (-2.0 * mu).exp()) * MILK_PER_MM / mu;
+    let expected = of_half(first) + (-2.0 * first).exp() * of_half(second);
+    // Where it is scattered first, and what either half takes of it: quadrature over the ray and all directions
+    let attenuated = |x: f64| {
+        let depth = 2.0 - x;
+        (-(first * depth.min(2.0) + second * (depth - 2.0).max(0.0))).exp()
+    };
+    let taken = |x: f64, [dx, dy]: [f64; 2]| {
+        let flat = dx.hypot(dy);
+        let across = x * dy / flat;
+        let way = (-x * dx / flat + (4.0 - across * across).sqrt()) / flat;
+        let turn = if x * dx < 0.0 {
+            (-x / dx).min(way)
+        } else {
+            way
+        };
+        let own = half(x);
+        let mut power = [0.0; 2];
+        power[usize::from(x > 0.0)] += 1.0 - (-own * turn).exp();
+        let other = half(-x);
+        power[usize::from(x < 0.0)] += (-own * turn).exp() * (1.0 - (-other * (way - turn)).exp());
+        // Of what is lost in a half, only this is not scattered again
+        [0, 1].map(|side| power[side] * HALVES[side] / (HALVES[side] + MILK_PER_MM))
+    };
+    let (mut depth, mut sides) = (0.0, [0.0; 2]);
+    let (along, polar, around) = (400, 80, 160);
+    for i in 0..along {
+        let x = 2.0 - 4.0 * (f64::from(i) + 0.5) / f64::from(along);
+        let source = MILK_PER_MM * attenuated(x) * 4.0 / f64::from(along);
+        depth += source * (2.0 - x) / expected;
+        for j in 0..polar {
+            let up = (f64::from(j) + 0.5) / f64::from(polar);
+            let flat = (1.0 - up * up).sqrt();
+            for k in 0..around {
+                let angle = TAU * (f64::from(k) + 0.5) / f64::from(around);
+                let part = source / f64::from(polar * around);
+                let found = taken(x, [flat * angle.cos(), flat * angle.sin()]);
+                (0..2).for_each(|side| sides[side] += part * found[side]);
+            }
+        }
+    }
+    let paths: u32 = 100_000;
+    let (mut mean, mut powers, mut squares) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+    for i in 0..paths {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([6, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let again: Vec<&Leg> = path.legs.iter().filter(|leg| leg.order == 1).collect();
+        assert!(
+            (again[0].power - expected).abs() < 1e-7,
+            "{}",
+            again[0].power
+        );
+        let way = 2.0 - again[0].ray.from[0];
+        mean[0] += way / f64::from(paths);
+        mean[1] += way * way / f64::from(paths);
+        let mut own = [0.0; 2];
+        for leg in again {
+            let uptake = leg.uptake;
+            let lost = leg.power * -(-uptake.attenuation_per_mm * leg.length).exp_m1();
+            let side = usize::from(leg.ray.at(leg.length / 2.0)[0] > 0.0);
+            own[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
+        }
+        for side in 0..2 {
+            powers[side] += own[side] / f64::from(paths);
+            squares[side] += own[side] * own[side] / f64::from(paths);
+        }
+    }
+    // Five standard errors
+    let error = |square: f64, mean: f64| 5.0 * ((square - mean * mean) / f64::from(paths)).sqrt();
+    assert!(
+        (mean[0] - depth).abs() < error(mean[1], mean[0]),
+        "{mean:?} {depth}"
+    );
+    for side in 0..2 {
+        let allowed = error(squares[side], powers[side]);
+        assert!(allowed < 0.05 * sides[side]);
+        assert!(
+            (powers[side] - sides[side]).abs() < allowed,
+            "{powers:?} {sides:?}"
+        );
+    }
+}
+
+#[test]
+fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
+    let limits = Limits {
+        least_power: 0.02,
+        ..Limits::default()
+    };
+    let plain = milk(&GLASS, resin(), limits);
+    let even = AbsorptionMap::new([4, 4, 4], 3.0, vec![0.1; 64], vec![0.6; 64]).unwrap();
+    let mapped = milk(&GLASS, resin(), limits).in_map(Some(Arc::new(even)));
+    let straight = Resin {
+        gradient: Some(Gradient {
+            quadratic_per_mm2: 0.0,
+            quartic_per_mm4: 0.0,
+            step_mm: 0.4,
+        }),
+        ..resin()
+    };
+    let chords = milk(&GLASS, straight, limits);
+    // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight leg at the wall
+    let turns = |path: &Path| {
+        let orders = 0..=path.legs.iter().map(|leg| leg.order).max().unwrap_or(0);
+        let first = |order| path.legs.iter().find(|leg| leg.order == order);
+        let first = orders.filter_map(first).map(|leg| leg.ray.from);
+        first.collect::<Vec<_>>()
+    };
+    let mut scattered = 0;
+    for i in 0..200 {
+        let ray = level(0.02 * i as f64 - 2.0, 0.3 * i as f64);
+        let draws = || Stream::new([9, 0, i, 0]);
+        let expected = plain.trace_scattered(ray, &mut draws());
+        for other in [&mapped, &chords] {
+            let found = other.trace_scattered(ray, &mut draws());
+            assert!((found.account.total() - 1.0).abs() < 1e-12);
+            let apart = found.account.absorbed - expected.account.absorbed;
+            assert!(apart.abs() < 1e-6, "{i}: {apart:e}");
+            let (a, b) = (turns(&found), turns(&expected));
+            assert_eq!(a.len(), b.len(), "{i}");
+            for (a, b) in a.iter().zip(&b) {
+                assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-4), "{i}");
+            }
+            scattered += a.len() - 1;
+        }
+    }
+    assert!(scattered > 4 * 400, "{scattered}");
+}
+
+#[test]
+fn scattered_light_runs_along_the_curves_of_a_gradient() {
+    let profile = Gradient {
+        quadratic_per_mm2: -0.01,
+        quartic_per_mm4: 5e-5,
+        step_mm: 0.05,
+    };
+    let bent = Resin {
+        gradient: Some(profile),
+        ..resin()
+    };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&GLASS, bent, limits);
+    let index = |at: [f64; 3]| profile.index(1.49, at);
+    let ray = level(2.0, 0.1);
+    let way = |legs: &[&Leg]| legs.iter().map(|leg| leg.length).sum::<f64>();
+    let (mut guided, mut bends) = (0, 0.0f64);
+    for i in 0..300 {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let [direct, once] = [0, 1].map(|order| {
+            let own = path.legs.iter().filter(|leg| leg.order == order);
+            own.collect::<Vec<_>>()
+        });
+        // What goes on is what the whole curve scattered, from a point of it
+        let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
+        assert!((once[0].power - expected).abs() < 1e-12);
+        let from = once[0].ray.from;
+        let beside = |leg: &&&Leg| {
+            let to: [f64; 3] = std::array::from_fn(|k| from[k] - leg.ray.from[k]);
+            let along = dot(to, leg.ray.direction);
+            let off = cross(to, leg.ray.direction);
+            (-1e-9..leg.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
+        };
+        assert!(direct.iter().any(|leg| beside(&leg)), "{i}");
+        // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
+        let invariants = |leg: &Leg| {
+            let middle = leg.ray.at(leg.length / 2.0);
+            let ([x, y, _], [dx, dy, dz]) = (middle, leg.ray.direction);
+            let n = index(middle);
+            [n * (x * dy - y * dx), n * dz]
+        };
+        let begun = invariants(once[0]);
+        for leg in &once[..once.len() - 1] {
+            let found = invariants(leg);
+            assert!((found[0] - begun[0]).abs() < 2e-4 && (found[1] - begun[1]).abs() < 1e-4);
+        }
+        let (a, b) = (once[0].ray.direction, once[once.len() - 1].ray.direction);
+        bends = bends.max(dot(a, b).min(1.0).acos());
+        // Light whose n·d_z is more than the index at the wall never meets it: it fades
+        if begun[1].abs() > index([7.5, 0.0, 0.0]) + 1e-3 {
+            guided += 1;
+            let end = (-0.6 * way(&once)).exp();
+            assert!((5e-10..1e-9).contains(&end), "{end:e}");
+            assert!(path.account.cut > 0.0);
+        }
+    }
+    assert!(guided > 5 && bends > 0.3, "{guided} {bends}");
+}
