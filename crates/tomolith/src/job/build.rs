@@ -83,8 +83,10 @@ impl Optics {
             });
         }
         let bath = bath_of(spec, vial.as_ref())?;
-        let map = spec.resin.map.as_ref().map(|map| map_of(map, base));
-        let map = map.transpose()?.map(Arc::new);
+        let scattered = spec.resin.scattering_per_mm;
+        let map = spec.resin.map.as_ref();
+        let map = map.map(|map| map_of(map, scattered, base)).transpose()?;
+        let map = map.map(Arc::new);
         let mut lights: Vec<Light> = spec
             .light
             .iter()
@@ -562,11 +564,11 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     }))
 }
 
-/// The absorption map of a job.
-fn map_of(map: &MapSpec, base: &Path) -> Result<AbsorptionMap> {
+/// The absorption map of a job whose resin scatters so much per mm.
+fn map_of(map: &MapSpec, scattered: f64, base: &Path) -> Result<AbsorptionMap> {
     let (shape, active) = read_levels(&base.join(&map.absorption))?;
     let total = match &map.attenuation {
-        None => active.clone(),
+        None => active.iter().map(|a| a + scattered as f32).collect(),
         Some(file) => {
             let (other, total) = read_levels(&base.join(file))?;
             if other != shape {
@@ -866,6 +868,21 @@ mod tests {
             reason.starts_with("rays") && reason.contains("across the plane"),
             "{reason}"
         );
+    }
+
+    #[test]
+    fn what_is_scattered_is_attenuated_beside_what_a_map_absorbs() {
+        let folder = tempfile::tempdir().unwrap();
+        let map = ndarray::array![[0.1f64, 0.25, 0.5]];
+        ndarray_npy::write_npy(folder.path().join("mu.npy"), &map).unwrap();
+        let spec = spec(&[
+            "resin.map={ absorption = \"mu.npy\", pitch_mm = 1.0 }",
+            "resin.scattering_per_mm=0.5",
+        ]);
+        let optics = Optics::new(&spec, folder.path()).unwrap();
+        let (active, total) = (vec![0.1, 0.25, 0.5], vec![0.6, 0.75, 1.0]);
+        let expected = AbsorptionMap::new([1, 1, 3], 1.0, active, total).unwrap();
+        assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
     }
 
     #[test]

@@ -21,6 +21,8 @@ const VOXELS_PER_PLANE: f64 = 1.7;
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// Weight, lower and upper end of the band, where they differ from voxel to voxel.
 const BYTES_PER_VOXEL_OF_FIELDS: f64 = 12.0;
+/// What a voxel takes of scattered light where absorption is a map, and that light in a call.
+const BYTES_PER_VOXEL_THAT_GLOWS: f64 = 8.0;
 /// A level of a machine's canvas.
 const BYTES_PER_CANVAS_PIXEL: f64 = 2.0;
 /// What every run needs: the program, the report, one movie frame, …: 35 to 80 measured for the smallest jobs.
@@ -75,6 +77,8 @@ pub(crate) struct Extent {
     pub(crate) canvas: usize,
     /// Whether the model keeps the walks of its rays where they are few.
     pub(crate) keeps_walks: bool,
+    /// Whether voxels take their own part of scattered light.
+    pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
 }
@@ -118,6 +122,7 @@ impl Extent {
             fields: 0,
             canvas: 0,
             keeps_walks: false,
+            glows: optics.setup().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
         }
     }
@@ -130,6 +135,15 @@ impl Extent {
         // It may turn out less than estimated
         if self.keeps_walks && entries <= 2.0 * most {
             entries.min(most) * kept::BYTES as f64
+        } else {
+            0.0
+        }
+    }
+
+    /// Bytes of a voxel for scattered light.
+    fn glow(&self) -> f64 {
+        if self.glows {
+            BYTES_PER_VOXEL_THAT_GLOWS
         } else {
             0.0
         }
@@ -154,7 +168,8 @@ impl Extent {
     pub(crate) fn optimisation(&self) -> [f64; 2] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
-        let per_voxel = BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS;
+        let per_voxel =
+            BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
             self.lanes(1) * per_voxel / 1e6,
             (self.scratch(1) + self.walks() + patterns) / 1e6,
@@ -165,7 +180,9 @@ impl Extent {
     pub(crate) fn evaluation(&self) -> [f64; 2] {
         let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
         [
-            (self.lanes(self.refine) * BYTES_PER_FINE_VOXEL + self.faces() * BYTES_PER_FACE) / 1e6,
+            (self.lanes(self.refine) * (BYTES_PER_FINE_VOXEL + self.glow())
+                + self.faces() * BYTES_PER_FACE)
+                / 1e6,
             (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
         ]
     }
@@ -302,6 +319,7 @@ mod tests {
             fields: 0,
             canvas: 0,
             keeps_walks: false,
+            glows: false,
             stacked: 0,
         }
     }
@@ -415,6 +433,11 @@ mod tests {
         };
         assert!((larger.optimisation()[0] - lanes * 45.0 / 1e6).abs() < 1e-12);
         assert!((larger.evaluation()[1] - extent.evaluation()[1] - 8.0).abs() < 1e-12);
+        let glowing = Extent {
+            glows: true,
+            ..extent.clone()
+        };
+        assert!((glowing.optimisation()[0] - lanes * 29.0 / 1e6).abs() < 1e-12);
         assert_eq!(larger.disk_mb(), extent.disk_mb() + 8);
     }
 }

@@ -168,7 +168,7 @@ pub enum DoseConvention {
 pub struct MapSpec {
     /// What makes dose.
     pub absorption: PathBuf,
-    /// Attenuation by everything; the active absorption when nothing else absorbs.
+    /// Attenuation by everything; absorption + `resin.scattering_per_mm` when nothing else takes light.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub attenuation: Option<PathBuf>,
     /// Edge of a cell.

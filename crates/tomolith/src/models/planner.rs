@@ -79,8 +79,7 @@ impl Setup<'_> {
     /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
     ///
     /// # Errors
-    /// [`Error::Config`] with the key of the model, of the absorption map that rays do not know, or of numbers that contradict each
-    /// other.
+    /// [`Error::Config`] with the key of the model, or of numbers that contradict each other.
     pub fn must_be_covered(
         &self,
         choice: &Choice,
@@ -98,7 +97,7 @@ impl Setup<'_> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
         let other = "another model, or no [model] for the cheapest that is exact";
-        let way = match (choice, self.beyond_parallel(lights)) {
+        Ok(Way::Optical(match (choice, self.beyond_parallel(lights)) {
             (Choice::Matrix(_), _) if self.solid.is_some() => {
                 return refused("model.matrix", "a stored matrix knows whole voxels", other);
             }
@@ -131,24 +130,7 @@ impl Setup<'_> {
             }
             (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
             (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
-        };
-        let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
-        let is_random = matches!(way, Optical::Scatter(_));
-        if is_random && any(&|light| light.map.is_some()) {
-            return refused(
-                "resin.map",
-                "paths of scattered light know one absorption for all the resin",
-                "resin.absorption_per_mm, or a resin that does not scatter",
-            );
-        }
-        if is_random && any(&|light| light.resin.gradient.is_some()) {
-            return refused(
-                "resin.gradient",
-                "paths of scattered light run straight",
-                "a resin that does not scatter, or one index",
-            );
-        }
-        Ok(Way::Optical(way))
+        }))
     }
 
     /// Why this way was taken, for people.
@@ -563,6 +545,51 @@ mod tests {
         );
         assert!(
             reason.ends_with("the resin scatters and light is not normal to the axis"),
+            "{reason}"
+        );
+    }
+
+    #[test]
+    fn a_resin_that_scatters_and_differs_from_place_to_place_is_followed_by_random_paths() {
+        use crate::optics::absorption_map::AbsorptionMap;
+        use crate::optics::gradient::Gradient;
+        let mut milk = light();
+        milk.resin.attenuation_per_mm = 0.5;
+        let mut optics = [Optics::collimated(0.1)];
+        optics[0].scattering = Some(Scattering {
+            per_mm: 0.3,
+            phase: Arc::new(Rayleigh {}),
+        });
+        let setup = Setup {
+            vial: &VIAL,
+            optics: &optics,
+            solid: None,
+            asked_often: true,
+            dose_factor: 1.0,
+        };
+        let mapped = |total: f32| {
+            let map = AbsorptionMap::new([1, 1, 2], 1.0, vec![0.2, 0.1], vec![total; 2]);
+            let mut light = milk.clone();
+            light.map = Some(Arc::new(map.unwrap()));
+            planned(&Choice::Cheapest, setup, light)
+        };
+        let reason = mapped(0.5);
+        assert!(
+            reason.ends_with("the resin scatters and the absorption changes across the plane"),
+            "{reason}"
+        );
+        // 0.2 absorbed and 0.3 scattered per mm are more than 0.4
+        assert_eq!(mapped(0.4), "resin.map.attenuation");
+        let mut bent = milk.clone();
+        bent.resin.gradient = Some(Gradient {
+            quadratic_per_mm2: -0.01,
+            quartic_per_mm4: 0.0,
+            step_mm: 0.1,
+        });
+        let reason = planned(&Choice::Cheapest, setup, bent);
+        assert!(
+            reason
+                .ends_with("the resin scatters and the resin's index changes from place to place"),
             "{reason}"
         );
     }

@@ -10,6 +10,11 @@
 //! dose(v) = Σ x·A/(n·V) Σ_paths Σ_legs P·(μ_a/μ_t)·(e^(−μ_t·s_in) − e^(−μ_t·s_out)), μ_t = μ_a + μ_s + what else absorbs;
 //! a leg of length L hands on the power P·(μ_s/μ_t)·(1 − e^(−μ_t·L)). Its mean over seeds is the volume rendering equation.
 //!
+//! # Resin that differs from place to place
+//! With an absorption map the terms of a leg are those of its pieces in the cells, with their μ_a and μ_t; with an index that changes
+//! with the radius legs are the chords of curves ([`optics::space`](crate::optics::space)). μ_s is the same everywhere.
+//! Where there is a map and `smooth` > 1, cells hold fluence instead of energy, and a voxel takes the map's mean over it.
+//!
 //! # Source
 //! Nicolet et al. 2024, § 4.2 (path sampling, expected absorption along segments).
 //!

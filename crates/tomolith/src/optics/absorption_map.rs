@@ -6,7 +6,7 @@
 use super::projector::Ray;
 use super::resin::Uptake;
 use crate::error::{Error, Result};
-use crate::grid::sample;
+use crate::grid::{Volume, VolumeGrid, sample};
 
 /// Absorption on a grid of cells about the axis, row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +71,80 @@ impl AbsorptionMap {
     /// The largest attenuation, 1/mm.
     pub(crate) fn most_per_mm(&self) -> f64 {
         f64::from(self.total.iter().copied().fold(0.0, f32::max))
+    }
+
+    /// Refuses a map whose attenuation leaves no room for so much scattering beside the absorption.
+    ///
+    /// # Errors
+    /// [`Error::Config`] at `resin.map.attenuation`.
+    pub(crate) fn must_hold(&self, scattering_per_mm: f64) -> Result<()> {
+        let mut cells = self.active.iter().zip(&self.total);
+        let is_short = |(active, total): &(&f32, &f32)| {
+            let (active, total) = (f64::from(**active), f64::from(**total));
+            // Sums in single precision are as good as that
+            active + scattering_per_mm > total * (1.0 + 1e-6)
+        };
+        let Some((active, total)) = cells.find(is_short) else {
+            return Ok(());
+        };
+        Err(Error::config(
+            "resin.map.attenuation",
+            format!(
+                "a cell with absorption {active} and attenuation {total} per mm, where {scattering_per_mm} per mm are scattered"
+            ),
+            "an attenuation of at least absorption + resin.scattering_per_mm in every cell",
+        ))
+    }
+
+    /// Mean active absorption in every voxel of a grid, 1/mm; beyond the map it is `plain`.
+    pub(crate) fn means(&self, grid: &VolumeGrid, plain: f64) -> Volume<f32> {
+        let plain = plain as f32;
+        let mut values: Vec<f32> = self.active.iter().map(|a| a - plain).collect();
+        // Overlaps are products of those along x, y and z
+        for axis in 0..3 {
+            let n = self.shape[2 - axis];
+            let inner: usize = (0..axis).map(|done| grid.shape[2 - done]).product();
+            let shares = self.shares(grid, axis);
+            let mut sums = Vec::with_capacity(values.len() / n * shares.len());
+            for block in values.chunks_exact(n * inner) {
+                for of_voxel in &shares {
+                    let at = |i: usize| -> f32 {
+                        let of_cell =
+                            |&(cell, share): &(usize, f32)| share * block[cell * inner + i];
+                        of_voxel.iter().map(of_cell).sum()
+                    };
+                    sums.extend((0..inner).map(at));
+                }
+            }
+            values = sums;
+        }
+        values.iter_mut().for_each(|value| *value += plain);
+        Volume {
+            grid: grid.clone(),
+            values,
+        }
+    }
+
+    /// The cells that every voxel of a grid meets along an axis (x, y, z), with their parts of it.
+    fn shares(&self, grid: &VolumeGrid, axis: usize) -> Vec<Vec<(usize, f32)>> {
+        let (cells, voxels) = (self.shape[2 - axis], grid.shape[2 - axis]);
+        if axis == 2 && cells == 1 {
+            return vec![vec![(0, 1.0)]; voxels];
+        }
+        let width = grid.pitch_mm / self.pitch_mm;
+        let low = grid.bounds_mm()[0][axis] / self.pitch_mm + cells as f64 / 2.0;
+        let of_voxel = |voxel: usize| {
+            let from = low + voxel as f64 * width;
+            let to = from + width;
+            let first = from.floor().max(0.0) as usize;
+            let last = to.ceil().clamp(0.0, cells as f64) as usize;
+            let share = |cell: usize| {
+                let overlap = to.min(cell as f64 + 1.0) - from.max(cell as f64);
+                (cell, (overlap / width) as f32)
+            };
+            (first..last).map(share).collect()
+        };
+        (0..voxels).map(of_voxel).collect()
     }
 
     /// Active absorption and total attenuation at a point of the plane (mm), of the lowest level; None where the map ends.
@@ -236,6 +310,57 @@ mod tests {
         };
         let expected = [(0., 1., 9.), (1., 3., 1.), (3., 5., 2.), (5., 6., 9.)];
         assert_eq!(pieces(&map, up, 6.0), expected);
+    }
+
+    #[test]
+    fn means_over_voxels_are_those_of_what_they_cover() {
+        let values: Vec<f32> = (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect();
+        let map = AbsorptionMap::new([3, 4, 5], 0.7, values.clone(), values.clone()).unwrap();
+        // Voxels of half a cell on the faces of the cells: each lies in one, or beyond
+        let half = VolumeGrid::centered([8, 10, 12], 0.35);
+        let means = map.means(&half, 9.0);
+        let at = |[z, y, x]: [usize; 3]| f64::from(*means.at(z, y, x));
+        for index in [
+            [0, 0, 0],
+            [1, 1, 1],
+            [3, 5, 7],
+            [6, 8, 10],
+            [7, 9, 11],
+            [4, 0, 3],
+        ] {
+            let [z, y, x] = index;
+            let point = [half.x(x), half.y(y), half.z(z)];
+            let expected = map.uptake(point, PLAIN).active_per_mm;
+            assert!((at(index) - expected).abs() < 1e-5, "{index:?}");
+        }
+        // One voxel over two columns of cells and 1.4 mm beyond: 3 × 4 × 2 cells of 3 × 4 × 4
+        let one = VolumeGrid {
+            center_mm: [-1.75, 0.0, 0.0],
+            ..VolumeGrid::centered([1, 1, 1], 2.8)
+        };
+        let within: f32 = (0..12)
+            .map(|row| values[5 * row] + values[5 * row + 1])
+            .sum();
+        // Along z the voxel is four cells high, and the map three
+        let expected = (f64::from(within) + 9.0 * (64.0 - 24.0)) / 64.0;
+        assert!((f64::from(map.means(&one, 9.0).values[0]) - expected).abs() < 1e-5);
+        // A map of one level holds at all heights
+        let flat = AbsorptionMap::new([1, 2, 1], 1.0, vec![2.0, 4.0], vec![2.0, 4.0]).unwrap();
+        let tall = VolumeGrid::centered([3, 1, 1], 0.5);
+        assert_eq!(flat.means(&tall, 9.0).values, [3.0; 3]);
+    }
+
+    #[test]
+    fn scattering_must_fit_into_the_attenuation_of_every_cell() {
+        let map = AbsorptionMap::new([1, 1, 2], 1.0, vec![0.1, 0.3], vec![0.4, 0.6]).unwrap();
+        map.must_hold(0.3).unwrap();
+        let Err(Error::Config { key, found, .. }) = map.must_hold(0.31) else {
+            panic!("accepted");
+        };
+        assert!(
+            key == "resin.map.attenuation" && found.contains("0.1"),
+            "{found}"
+        );
     }
 
     #[test]

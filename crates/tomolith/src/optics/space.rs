@@ -10,11 +10,13 @@
 //! what was emitted; else it is lost. Total reflection keeps all power; the phase between s and p that it adds is not followed.
 //!
 //! # Scattering
-//! With [`SpaceTracer::in_scattering`] and a stream of random numbers, a leg of length L leaves its expected absorption all
-//! along, and what it loses to scattering goes on from one point of it: the distance is drawn from the free paths below
-//! L, the direction from the phase function, the power is (μ_s/μ_t)·(1 − e^(−μ_t·L)) of the leg's. So the straight light
+//! With [`SpaceTracer::in_scattering`] and a stream of random numbers, light leaves its expected absorption all along its way from
+//! surface to surface, and what it loses to scattering goes on from one point of that way. A way is one leg, or the pieces of it in
+//! which the resin differs; a piece of length L scatters P·(μ_s/μ_t)·(1 − e^(−μ_t·L)) of its power P, exactly. The power that goes on is
+//! the sum, the piece is drawn by its part of it, the distance in it from the free paths below L, the direction from the phase function:
+//! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the straight light
 //! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
-//! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised.
+//! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised; in a gradient it runs along curves.
 //!
 //! # Resin that differs from place to place
 //! Where absorption is a map ([`AbsorptionMap`]) a leg ends at every cell that takes another part; where the index changes
@@ -202,6 +204,8 @@ const LEAST_SLANT: f64 = 0.1;
 const SHARED: f64 = 1e-9;
 /// Chords of one curve at most: light that stays in the resin for so long has no way out.
 const MOST_CHORDS: usize = 100_000;
+/// Light along a curve is given up when the resin has left this part of it: scattered light may be guided along the axis for ever.
+const FADED: f64 = 1e-9;
 /// A chord that meets a wall within this part of a step is cut there: its direction is that of a whole step.
 const CLOSE: f64 = 0.02;
 
@@ -365,15 +369,15 @@ impl SpaceTracer {
         path: &mut Path,
         mut random: Option<&mut Stream>,
     ) {
-        while let Some(ahead) = self.next(&mut state, path) {
-            let distance = ahead.crossing().distance;
-            let before = state;
-            let lost = self.cross_medium(&mut state, distance, path);
-            if let (Some(random), Some(scattering)) = (random.as_deref_mut(), &self.scattering)
-                && lost > 0.0
-            {
-                self.scatter(&before, scattering, distance, lost, random, waiting, path);
+        loop {
+            let first = path.legs.len();
+            let ahead = self.next(&mut state, path);
+            let distance = ahead.as_ref().map_or(0.0, |a| a.crossing().distance);
+            self.cross_medium(&mut state, distance, path);
+            if let (Some(random), Some(scattering)) = (random.as_deref_mut(), &self.scattering) {
+                self.scatter(&state, scattering, first, random, waiting, path);
             }
+            let Some(ahead) = ahead else { break };
             if extent == Extent::Legs && self.is_final(&state, &ahead) {
                 return;
             }
@@ -424,50 +428,54 @@ impl SpaceTracer {
         after
     }
 
-    /// What goes on from a point of a leg that lost `lost` of its power: its share moves from absorbed to scattered.
-    #[expect(clippy::too_many_arguments, reason = "one event of a path")]
+    /// What goes on from a point of the way just gone, the legs from `first` on: its share moves from absorbed to scattered.
     fn scatter(
         &self,
-        leg: &State,
+        state: &State,
         scattering: &Scattering,
-        length: f64,
-        lost: f64,
+        first: usize,
         random: &mut Stream,
         waiting: &mut Vec<State>,
         path: &mut Path,
     ) {
-        let mu = self.resin.attenuation_per_mm;
-        let mut power = lost * scattering.per_mm / mu;
-        path.account.absorbed -= power;
-        if leg.order >= self.limits.orders {
-            path.account.cut += power;
+        let of_leg = |leg: &Leg| scattered(leg, scattering.per_mm, leg.length);
+        let whole: f64 = path.legs[first..].iter().map(of_leg).sum();
+        if whole == 0.0 {
             return;
         }
+        path.account.absorbed -= whole;
+        if state.order >= self.limits.orders {
+            path.account.cut += whole;
+            return;
+        }
+        let mut power = whole;
         if power < self.limits.least_power {
             power = self.by_chance(power, Some(random), path);
         }
         if power == 0.0 {
             return;
         }
-        let reach = -(-mu * length).exp_m1();
-        let distance = -(-random.uniform() * reach).ln_1p() / mu;
+        let (legs, passed) = (&path.legs[first..], random.uniform() * whole);
+        let Some((leg, distance)) = point_of(legs, scattering.per_mm, passed) else {
+            return;
+        };
         let cosine = scattering.phase.draw(random);
         let direction = deflected(leg.ray.direction, cosine, TAU * random.uniform());
         let mut fields = Fields::new(Polarisation::Unpolarised, direction);
         fields.scale(power);
         waiting.push(State {
             ray: Ray {
-                from: leg.ray.at(distance.min(length)),
+                from: leg.ray.at(distance),
                 direction,
             },
             fields,
-            order: leg.order + 1,
-            ..*leg
+            order: state.order + 1,
+            ..*state
         });
     }
 
-    /// What the medium takes on the way to the next surface; returns what resin took.
-    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) -> f64 {
+    /// What the medium takes on the way to the next surface.
+    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) {
         let power = state.fields.power();
         if self.in_resin(state) {
             state.met_resin = true;
@@ -495,14 +503,12 @@ impl SpaceTracer {
             if power > 0.0 {
                 state.fields.scale(left / power);
             }
-            return power - left;
         } else if let (Some(bath), 0, None) = (self.bath, state.depth, state.within) {
             let way = bath_way(bath, &state.ray, length);
             let loss = -(-bath.absorption_per_mm * way).exp_m1();
             path.account.bath += loss * power;
             state.fields.scale(1.0 - loss);
         }
-        0.0
     }
 
     /// Whether light that passes this surface never comes back to the resin: outwards through convex walls, with nothing beyond
@@ -522,7 +528,7 @@ impl SpaceTracer {
             return self.ahead(state);
         };
         let axis = self.resin.refractive_index;
-        let step = gradient.step_mm;
+        let (step, begun) = (gradient.step_mm, state.fields.power());
         let mut length = step;
         for _ in 0..MOST_CHORDS {
             let mut chord = gradient.chord(axis, state.ray, length);
@@ -552,6 +558,9 @@ impl SpaceTracer {
             state.ray = chord.end;
             if met.is_some() {
                 return met;
+            }
+            if state.fields.power() <= FADED * begun {
+                break;
             }
         }
         // Light that the resin guides along the axis
@@ -725,6 +734,29 @@ impl SpaceTracer {
             },
         }
     }
+}
+
+/// What of a leg's power is scattered on the first `length` mm of it, where scattering takes `per_mm`.
+fn scattered(leg: &Leg, per_mm: f64, length: f64) -> f64 {
+    let mu = leg.uptake.attenuation_per_mm;
+    -(-mu * length).exp_m1() * leg.power * per_mm / mu
+}
+
+/// Where legs, one after the other, have scattered this much: the leg, and the way along it, mm; None without legs.
+fn point_of(legs: &[Leg], per_mm: f64, mut power: f64) -> Option<(&Leg, f64)> {
+    let mut found = None;
+    for leg in legs {
+        found = Some((leg, power));
+        power -= scattered(leg, per_mm, leg.length);
+        if power < 0.0 {
+            break;
+        }
+    }
+    let (leg, power) = found?;
+    // The inverse of `scattered`; what rounding leaves too much of ends with the leg
+    let mu = leg.uptake.attenuation_per_mm;
+    let distance = -(-power * mu / (leg.power * per_mm)).ln_1p() / mu;
+    Some((leg, distance.min(leg.length)))
 }
 
 /// The nearer of two surfaces, the first of two at the same distance.

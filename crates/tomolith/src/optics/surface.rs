@@ -125,9 +125,14 @@ fn enter_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
         },
         ray,
     );
+    // Cans that share an end are entered one after the other: rounding may have put the ray past it
     let end = end.filter(|c| {
         let [x, y, _] = ray.at(c.distance);
-        c.distance >= 0.0 && curve.contains(x, y)
+        c.distance >= -TOUCH && curve.contains(x, y)
+    });
+    let end = end.map(|c| Crossing {
+        distance: c.distance.max(0.0),
+        ..c
     });
     nearer(side, end)
 }

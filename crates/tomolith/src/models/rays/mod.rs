@@ -86,6 +86,7 @@ use segment::{Lattice, Segment};
 use serde::{Deserialize, Serialize};
 use solid::{Pieces, Solid};
 use source::Source;
+use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -216,6 +217,8 @@ pub struct Rays {
     lattice: Lattice,
     /// Where scattered light is summed.
     coarse: Option<(Coarse, Lattice)>,
+    /// What every voxel takes of a light's fluence, where cells sum that: the absorption is a map that a cell does not resolve.
+    takes: Vec<Option<Arc<Vec<f32>>>>,
     /// What cuts voxels into cells.
     solid: Option<Arc<Solid>>,
     gait: Gait,
@@ -256,8 +259,8 @@ impl Rays {
     /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
     ///
     /// # Errors
-    /// [`Error::Config`] when there is nothing to light or nothing that absorbs; [`Error::Unsupported`] for an absorption
-    /// map, a kernel of pure Radon or a resin that scatters.
+    /// [`Error::Config`] when there is nothing to light or nothing that absorbs; [`Error::Unsupported`] for a map where nothing
+    /// absorbs, a kernel of pure Radon or a resin that scatters.
     pub fn new(
         vial: &dyn Vial,
         lights: Vec<Light>,
@@ -304,7 +307,7 @@ impl Rays {
         let mut offset = 0;
         for (light, optics) in lights.iter().zip(optics) {
             light.check()?;
-            refuse(light, emission)?;
+            refuse(light, optics)?;
             let of_map = light.map.as_ref().map_or(0.0, |map| map.most_per_mm());
             let most = light.resin.attenuation_per_mm.max(of_map);
             if let Some(found) = emission.accumulation.trouble(most) {
@@ -352,9 +355,14 @@ impl Rays {
             let lattice = Lattice::new(&coarse.layout);
             (coarse, lattice)
         });
+        let takes = match emission.scattered {
+            Some(scattered) if scattered.smooth > 1 => takes(lights, &outputs[0]),
+            _ => vec![None; lights.len()],
+        };
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),
             coarse,
+            takes,
             solid: None,
             is_level: optics
                 .iter()
@@ -467,8 +475,11 @@ impl Rays {
                 }
                 let row = run.bottom as usize + i;
                 let mut count = 0;
-                let mut walk = |leg: Leg| {
+                let mut walk = |mut leg: Leg| {
                     let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
+                    if scattered.is_some() && self.takes[light].is_some() {
+                        leg.uptake.active_per_mm = 1.0;
+                    }
                     let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
                     let segment = lattice.segment(&leg, area, pixel as u32);
                     let Some((axis, segment)) = segment else {
@@ -526,29 +537,41 @@ impl Rays {
         ]
     }
 
-    /// dose += scattered light, which both cells of a voxel get alike
-    fn add_smooth(&self, smooth: &[f32], dose: &mut [f32]) {
-        match (&self.coarse, &self.solid) {
-            (None, _) => {}
-            (Some((coarse, _)), None) => coarse.spread(smooth, dose),
-            (Some((coarse, _)), Some(solid)) => {
-                let mut voxels = vec![0.0; self.outputs[0].voxels()];
-                coarse.spread(smooth, &mut voxels);
-                solid.cells().add_even(&voxels, dose);
-            }
+    /// dose += a light's scattered light, which both cells of a voxel get alike
+    fn add_smooth(&self, light: usize, smooth: &[f32], dose: &mut [f32]) {
+        let Some((coarse, _)) = &self.coarse else {
+            return;
+        };
+        let takes = &self.takes[light];
+        if takes.is_none() && self.solid.is_none() {
+            coarse.spread(smooth, dose);
+            return;
+        }
+        let mut voxels = vec![0.0; self.outputs[0].voxels()];
+        coarse.spread(smooth, &mut voxels);
+        if let Some(takes) = takes {
+            weigh(&mut voxels, takes);
+        }
+        match &self.solid {
+            Some(solid) => solid.cells().add_even(&voxels, dose),
+            None => dose.iter_mut().zip(&voxels).for_each(|(d, v)| *d += v),
         }
     }
 
     /// The transpose of [`add_smooth`](Self::add_smooth).
-    fn collect_smooth(&self, c: &[f32]) -> Vec<f32> {
+    fn collect_smooth(&self, light: usize, c: &[f32]) -> Vec<f32> {
         let mut smooth = self.cells();
-        match (&self.coarse, &self.solid) {
-            (None, _) => {}
-            (Some((coarse, _)), None) => coarse.gather(c, &mut smooth),
-            (Some((coarse, _)), Some(solid)) => {
-                coarse.gather(&solid.cells().collect_even(c), &mut smooth);
-            }
+        let Some((coarse, _)) = &self.coarse else {
+            return smooth;
+        };
+        let mut voxels = match &self.solid {
+            Some(solid) => Cow::Owned(solid.cells().collect_even(c)),
+            None => Cow::Borrowed(c),
+        };
+        if let Some(takes) = &self.takes[light] {
+            weigh(voxels.to_mut(), takes);
         }
+        coarse.gather(&voxels, &mut smooth);
         smooth
     }
 
@@ -575,23 +598,44 @@ impl Rays {
     }
 }
 
+/// voxels *= weights
+fn weigh(voxels: &mut [f32], weights: &[f32]) {
+    voxels.iter_mut().zip(weights).for_each(|(v, w)| *v *= w);
+}
+
+/// What every voxel takes of the fluence of each light, 1/mm; None for a light that meets the same resin everywhere.
+fn takes(lights: &[Light], layout: &DoseLayout) -> Vec<Option<Arc<Vec<f32>>>> {
+    let of_light = |light: &Light| {
+        let plain = light.resin.uptake().active_per_mm;
+        let means = light.map.as_ref()?.means(&layout.grid, plain);
+        Some(Arc::new(layout.field_of(&means)))
+    };
+    let mut found: Vec<Option<Arc<Vec<f32>>>> = Vec::with_capacity(lights.len());
+    for (i, light) in lights.iter().enumerate() {
+        // The lights of a job share one map
+        let same = |other: &Light| match (&other.map, &light.map) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b) && other.resin == light.resin,
+            _ => false,
+        };
+        let shared = lights[..i].iter().position(same);
+        found.push(shared.map_or_else(|| of_light(light), |j| found[j].clone()));
+    }
+    found
+}
+
 /// What this model has no formula for.
-fn refuse(light: &Light, emission: &Emission) -> Result<()> {
+fn refuse(light: &Light, optics: &Optics) -> Result<()> {
     let unsupported = |what: &str, reason: &str| {
         Err(Error::Unsupported {
             what: what.into(),
             reason: reason.into(),
         })
     };
-    let is_random = emission.scattered.is_some();
-    if light.map.is_some() && (is_random || light.resin.pure_radon) {
-        return unsupported(
-            "resin.map",
-            "scattered light and pure Radon know one absorption for all the resin",
-        );
+    if light.map.is_some() && light.resin.pure_radon {
+        return unsupported("resin.map", "in pure Radon nothing absorbs");
     }
-    if light.resin.gradient.is_some() && is_random {
-        return unsupported("resin.gradient", "scattered light runs straight");
+    if let (Some(map), Some(scattering)) = (&light.map, &optics.scattering) {
+        map.must_hold(scattering.per_mm)?;
     }
     if light.kernel != Kernel::DistanceDriven {
         return unsupported("model.parallel.kernel", "rays have a kernel of their own");
@@ -629,7 +673,6 @@ impl LinearOperator for Rays {
     ) -> Result<()> {
         let x = x.as_slice();
         let dose = dose.as_mut_slice();
-        let mut smooth = self.cells();
         // Energies outside and inside of the solid, where there is one
         let voxels = self.outputs[0].voxels();
         let mut split = self
@@ -642,6 +685,9 @@ impl LinearOperator for Rays {
             let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
             let own = own.start - first..own.end.max(own.start) - first;
             first += layout.grid.frames();
+            if own.is_empty() {
+                continue;
+            }
             if let Some(kept) = kept {
                 let pixels = layout.elements_of(own);
                 match &mut split {
@@ -653,6 +699,7 @@ impl LinearOperator for Rays {
                 }
                 continue;
             }
+            let mut smooth = self.cells();
             for pairs in self.chunks(light, own) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
@@ -669,18 +716,17 @@ impl LinearOperator for Rays {
                     self.add(lattice, &lit.scattered, x, &mut smooth);
                 }
             }
+            self.add_smooth(light, &smooth, dose);
         }
         if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
             solid.cells().add([outside, inside], dose);
         }
-        self.add_smooth(&smooth, dose);
         Ok(())
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         grad.fill(0.0);
-        let smooth = self.collect_smooth(c);
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
         if let Some(kept) = self.kept(run)? {
             match &split {
@@ -690,6 +736,7 @@ impl LinearOperator for Rays {
             return Ok(());
         }
         for (light, layout) in self.patterns.iter().enumerate() {
+            let smooth = self.collect_smooth(light, c);
             for pairs in self.chunks(light, 0..layout.grid.frames()) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);

@@ -321,6 +321,194 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     assert!((over.account.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
 }
 
+const TUBE: DoubleTube = DoubleTube {
+    radii_mm: [9.0, 8.0, 3.0, 2.5],
+    outer_refractive_index: 1.5,
+    inner_refractive_index: 1.52,
+    core_refractive_index: 1.33,
+};
+
+/// The tube with a plate of 1 mm under −5 mm, and another over 6 mm of this thickness.
+fn closed_tube(tube: DoubleTube, lid_mm: f64) -> Ended {
+    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    Ended::new(Box::new(tube), end(-5.0, 1.0), end(6.0, lid_mm)).unwrap()
+}
+
+#[test]
+fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
+    let vial = closed_tube(TUBE, 0.0);
+    let closed = tracer(&vial, Polarisation::Unpolarised, Limits::default());
+    let through = |media: &[f64]| {
+        let passed = |pair: &[f64]| 1.0 - ((pair[0] - pair[1]) / (pair[0] + pair[1])).powi(2);
+        media.windows(2).map(passed).product::<f64>()
+    };
+    for up in [1.0, -1.0] {
+        let at = |x: f64| {
+            let ray = Ray {
+                from: [0.6 * x, 0.8 * x, 1.0],
+                direction: [0.0, 0.0, up],
+            };
+            let path = closed.trace(ray);
+            assert!((path.account.total() - 1.0).abs() < 1e-12, "{x} {up}");
+            path
+        };
+        // Core, inner glass and the rim of the outer tube: no resin on the way
+        for (x, media) in [
+            (0.0, [1.0, 1.5, 1.33, 1.0]),
+            (2.75, [1.0, 1.5, 1.52, 1.0]),
+            (8.5, [1.0, 1.5, 1.5, 1.0]),
+        ] {
+            let path = at(x);
+            assert!(path.legs.is_empty(), "{x} {up}");
+            assert!(
+                (path.account.missed - through(&media)).abs() < 1e-12,
+                "{x} {up}"
+            );
+        }
+        // Between the tubes: 11 mm of resin at 0.1 per mm
+        let path = at(5.0);
+        let left = (-1.1f64).exp();
+        let [before, behind] = [&[1.0, 1.5, 1.49][..], &[1.49, 1.0]].map(through);
+        let entered = if up > 0.0 { before } else { behind };
+        assert!((path.account.transmitted - before * behind * left).abs() < 1e-12);
+        assert!((path.account.absorbed - entered * (1.0 - left)).abs() < 1e-12);
+        assert!(path.legs.len() == 1 && (path.legs[0].length - 11.0).abs() < 1e-12);
+    }
+    // Level light does not see the ends
+    let open = tracer(&TUBE, Polarisation::Unpolarised, Limits::default());
+    assert_eq!(closed.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
+}
+
+#[test]
+fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() {
+    let clear = DoubleTube {
+        outer_refractive_index: 1.49,
+        inner_refractive_index: 1.49,
+        core_refractive_index: 1.49,
+        ..TUBE
+    };
+    // Way of a line within a cylinder about the axis, from one height to another
+    let within = |ray: &Ray, radius: f64, [low, high]: [f64; 2]| {
+        let ([x, y, z], [dx, dy, dz]) = (ray.from, ray.direction);
+        let (a, half) = (dx * dx + dy * dy, x * dx + y * dy);
+        let root = (half * half - a * (x * x + y * y - radius * radius)).sqrt();
+        let (from, to) = ((-half - root) / a, (-half + root) / a);
+        let ends = [(low - z) / dz, (high - z) / dz];
+        if root.is_nan() {
+            return 0.0;
+        }
+        (to.min(ends[0].max(ends[1])) - from.max(ends[0].min(ends[1]))).max(0.0)
+    };
+    let (mut random, mut through_core) = (Stream::new([4, 0, 0, 0]), 0);
+    for lid_mm in [0.0, 0.5] {
+        let vial = closed_tube(clear.clone(), lid_mm);
+        let limits = Limits::default();
+        let space = SpaceTracer::new(&vial, resin(), 1.49, Polarisation::Unpolarised, limits);
+        for _ in 0..4000 {
+            let mut point = |half: f64| [(); 3].map(|()| half * (2.0 * random.uniform() - 1.0));
+            let ray = Ray {
+                from: point(6.0),
+                direction: unit(point(1.0)),
+            };
+            let heights = [-5.0, 6.0];
+            let core = within(&ray, 3.0, heights);
+            let length = within(&ray, 8.0, heights) - core;
+            let path = space.trace(ray);
+            let found: f64 = path.legs.iter().map(|leg| leg.length).sum();
+            assert!((found - length).abs() < 1e-9, "{ray:?}: {found} {length}");
+            let taken = 1.0 - (-0.1 * length).exp();
+            assert!((path.account.absorbed - taken).abs() < 1e-10, "{ray:?}");
+            through_core += u32::from(core > 0.0);
+        }
+    }
+    assert!(through_core > 2000, "{through_core}");
+}
+
+/// A vial of meshes, from outside to inside.
+#[derive(Debug)]
+struct Nets(Vec<(Surface, Medium)>);
+
+impl Vial for Nets {
+    fn walls(&self) -> Vec<super::super::vial::Wall> {
+        TUBE.walls()
+    }
+
+    fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        self.0.clone()
+    }
+}
+
+/// An upright prism of many sides, the middles of two of them on the axis x, outward.
+fn prism(radius: f64, [low, high]: [f64; 2]) -> crate::io::mesh::Mesh {
+    const SIDES: u32 = 256;
+    let turn = TAU / f64::from(SIDES);
+    let corner = |i: u32, z: f64| {
+        let (sin, cos) = ((f64::from(i) + 0.5) * turn).sin_cos();
+        let reach = radius / (turn / 2.0).cos();
+        [reach * cos, reach * sin, z]
+    };
+    let mut vertices: Vec<_> = (0..SIDES)
+        .flat_map(|i| [corner(i, low), corner(i, high)])
+        .collect();
+    vertices.extend([[0.0, 0.0, low], [0.0, 0.0, high]]);
+    let sides = (0..SIDES).flat_map(|i| {
+        let (a, b) = (2 * i, 2 * ((i + 1) % SIDES));
+        let (below, above) = (2 * SIDES, 2 * SIDES + 1);
+        [
+            [a, b, b + 1],
+            [a, b + 1, a + 1],
+            [b, a, below],
+            [a + 1, b + 1, above],
+        ]
+    });
+    crate::io::mesh::Mesh {
+        triangles: sides.collect(),
+        vertices,
+    }
+}
+
+#[test]
+fn a_closed_double_tube_is_what_meshes_of_it_are() {
+    let vial = closed_tube(TUBE, 0.5);
+    // Meshes must not touch: the inner tube stands 1 µm off its ends, where these rays do not pass
+    let net = |radius: f64, heights: [f64; 2]| {
+        let mesh = prism(radius, heights);
+        assert!(mesh.signed_volume() > 0.0);
+        Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()))
+    };
+    let heights = [[-6.0, 6.5], [-5.0, 6.0], [-4.999, 5.999], [-4.998, 5.998]];
+    let nets = TUBE.walls().into_iter().zip(heights);
+    let nets = Nets(
+        nets.zip(TUBE.radii_mm)
+            .map(|((wall, heights), radius)| (net(radius, heights), wall.inside))
+            .collect(),
+    );
+    let [cans, nets] = [&vial as &dyn Vial, &nets].map(|vial| {
+        let limits = Limits::default();
+        SpaceTracer::new(vial, resin(), 1.4, Polarisation::Unpolarised, limits)
+    });
+    let mut through = 0;
+    for i in 0..40 {
+        // Across the axis, through the bottom plate and both walls of the inner tube
+        let (x, sine) = (5.0 + 0.05 * f64::from(i), 0.86 + 0.002 * f64::from(i));
+        let ray = Ray {
+            from: [x, 0.0, -6.0],
+            direction: [-sine, 0.0, (1.0 - sine * sine).sqrt()],
+        };
+        let (a, b) = (cans.trace(ray), nets.trace(ray));
+        assert_eq!(a.legs.len(), b.legs.len(), "{i}");
+        for (a, b) in a.legs.iter().zip(&b.legs) {
+            assert!((a.length - b.length).abs() < 1e-9, "{i}");
+            assert!((a.power - b.power).abs() < 1e-12, "{i}");
+            assert!((0..3).all(|k| (a.ray.from[k] - b.ray.from[k]).abs() < 1e-9));
+        }
+        assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-12);
+        assert!((a.account.transmitted - b.account.transmitted).abs() < 1e-12);
+        through += usize::from(a.legs.len() == 2 && a.legs[0].ray.from[2] == -5.0);
+    }
+    assert!(through > 20, "{through}");
+}
+
 #[test]
 fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
     let values: Vec<f32> = (0..60).map(|i| 0.05 * (i * 7 % 13) as f32).collect();
@@ -424,4 +612,245 @@ fn legs_alone_are_those_of_the_whole_path() {
             }
         }
     }
+}
+
+/// Resin that scatters isotropically, 0.5 per mm beside what it absorbs.
+const MILK_PER_MM: f64 = 0.5;
+
+fn milk(vial: &dyn Vial, resin: Resin, limits: Limits) -> SpaceTracer {
+    let scattering = Scattering {
+        per_mm: MILK_PER_MM,
+        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
+    };
+    let resin = Resin {
+        attenuation_per_mm: resin.absorption_per_mm + MILK_PER_MM,
+        ..resin
+    };
+    SpaceTracer::new(vial, resin, 1.0, Polarisation::Unpolarised, limits)
+        .in_scattering(Some(scattering))
+}
+
+/// Two halves of resin, x < 0 and x > 0, that absorb unlike.
+const HALVES: [f64; 2] = [0.05, 0.6];
+
+fn halves() -> Option<Arc<AbsorptionMap>> {
+    let active = HALVES.map(|a| a as f32).to_vec();
+    let total = active.iter().map(|a| a + MILK_PER_MM as f32).collect();
+    Some(Arc::new(
+        AbsorptionMap::new([1, 1, 2], 20.0, active, total).unwrap(),
+    ))
+}
+
+/// Attenuation of the half that a point is in.
+fn half(x: f64) -> f64 {
+    MILK_PER_MM + HALVES[usize::from(x > 0.0)]
+}
+
+#[test]
+fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&vial, resin(), limits).in_map(halves());
+    // Along −x through the axis: 2 mm of the half that takes more, then 2 mm of the other
+    let ray = level(0.0, 0.0);
+    let direct = tracer.trace(ray);
+    let [first, second] = [half(1.0), half(-1.0)];
+    let left = (-2.0 * (first + second)).exp();
+    assert!((direct.account.transmitted - left).abs() < 1e-7);
+    // Power of what is scattered: μ_s ∫ e^(−τ)
+    let of_half = |mu: f64| (1.0 - (-2.0 * mu).exp()) * MILK_PER_MM / mu;
+    let expected = of_half(first) + (-2.0 * first).exp() * of_half(second);
+    // Where it is scattered first, and what either half takes of it: quadrature over the ray and all directions
+    let attenuated = |x: f64| {
+        let depth = 2.0 - x;
+        (-(first * depth.min(2.0) + second * (depth - 2.0).max(0.0))).exp()
+    };
+    let taken = |x: f64, [dx, dy]: [f64; 2]| {
+        let flat = dx.hypot(dy);
+        let across = x * dy / flat;
+        let way = (-x * dx / flat + (4.0 - across * across).sqrt()) / flat;
+        let turn = if x * dx < 0.0 {
+            (-x / dx).min(way)
+        } else {
+            way
+        };
+        let own = half(x);
+        let mut power = [0.0; 2];
+        power[usize::from(x > 0.0)] += 1.0 - (-own * turn).exp();
+        let other = half(-x);
+        power[usize::from(x < 0.0)] += (-own * turn).exp() * (1.0 - (-other * (way - turn)).exp());
+        // Of what is lost in a half, only this is not scattered again
+        [0, 1].map(|side| power[side] * HALVES[side] / (HALVES[side] + MILK_PER_MM))
+    };
+    let (mut depth, mut sides) = (0.0, [0.0; 2]);
+    let (along, polar, around) = (400, 80, 160);
+    for i in 0..along {
+        let x = 2.0 - 4.0 * (f64::from(i) + 0.5) / f64::from(along);
+        let source = MILK_PER_MM * attenuated(x) * 4.0 / f64::from(along);
+        depth += source * (2.0 - x) / expected;
+        for j in 0..polar {
+            let up = (f64::from(j) + 0.5) / f64::from(polar);
+            let flat = (1.0 - up * up).sqrt();
+            for k in 0..around {
+                let angle = TAU * (f64::from(k) + 0.5) / f64::from(around);
+                let part = source / f64::from(polar * around);
+                let found = taken(x, [flat * angle.cos(), flat * angle.sin()]);
+                (0..2).for_each(|side| sides[side] += part * found[side]);
+            }
+        }
+    }
+    let paths: u32 = 100_000;
+    let (mut mean, mut powers, mut squares) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+    for i in 0..paths {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([6, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let again: Vec<&Leg> = path.legs.iter().filter(|leg| leg.order == 1).collect();
+        assert!(
+            (again[0].power - expected).abs() < 1e-7,
+            "{}",
+            again[0].power
+        );
+        let way = 2.0 - again[0].ray.from[0];
+        mean[0] += way / f64::from(paths);
+        mean[1] += way * way / f64::from(paths);
+        let mut own = [0.0; 2];
+        for leg in again {
+            let uptake = leg.uptake;
+            let lost = leg.power * -(-uptake.attenuation_per_mm * leg.length).exp_m1();
+            let side = usize::from(leg.ray.at(leg.length / 2.0)[0] > 0.0);
+            own[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
+        }
+        for side in 0..2 {
+            powers[side] += own[side] / f64::from(paths);
+            squares[side] += own[side] * own[side] / f64::from(paths);
+        }
+    }
+    // Five standard errors
+    let error = |square: f64, mean: f64| 5.0 * ((square - mean * mean) / f64::from(paths)).sqrt();
+    assert!(
+        (mean[0] - depth).abs() < error(mean[1], mean[0]),
+        "{mean:?} {depth}"
+    );
+    for side in 0..2 {
+        let allowed = error(squares[side], powers[side]);
+        assert!(allowed < 0.05 * sides[side]);
+        assert!(
+            (powers[side] - sides[side]).abs() < allowed,
+            "{powers:?} {sides:?}"
+        );
+    }
+}
+
+#[test]
+fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
+    let limits = Limits {
+        least_power: 0.02,
+        ..Limits::default()
+    };
+    let plain = milk(&GLASS, resin(), limits);
+    let even = AbsorptionMap::new([4, 4, 4], 3.0, vec![0.1; 64], vec![0.6; 64]).unwrap();
+    let mapped = milk(&GLASS, resin(), limits).in_map(Some(Arc::new(even)));
+    let straight = Resin {
+        gradient: Some(Gradient {
+            quadratic_per_mm2: 0.0,
+            quartic_per_mm4: 0.0,
+            step_mm: 0.4,
+        }),
+        ..resin()
+    };
+    let chords = milk(&GLASS, straight, limits);
+    // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight leg at the wall
+    let turns = |path: &Path| {
+        let orders = 0..=path.legs.iter().map(|leg| leg.order).max().unwrap_or(0);
+        let first = |order| path.legs.iter().find(|leg| leg.order == order);
+        let first = orders.filter_map(first).map(|leg| leg.ray.from);
+        first.collect::<Vec<_>>()
+    };
+    let mut scattered = 0;
+    for i in 0..200 {
+        let ray = level(0.02 * i as f64 - 2.0, 0.3 * i as f64);
+        let draws = || Stream::new([9, 0, i, 0]);
+        let expected = plain.trace_scattered(ray, &mut draws());
+        for other in [&mapped, &chords] {
+            let found = other.trace_scattered(ray, &mut draws());
+            assert!((found.account.total() - 1.0).abs() < 1e-12);
+            let apart = found.account.absorbed - expected.account.absorbed;
+            assert!(apart.abs() < 1e-6, "{i}: {apart:e}");
+            let (a, b) = (turns(&found), turns(&expected));
+            assert_eq!(a.len(), b.len(), "{i}");
+            for (a, b) in a.iter().zip(&b) {
+                assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-4), "{i}");
+            }
+            scattered += a.len() - 1;
+        }
+    }
+    assert!(scattered > 4 * 400, "{scattered}");
+}
+
+#[test]
+fn scattered_light_runs_along_the_curves_of_a_gradient() {
+    let profile = Gradient {
+        quadratic_per_mm2: -0.01,
+        quartic_per_mm4: 5e-5,
+        step_mm: 0.05,
+    };
+    let bent = Resin {
+        gradient: Some(profile),
+        ..resin()
+    };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&GLASS, bent, limits);
+    let index = |at: [f64; 3]| profile.index(1.49, at);
+    let ray = level(2.0, 0.1);
+    let way = |legs: &[&Leg]| legs.iter().map(|leg| leg.length).sum::<f64>();
+    let (mut guided, mut bends) = (0, 0.0f64);
+    for i in 0..300 {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let [direct, once] = [0, 1].map(|order| {
+            let own = path.legs.iter().filter(|leg| leg.order == order);
+            own.collect::<Vec<_>>()
+        });
+        // What goes on is what the whole curve scattered, from a point of it
+        let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
+        assert!((once[0].power - expected).abs() < 1e-12);
+        let from = once[0].ray.from;
+        let beside = |leg: &&&Leg| {
+            let to: [f64; 3] = std::array::from_fn(|k| from[k] - leg.ray.from[k]);
+            let along = dot(to, leg.ray.direction);
+            let off = cross(to, leg.ray.direction);
+            (-1e-9..leg.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
+        };
+        assert!(direct.iter().any(|leg| beside(&leg)), "{i}");
+        // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
+        let invariants = |leg: &Leg| {
+            let middle = leg.ray.at(leg.length / 2.0);
+            let ([x, y, _], [dx, dy, dz]) = (middle, leg.ray.direction);
+            let n = index(middle);
+            [n * (x * dy - y * dx), n * dz]
+        };
+        let begun = invariants(once[0]);
+        for leg in &once[..once.len() - 1] {
+            let found = invariants(leg);
+            assert!((found[0] - begun[0]).abs() < 2e-4 && (found[1] - begun[1]).abs() < 1e-4);
+        }
+        let (a, b) = (once[0].ray.direction, once[once.len() - 1].ray.direction);
+        bends = bends.max(dot(a, b).min(1.0).acos());
+        // Light whose n·d_z is more than the index at the wall never meets it: it fades
+        if begun[1].abs() > index([7.5, 0.0, 0.0]) + 1e-3 {
+            guided += 1;
+            let end = (-0.6 * way(&once)).exp();
+            assert!((5e-10..1e-9).contains(&end), "{end:e}");
+            assert!(path.account.cut > 0.0);
+        }
+    }
+    assert!(guided > 5 && bends > 0.3, "{guided} {bends}");
 }

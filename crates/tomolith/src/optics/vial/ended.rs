@@ -2,7 +2,8 @@
 //!
 //! # Model
 //! Another vial between two planes normal to the axis. The resin ends at `z_mm`; the walls around it go on for `thickness_mm`: a plate of
-//! their material, or, where it is 0, a surface that the resin shares with the surroundings.
+//! their material, or, where it is 0, a surface that the resin shares with the surroundings. What stands in the resin, the inner tube of
+//! a double tube and its core, ends where the resin does: on the plate, or with it at the free surface.
 //!
 //! # Parameters
 //! | key | unit | range | default | meaning |
@@ -12,7 +13,8 @@
 //! | `vial.top.z_mm`, `vial.top.thickness_mm` | mm | | | the same above |
 //!
 //! # Limits
-//! For vials whose innermost wall holds the resin. A free surface is flat (no meniscus), and the glass ends where the resin does.
+//! A free surface is flat (no meniscus), and the glass ends where the resin does. The plates of a double tube are of its outer glass, and
+//! close the inner tube too.
 //!
 //! # Example
 //! ```
@@ -87,15 +89,14 @@ impl Ended {
                 let found = format!("found {}", end.thickness_mm);
                 return refused(format!("{key}.thickness_mm"), found, "a finite number >= 0");
             }
-            let walls = vial.walls();
-            if !vial.is_invariant() || walls.last().is_none_or(|w| w.inside != Medium::Resin) {
+            if !vial.is_invariant() {
                 return refused(
                     key.into(),
-                    "a vial whose resin is not innermost, or that is a mesh".into(),
-                    "an index-matched, round or square vial; a mesh has ends of its own",
+                    "a mesh, which has ends of its own".into(),
+                    "an index-matched, round or square vial, or a double tube",
                 );
             }
-            if walls.len() == 1 && end.thickness_mm > 0.0 {
+            if vial.walls().len() == 1 && end.thickness_mm > 0.0 {
                 let found = "a plate on a vial without walls".into();
                 return refused(format!("{key}.thickness_mm"), found, "0");
             }
@@ -124,12 +125,12 @@ impl Vial for Ended {
     }
 
     fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        let mut heights = self.walls;
         let can = |wall: Wall| {
-            let heights = if wall.inside == Medium::Resin {
-                self.resin
-            } else {
-                self.walls
-            };
+            // From the resin inwards
+            if wall.inside == Medium::Resin {
+                heights = self.resin;
+            }
             (Surface::Can(wall.curve, heights), wall.inside)
         };
         self.walls().into_iter().map(can).collect()
@@ -171,9 +172,11 @@ impl Vial for Ended {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::mesh::samples::cuboid;
     use crate::optics::vial::cylinder::Cylinder;
     use crate::optics::vial::double_tube::DoubleTube;
     use crate::optics::vial::index_matched::IndexMatched;
+    use crate::optics::vial::mesh::MeshVial;
 
     const AT: End = End {
         z_mm: 3.0,
@@ -210,12 +213,38 @@ mod tests {
         assert_eq!(key(glass, Some(nowhere), None), "vial.bottom.z_mm");
         let bath = IndexMatched { radius_mm: 4.0 };
         assert_eq!(key(bath, Some(AT), None), "vial.bottom.thickness_mm");
+        let wall = |half: f64| cuboid([-half; 3], [half; 3]);
+        let mesh = MeshVial::new(&wall(3.0), &wall(2.5), 1.5, "vial.mesh").unwrap();
+        assert_eq!(key(mesh, None, Some(AT)), "vial.top");
+    }
+
+    #[test]
+    fn a_tube_in_the_resin_ends_with_it() {
         let tube = DoubleTube {
             radii_mm: [9.0, 8.0, 3.0, 2.5],
             outer_refractive_index: 1.5,
             inner_refractive_index: 1.5,
             core_refractive_index: 1.0,
         };
-        assert_eq!(key(tube, None, Some(AT)), "vial.top");
+        let bottom = End {
+            z_mm: -4.0,
+            thickness_mm: 0.5,
+        };
+        let vial = Ended::new(Box::new(tube), Some(bottom), Some(AT)).unwrap();
+        let heights = |(surface, _): &(Surface, Medium)| match surface {
+            Surface::Can(_, heights) => *heights,
+            other => panic!("{other:?}"),
+        };
+        let found: Vec<_> = vial.surfaces().iter().map(heights).collect();
+        assert_eq!(found, [[-4.5, 4.0], [-4.0, 3.0], [-4.0, 3.0], [-4.0, 3.0]]);
+        for (point, is_resin) in [
+            ([5.0, 0.0, -3.9], true),
+            ([5.0, 0.0, -4.1], false), // the plate
+            ([5.0, 0.0, 3.1], false),
+            ([2.8, 0.0, 0.0], false), // the inner glass
+            ([1.0, 0.0, 0.0], false),
+        ] {
+            assert_eq!(vial.in_resin(point), is_resin, "{point:?}");
+        }
     }
 }
