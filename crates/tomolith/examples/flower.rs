@@ -496,7 +496,7 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
         ("start × 1.25", brightness(1.25)),
         ("start × 1.4", brightness(1.4)),
         ("start × 1.5", brightness(1.5)),
-        ("start × π/2", brightness(1.5708)),
+        ("start × π/2", brightness(std::f32::consts::FRAC_PI_2)),
         ("start × 2", brightness(2.0)),
         ("start LSQR, 10", start(json!({"lsqr": {"iterations": 10}}))),
         (
