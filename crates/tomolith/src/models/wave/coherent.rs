@@ -129,7 +129,7 @@ impl<T: Number> Coherent<T> {
     }
 
     /// Deletes of a spectrum what would come back from the far side of the window at this depth.
-    fn limit_to(&self, mode: &Mode, depth: f64, spectrum: &mut [Complex<T>]) {
+    pub(super) fn limit_to(&self, mode: &Mode, depth: f64, spectrum: &mut [Complex<T>]) {
         if depth == 0.0 {
             return;
         }

@@ -24,7 +24,7 @@
 //!
 //! # Limits
 //! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. The highest quarter of
-//! the pixels' frequencies fades, so the edge of a lit pixel overshoots by a few percent.
+//! the pixels' frequencies fades: what a single pixel lights has rounded edges and rings, some of them below 0.
 //!
 //! # Cost
 //! As `wave`, with a pullback that costs as much as a dose.

@@ -431,26 +431,30 @@ fn energy_of_a_frame_is_the_same_at_all_depths() {
 }
 
 #[test]
-fn limits_of_the_band_are_those_of_matsushima_and_shimobaba() {
-    // f_lim/f_Nyquist of N = 550 pixels in a window of 2N at the largest depth L/2: 1.20, 12.05, 120.5 for 0.1, 1 and 10 mm
-    for (edge, expected) in [(0.1, 1.20), (1.0, 12.05), (10.0, 120.5)] {
-        let pitch = edge / 550.0;
-        let (wavelength, window) = (405e-6 / 1.5, 2.0 * edge);
-        let slope = 2.0 * (edge / 2.0) / window;
-        let limit = 1.0 / (wavelength * (slope * slope + 1.0f64).sqrt());
-        // Published to three digits
-        assert!((limit * 2.0 * pitch / expected - 1.0).abs() < 5e-3);
-        // The same from what is deleted here: sideways travel beyond the guard
-        let beam = Beam {
-            wavenumber: 1.0 / wavelength,
-            aperture: None,
-            tilt: 0.0,
-            soft_edge: 0.0,
-        };
-        let guard = window / 2.0;
-        let own = beam.wavenumber * guard / (edge / 2.0).hypot(guard);
-        assert!((own / limit - 1.0).abs() < 1e-12, "{own} {limit}");
+fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
+    let model = precise(&light(1), &Params::default(), settings(1e-2), grid());
+    let way = &model.0.way;
+    let windows = way.windows();
+    let guard = windows.sampling.guard;
+    let [bu, bz] = windows.sampling.band.map(|b| b as i64);
+    let depth = 10.0 * guard[0];
+    let mut spectrum = vec![Complex::new(1.0, 0.0); ((2 * bu + 1) * (2 * bz + 1)) as usize];
+    way.limit_to(&way.modes[0], depth, &mut spectrum);
+    // Their f_lim = 1/(λ√((2Δf·d)² + 1)), with Δf of a window of twice the guard, and their two ellipses
+    let k = 1.5 / 405e-6f64;
+    let limits = guard.map(|g| k / ((2.0 * depth / (2.0 * g)).powi(2) + 1.0).sqrt());
+    let mut kept = 0;
+    let indices = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
+    for (value, index) in spectrum.iter().zip(indices) {
+        let f = [0, 1].map(|i| index[i] as f64 / windows.window[i]);
+        let within = (0..2).all(|i| (f[i] / limits[i]).powi(2) + (f[1 - i] / k).powi(2) <= 1.0);
+        assert_eq!(value.re == 1.0, within, "{index:?}");
+        kept += usize::from(within);
     }
+    assert!(
+        kept > spectrum.len() / 10 && kept < spectrum.len() / 2,
+        "{kept}"
+    );
 }
 
 #[test]
