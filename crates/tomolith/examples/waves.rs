@@ -1,6 +1,6 @@
 //! What the wave model saves against the published algorithm, and what that costs in accuracy: the tables of `docs/wave.md`.
 //!
-//! `cargo run --release -p tomolith --example waves -- errors | times [N …] | work | limit`
+//! `cargo run --release -p tomolith --example waves -- errors | times [N …] | frame N [edge, mm …] | work | limit`
 //!
 //! The *twin* is the published algorithm, plainly: a window of twice the pattern, every plane of voxels by its own transform, the square, a
 //! bilinear rotation (Wechsler et al. 2024, Algorithms 2 and 3), in f64 or f32, one thread. `errors` compares |ψ|² of random patterns of single
@@ -372,18 +372,14 @@ fn errors() -> Result<(), Error> {
             let mut described = String::new();
             for off in [0.0, 0.5] {
                 let model = single(n, pitch, &params, off)?;
-                described = model.describe();
+                described = sampling_of(&model);
                 let light = light_of_model(&model, n, &x)?;
                 found.push(distance(&light, &light_of_twin(n, pitch, wide, &x, off)));
             }
             let [on, between] = [found[0], found[1]];
             println!(
                 "| {edge} | {asked:.0e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {} |",
-                on[0],
-                on[1],
-                between[0],
-                between[1],
-                described.split(&['(', ')']).nth(1).unwrap_or("")
+                on[0], on[1], between[0], between[1], described
             );
         }
     }
@@ -399,8 +395,7 @@ fn times(sizes: &[usize]) -> Result<(), Error> {
         "| N | edge, mm | as the published code | one transform | mirror | window tight | all three | Tomolith | code/Tomolith |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-    let pool = pool.map_err(|e| Error::config("threads", e.to_string(), "one thread"))?;
+    let pool = one_thread()?;
     for &n in sizes {
         for edge in [0.1, 1.0, 10.0] {
             let pitch = edge / n as f64;
@@ -443,7 +438,7 @@ fn times(sizes: &[usize]) -> Result<(), Error> {
                 }),
                 time(all),
             ];
-            let ours = pool.install(|| ours(n, pitch))?;
+            let (ours, _) = pool.install(|| ours(n, pitch))?;
             let shown: Vec<String> = twins.iter().map(|s| format!("{s:.3}")).collect();
             println!(
                 "| {n} | {edge} | {} | {ours:.4} | {:.0} |",
@@ -455,9 +450,9 @@ fn times(sizes: &[usize]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Seconds per frame of the model's dose and pullback, of eight frames.
-fn ours(n: usize, pitch: f64) -> Result<f64, Error> {
-    let frames = 8;
+/// Seconds per frame of the model's dose and pullback, of a few frames, and operations of its Fourier transforms.
+fn ours(n: usize, pitch: f64) -> Result<(f64, Wave), Error> {
+    let frames = if n > 300 { 4 } else { 8 };
     let light = Light::new(
         PatternGrid::full_turn(frames, 0.4, n, n, pitch),
         Resin::pure_radon(1.5),
@@ -478,7 +473,40 @@ fn ours(n: usize, pitch: f64) -> Result<f64, Error> {
         model.pullback(&x, &dose, &mut gradient, &run)?;
         least = least.min(begin.elapsed().as_secs_f64() / frames as f64);
     }
-    Ok(least)
+    Ok((least, model))
+}
+
+/// Seconds of a dose and a pullback of one frame of N² pixels onto N³ voxels, one thread.
+fn frame(arguments: &[String]) -> Result<(), Error> {
+    let pool = one_thread()?;
+    let numbers: Vec<f64> = arguments.iter().filter_map(|a| a.parse().ok()).collect();
+    let (n, edges) = numbers.split_first().unwrap_or((&64.0, &EDGES));
+    let edges = if edges.is_empty() { &EDGES } else { edges };
+    println!("| N | edge, mm | seconds | Fourier operations | sampling |");
+    println!("|---|---|---|---|---|");
+    for edge in edges {
+        let pitch = edge / n;
+        let (seconds, model) = pool.install(|| ours(*n as usize, pitch))?;
+        let operations = model.operations() / model.patterns()[0].grid.frames() as f64;
+        println!(
+            "| {n} | {edge} | {seconds:.4} | {operations:.2e} | {} |",
+            sampling_of(&model)
+        );
+    }
+    Ok(())
+}
+
+fn one_thread() -> Result<rayon::ThreadPool, Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    pool.map_err(|e| Error::config("threads", e.to_string(), "one thread"))
+}
+
+/// What stands between the first and the last bracket of a model's description.
+fn sampling_of(model: &Wave) -> String {
+    let described = model.describe();
+    let begin = described.find('(').map_or(0, |i| i + 1);
+    let end = described.rfind(')').unwrap_or(described.len());
+    described[begin..end].to_owned()
 }
 
 /// Fourier work of one gradient at N = 550 and 600 frames, against the published code: 6N transforms of (2N)² a frame.
@@ -508,7 +536,7 @@ fn work() -> Result<(), Error> {
             "| {edge} | {} | {published:.2e} | {ours:.2e} | {:.1} | {} |",
             aperture.map_or("–".to_owned(), |na| na.to_string()),
             published / ours,
-            model.describe().split(&['(', ')']).nth(1).unwrap_or("")
+            sampling_of(&model)
         );
     }
     Ok(())
@@ -594,6 +622,7 @@ fn main() -> Result<(), Error> {
     match what {
         "times" if sizes.is_empty() => times(&[64, 128]),
         "times" => times(&sizes),
+        "frame" => frame(&arguments[1..]),
         "limit" => limit(),
         "work" => work(),
         _ => errors(),

@@ -87,7 +87,7 @@ fn derivative<M: DoseModel + ?Sized>(
     }
     let terms = model.along(x, d, run)?;
     terms
-        .and_then(|mut t| (t.len() > 1).then(|| t.swap_remove(1)))
+        .and_then(|mut t| (!t.is_empty()).then(|| t.swap_remove(0)))
         .ok_or_else(|| {
             failed(
                 "derivative",

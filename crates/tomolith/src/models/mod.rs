@@ -166,7 +166,7 @@ pub trait DoseModel: Send + Sync {
         dose: &mut Self::Field,
         run: &Run,
     ) -> Result<()>;
-    /// α ↦ F(x + α d) as coefficient fields of a polynomial (`[F(x), F(d)]` for linear models), or None.
+    /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial. Searches know F(x).
     ///
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled), or not enough memory.
@@ -296,17 +296,13 @@ impl<A: LinearOperator> DoseModel for A {
 
     fn along(
         &self,
-        x: &Self::Field,
+        _x: &Self::Field,
         d: &Self::Field,
         run: &Run,
     ) -> Result<Option<Vec<Self::Field>>> {
-        let mut terms = Vec::with_capacity(2);
-        for field in [x, d] {
-            let mut dose = LinearOperator::new_dose(self)?;
-            self.add_forward(0..self.frames(), field, &mut dose, run)?;
-            terms.push(dose);
-        }
-        Ok(Some(terms))
+        let mut dose = LinearOperator::new_dose(self)?;
+        self.add_forward(0..self.frames(), d, &mut dose, run)?;
+        Ok(Some(vec![dose]))
     }
 
     fn z_coupling(&self) -> ZCoupling {

@@ -400,7 +400,7 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(found)
     }
 
-    /// α ↦ F(x + αd) where it is a polynomial; counted as a forward call for each coefficient.
+    /// α ↦ F(x + αd) − F(x) where it is a polynomial; counted as a forward call for each coefficient.
     fn along(&mut self, x: &F, d: &F) -> Result<Option<Vec<F>>> {
         let begin = Instant::now();
         let curve = self.model.along(x, d, self.run);
@@ -427,14 +427,15 @@ impl<'a, F: Field> Problem<'a, F> {
         let mut place = dose.clone();
         let found = self.timed(|objective, penalties| {
             let found = segment_minimum(*loss, slope, |alpha| {
-                place_on(curve, alpha, &mut place, cotangent);
+                place.clone_from(dose);
+                advance_on(curve, alpha, &mut place, cotangent);
                 sum(
                     objective.slope_along(&place, cotangent, 0.0),
                     penalties.slope_along(x, step, alpha),
                 )
             });
             if found.alpha != 0.0 {
-                place_on(curve, found.alpha, dose, cotangent);
+                advance_on(curve, found.alpha, dose, cotangent);
             }
             *loss = objective.value_and_gradient(dose, cotangent);
             found
@@ -544,7 +545,8 @@ impl<'a, F: Field> Problem<'a, F> {
             let length = ray_minimum(*loss, sums.slope, |a| {
                 let of_dose = match (&curve, &mut place) {
                     (Some(curve), Some(place)) => {
-                        place_on(curve, a, place, cotangent);
+                        place.clone_from(dose);
+                        advance_on(curve, a, place, cotangent);
                         objective.slope_along(place, cotangent, 0.0)
                     }
                     _ => objective.slope_along(dose, cotangent, a),
@@ -565,15 +567,12 @@ impl<'a, F: Field> Problem<'a, F> {
     }
 }
 
-/// The dose at α of a polynomial, and its derivative there.
-fn place_on<F: Field>(curve: &[F], alpha: f32, place: &mut F, slope: &mut F) {
-    place.fill(0.0);
+/// Adds what a polynomial gains up to α; its derivative there.
+fn advance_on<F: Field>(curve: &[F], alpha: f32, place: &mut F, slope: &mut F) {
     slope.fill(0.0);
-    for (power, term) in curve.iter().enumerate() {
-        place.axpy(alpha.powi(power as i32), term);
-        if power > 0 {
-            slope.axpy(power as f32 * alpha.powi(power as i32 - 1), term);
-        }
+    for (power, term) in (1..).zip(curve) {
+        place.axpy(alpha.powi(power), term);
+        slope.axpy(power as f32 * alpha.powi(power - 1), term);
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! # Equation
 //! ```text
-//! ψ(x, u, z) = Σ_f Ψ(f)·P(f)·W(x, f)·H(f)^(x/h)·e^(2πi f·r),        H = e^(2πi h (w − 1/λ))
+//! ψ(x, u, z) = Σ_f Ψ(f)·P(f)·W(x, f)·H(f)^(x/h)·e^(2πi f·r),        H = e^(2πi h (w − 1/λ)),        x = h/2, 3h/2, …
 //! ```
 //! The phase is computed in f64 in its reduced form w − 1/λ: the whole one would be 10⁵ rad at 10 mm.
 //!
@@ -11,7 +11,7 @@
 
 use super::light::Way;
 use super::number::Number;
-use super::sampling::{Beam, fade};
+use super::sampling::Beam;
 use super::spectrum::{Scratch, Windows, complex, zero};
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
@@ -54,8 +54,8 @@ pub(super) struct Coherent<T: Number> {
     pub(super) modes: Vec<Mode>,
     /// H of each mode.
     steps: Vec<Vec<Complex<T>>>,
-    /// What passes of each mode.
-    pupils: Vec<Vec<T>>,
+    /// P·H^½ of each mode: the first depth lies half a step behind the focal plane.
+    starts: Vec<Vec<Complex<T>>>,
 }
 
 impl<T: Number> Coherent<T> {
@@ -70,10 +70,11 @@ impl<T: Number> Coherent<T> {
             beam,
             modes,
             steps: Vec::new(),
-            pupils: Vec::new(),
+            starts: Vec::new(),
         };
-        waves.steps = waves.modes.iter().map(|m| waves.step(m)).collect();
-        waves.pupils = waves.modes.iter().map(|m| waves.pupil(m)).collect();
+        let step = waves.windows.sampling.along.step;
+        waves.steps = waves.modes.iter().map(|m| waves.kernel(m, step)).collect();
+        waves.starts = waves.modes.iter().map(|m| waves.start(m)).collect();
         waves
     }
 
@@ -87,11 +88,10 @@ impl<T: Number> Coherent<T> {
         (self.beam.wavenumber.powi(2) - across, across)
     }
 
-    /// H of all frequencies of a mode.
-    fn step(&self, mode: &Mode) -> Vec<Complex<T>> {
+    /// H of all frequencies of a mode, over a depth h.
+    fn kernel(&self, mode: &Mode, h: f64) -> Vec<Complex<T>> {
         let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
         let k = self.beam.wavenumber;
-        let h = self.windows.sampling.step;
         let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
         for fz in -bz..=bz {
             for fu in -bu..=bu {
@@ -109,30 +109,26 @@ impl<T: Number> Coherent<T> {
         values
     }
 
-    /// What passes of all frequencies of a mode: its own limit is the lens's, the pattern's that of the pixels.
-    fn pupil(&self, mode: &Mode) -> Vec<T> {
-        let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
-        let pixels = self.windows.sampling.padded.map(|n| 0.5 * n as f64);
-        let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
-        for fz in -bz..=bz {
-            for fu in -bu..=bu {
-                let (_, across) = self.along(mode, [fu, fz]);
-                let by_lens = (self.beam.aperture).map_or(1.0, |aperture| {
-                    fade(self.beam.soft_edge, across.sqrt() / aperture)
-                });
-                let shares = [fu as f64 / pixels[0], fz as f64 / pixels[1]];
-                let by_pixels = shares.map(|share| fade(self.beam.soft_edge, share.abs()));
-                values.push(T::of(by_lens * by_pixels[0] * by_pixels[1]));
-            }
+    /// P·H^½ of all frequencies of a mode.
+    fn start(&self, mode: &Mode) -> Vec<Complex<T>> {
+        let sampling = &self.windows.sampling;
+        let [bu, bz] = sampling.band.map(|b| b as i64);
+        let mut values = self.kernel(mode, 0.5 * sampling.along.step);
+        let frequencies = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
+        for (value, index) in values.iter_mut().zip(frequencies) {
+            let f = [0, 1].map(|i| index[i] as f64 / self.windows.window[i]);
+            *value = value.scale(T::of(self.beam.passes(f, mode.frequency)));
         }
         values
     }
 
+    /// The depth of a plane that is computed.
+    fn depth(&self, index: usize) -> f64 {
+        (index as f64 + 0.5) * self.windows.sampling.along.step
+    }
+
     /// Deletes of a spectrum what would come back from the far side of the window at this depth.
     pub(super) fn limit_to(&self, mode: &Mode, depth: f64, spectrum: &mut [Complex<T>]) {
-        if depth == 0.0 {
-            return;
-        }
         let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
         let [nu, _] = self.windows.counts();
         let k2 = self.beam.wavenumber.powi(2);
@@ -196,15 +192,15 @@ impl<T: Number> Coherent<T> {
         mut see: impl FnMut(usize, &Mode, [&[Complex<T>]; N]),
     ) {
         let mut tapered = Vec::new();
-        for ((mode, step), pupil) in self.modes.iter().zip(&self.steps).zip(&self.pupils) {
+        for ((mode, step), start) in self.modes.iter().zip(&self.steps).zip(&self.starts) {
             for scratch in &mut scratches {
-                let spectrum = scratch.spectrum.iter().zip(pupil);
-                for (here, (value, &passes)) in scratch.here.iter_mut().zip(spectrum) {
-                    *here = value.scale(passes);
+                let spectrum = scratch.spectrum.iter().zip(start);
+                for (here, (&value, &start)) in scratch.here.iter_mut().zip(spectrum) {
+                    *here = value * start;
                 }
             }
-            for depth in 0..self.windows.sampling.depths {
-                let x = depth as f64 * self.windows.sampling.step;
+            for depth in 0..self.windows.sampling.along.count {
+                let x = self.depth(depth);
                 for scratch in &mut scratches {
                     if depth > 0 {
                         for (v, &h) in scratch.here.iter_mut().zip(step) {
@@ -213,7 +209,7 @@ impl<T: Number> Coherent<T> {
                     }
                     self.limit_to(mode, x, &mut scratch.here);
                     let (here, parts) = scratch.split();
-                    if self.limit == BandLimit::Tapered && depth > 0 {
+                    if self.limit == BandLimit::Tapered {
                         self.tapered(mode, x, here, &mut tapered);
                         self.windows.field(&tapered, parts);
                     } else {
@@ -239,19 +235,17 @@ impl<T: Number> Coherent<T> {
         scratch.sum.resize(len, zero());
         let mut back = vec![zero(); len];
         let mut tapered = Vec::new();
-        for ((mode, step), pupil) in self.modes.iter().zip(&self.steps).zip(&self.pupils) {
-            scratch.power.clear();
-            let passes = pupil.iter().map(|&passes| Complex::new(passes, T::zero()));
-            scratch.power.extend(passes);
-            for depth in 0..self.windows.sampling.depths {
+        for ((mode, step), start) in self.modes.iter().zip(&self.steps).zip(&self.starts) {
+            scratch.power.clone_from(start);
+            for depth in 0..self.windows.sampling.along.count {
                 if depth > 0 {
                     for (p, &h) in scratch.power.iter_mut().zip(step) {
                         *p = *p * h;
                     }
                 }
-                let x = depth as f64 * self.windows.sampling.step;
+                let x = self.depth(depth);
                 self.limit_to(mode, x, &mut scratch.power);
-                let is_tapered = self.limit == BandLimit::Tapered && depth > 0;
+                let is_tapered = self.limit == BandLimit::Tapered;
                 if is_tapered {
                     self.tapered(mode, x, &scratch.power, &mut tapered);
                 }
@@ -273,22 +267,21 @@ impl<T: Number> Coherent<T> {
         self.windows.transform_back(scratch, take);
     }
 
-    /// |ψ|², 2·Re ψχ* and |χ|² of two images at all samples, added to three arrays.
+    /// 2·Re ψχ* and |χ|² of two images at all samples, added to `samples` one after the other.
     pub(super) fn shine_along(
         &self,
         scratches: [&mut Scratch<T>; 2],
-        [first, second, third]: [&mut [T]; 3],
+        samples: &mut [T],
         row: usize,
     ) {
         let two = T::of(2.0);
+        let (first, second) = samples.split_at_mut(samples.len() / 2);
         self.propagate(scratches, |depth, mode, [psi, chi]| {
             let weight = T::of(mode.weight);
-            let add = |samples: &mut [T], value: &dyn Fn(usize) -> T| {
-                self.windows.add_at(depth, (samples, row), weight, value);
-            };
-            add(first, &|i| psi[i].norm_sqr());
-            add(second, &|i| two * (psi[i] * chi[i].conj()).re);
-            add(third, &|i| chi[i].norm_sqr());
+            let both = |i: usize| two * (psi[i] * chi[i].conj()).re;
+            let own = |i: usize| chi[i].norm_sqr();
+            self.windows.add_at(depth, (first, row), weight, both);
+            self.windows.add_at(depth, (second, row), weight, own);
         });
     }
 }
@@ -326,7 +319,7 @@ impl<T: Number> Way<T> for Coherent<T> {
 
     fn operations(&self) -> f64 {
         let [image, depth] = self.windows.operations();
-        let depths = self.windows.sampling.depths * self.modes.len();
+        let depths = self.windows.sampling.along.count * self.modes.len();
         3.0 * (image + depths as f64 * depth)
     }
 }

@@ -12,10 +12,11 @@
 
 use super::light::Way;
 use super::number::Number;
-use super::sampling::{Spreading, fade};
+use super::sampling::{Spreading, fade, over_the_band};
 use super::spectrum::{Scratch, Windows, zero};
+use super::taps::Signal;
 use rustfft::num_complex::Complex;
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// Directions of the light of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,24 +25,53 @@ pub(super) struct Cone {
     pub(super) slope: f64,
     /// Part of the band over which it fades.
     pub(super) soft_edge: f64,
+    /// Largest frequency of the pixels along u and z, 1/mm.
+    pub(super) nyquist: [f64; 2],
+}
+
+impl Cone {
+    /// B of a frequency.
+    fn of_pixel(&self, f: [f64; 2]) -> f64 {
+        let side = |i: usize| {
+            let share = f[i] / self.nyquist[i];
+            let x = 0.5 * PI * share;
+            let sinc = if x == 0.0 { 1.0 } else { x.sin() / x };
+            sinc * fade(self.soft_edge, share.abs())
+        };
+        side(0) * side(1)
+    }
+
+    fn frequencies(&self) -> impl Iterator<Item = [f64; 2]> + Clone {
+        let [u_most, z_most] = self.nyquist;
+        over_the_band().flat_map(move |z| over_the_band().map(move |u| [u * u_most, z * z_most]))
+    }
 }
 
 impl Spreading for Cone {
-    fn highest(&self, pitch: f64) -> f64 {
-        0.5 / pitch
+    fn highest(&self, side: usize) -> f64 {
+        self.nyquist[side]
     }
 
-    fn steepest(&self, _highest: [f64; 2]) -> f64 {
+    fn steepest(&self, _side: usize) -> f64 {
         self.slope
     }
 
-    fn depth_band(&self, highest: [f64; 2]) -> f64 {
-        // A straight cone's light at a place is even in x with frequencies up to |f|·tan θ; never 0, so that depths are finite
-        (SQRT_2 * highest[0].max(highest[1]) * self.slope).max(1e-9)
+    /// A ray of slope s changes with f·s along the depth; a disc of slopes seen from its side is a half circle.
+    fn along(&self) -> Signal {
+        const SLOPES: i32 = 15;
+        let lines = self.frequencies().flat_map(|f| {
+            (0..SLOPES).map(move |i| {
+                let share = (2.0 * f64::from(i) + 1.0) / f64::from(SLOPES) - 1.0;
+                let weight = (1.0 - share * share).sqrt() * self.of_pixel(f).powi(2);
+                (f[0].hypot(f[1]) * self.slope * share, weight)
+            })
+        });
+        Signal::of_light(lines)
     }
 
-    fn powers(&self) -> f64 {
-        1.0
+    fn across(&self) -> Signal {
+        let lines = self.frequencies().map(|f| (f[0], self.of_pixel(f).powi(2)));
+        Signal::of_light(lines)
     }
 
     fn soft_edge(&self) -> f64 {
@@ -80,26 +110,20 @@ impl<T: Number> Cones<T> {
     pub(super) fn new(windows: Windows<T>, cone: &Cone) -> Self {
         let sampling = &windows.sampling;
         let [bu, bz] = sampling.band.map(|b| b as i64);
-        let of_pixel = |share: f64| {
-            let x = 0.5 * PI * share;
-            let sinc = if x == 0.0 { 1.0 } else { x.sin() / x };
-            sinc * fade(cone.soft_edge, share.abs())
-        };
         let transfer = |depth: usize| {
-            let radius = depth as f64 * sampling.step * cone.slope;
+            let radius = (depth as f64 + 0.5) * sampling.along.step * cone.slope;
             let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
             for fz in -bz..=bz {
                 for fu in -bu..=bu {
                     let f = [fu as f64 / windows.window[0], fz as f64 / windows.window[1]];
-                    let pixel = of_pixel(2.0 * fu as f64 / sampling.padded[0] as f64)
-                        * of_pixel(2.0 * fz as f64 / sampling.padded[1] as f64);
-                    values.push(T::of(pixel * disc(TAU * f[0].hypot(f[1]) * radius)));
+                    let spread = disc(TAU * f[0].hypot(f[1]) * radius);
+                    values.push(T::of(cone.of_pixel(f) * spread));
                 }
             }
             values
         };
         Cones {
-            transfers: (0..sampling.depths).map(transfer).collect(),
+            transfers: (0..sampling.along.count).map(transfer).collect(),
             windows,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::coherent::Coherent;
 use super::number::Number;
+use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
 use super::turn::{Sorted, TILE, TileEntries, Turn};
 use crate::error::{Error, Result};
@@ -47,6 +48,7 @@ pub(super) struct WaveLight<T: Number, W: Way<T>> {
     pub(super) row: usize,
     /// Frames of this light among those of all.
     pub(super) first_frame: usize,
+    resample: Resample<T>,
     pool: Mutex<Vec<Scratch<T>>>,
 }
 
@@ -57,9 +59,12 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         row: usize,
         first_frame: usize,
     ) -> Self {
+        let windows = way.windows();
+        let resample = Resample::new(&windows.sampling, windows.computed(), windows.last);
         WaveLight {
             way,
             turn,
+            resample,
             plane,
             row,
             first_frame,
@@ -74,9 +79,19 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         local(frames.start)..local(frames.end)
     }
 
-    /// Numbers of one frame's samples.
+    /// Samples of one frame that voxels are interpolated from: rows of them.
+    fn rows(&self) -> usize {
+        self.way.windows().sampling.along.last().1 * self.way.windows().last.count
+    }
+
+    /// The same in numbers.
     fn samples(&self) -> usize {
-        self.way.windows().sampling.depths * self.way.windows().width() * self.row
+        self.rows() * self.row
+    }
+
+    /// Numbers of one frame's samples that are computed.
+    fn computed(&self) -> usize {
+        self.way.windows().sampling.along.count * self.way.windows().width() * self.row
     }
 
     fn with_scratch<R>(&self, work: impl FnOnce(&mut Scratch<T>) -> R) -> R {
@@ -107,8 +122,22 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
     fn light(&self, layout: &PatternLayout, frame: usize, x: &[T], samples: &mut [T]) {
         self.with_scratch(|scratch| {
             self.load(layout, frame, x, scratch);
-            self.way.shine(scratch, samples, self.row);
+            if self.resample.is_idle() {
+                return self.way.shine(scratch, samples, self.row);
+            }
+            let mut computed = self.cleared(scratch, 1);
+            self.way.shine(scratch, &mut computed, self.row);
+            (self.resample).forth(&computed, samples, &mut scratch.between, self.row);
+            scratch.computed = computed;
         });
+    }
+
+    /// The array of computed samples of a scratch, `times` of them, all 0.
+    fn cleared(&self, scratch: &mut Scratch<T>, times: usize) -> Vec<T> {
+        let mut computed = std::mem::take(&mut scratch.computed);
+        computed.clear();
+        computed.resize(times * self.computed(), T::zero());
+        computed
     }
 
     /// dose += light of some frames
@@ -164,7 +193,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         dose: &mut [T],
     ) {
         let [nx, ny] = self.plane;
-        let of_dose = self.way.windows().sampling.depths * self.way.windows().width();
+        let of_dose = self.rows();
         let band = TILE * nx * self.row;
         dose.par_chunks_mut(band).enumerate().for_each_init(
             TileEntries::default,
@@ -241,30 +270,30 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
             frames.push((frame, own));
             rest = others;
         }
-        frames.into_par_iter().for_each_init(
-            || vec![T::zero(); self.samples()],
-            |samples, (frame, grad)| {
-                grad.fill(T::zero());
-                // Dark patterns of waves are stationary: there F′ = 0
-                if run.is_cancelled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
-                    return;
+        frames.into_par_iter().for_each(|(frame, grad)| {
+            grad.fill(T::zero());
+            // Dark patterns of waves are stationary: there F′ = 0
+            if run.is_cancelled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
+                return;
+            }
+            let runs = &layout.runs[frame * columns..][..columns];
+            let first = layout.elements_of(frame..frame + 1).start;
+            let mut take = |column: usize, values: &[Complex<T>]| {
+                let run = &runs[column];
+                let own = &mut grad[run.offset - first..][..run.count as usize];
+                for (to, value) in own.iter_mut().zip(&values[run.bottom as usize..]) {
+                    *to = value.re;
                 }
-                self.ask(frame, cotangent, samples);
-                let runs = &layout.runs[frame * columns..][..columns];
-                let first = layout.elements_of(frame..frame + 1).start;
-                self.with_scratch(|scratch| {
-                    let mut take = |column: usize, values: &[Complex<T>]| {
-                        let run = &runs[column];
-                        let own = &mut grad[run.offset - first..][..run.count as usize];
-                        for (to, value) in own.iter_mut().zip(&values[run.bottom as usize..]) {
-                            *to = value.re;
-                        }
-                    };
-                    self.load(layout, frame, x, scratch);
-                    self.way.send_back(samples, self.row, scratch, &mut take);
-                });
-            },
-        );
+            };
+            self.with_scratch(|scratch| {
+                let mut samples = std::mem::take(&mut scratch.samples);
+                samples.resize(self.samples(), T::zero());
+                self.ask(frame, cotangent, &mut samples);
+                self.load(layout, frame, x, scratch);
+                self.send_back(&samples, scratch, &mut take);
+                scratch.samples = samples;
+            });
+        });
         if run.is_cancelled() {
             return Err(Error::Cancelled);
         }
@@ -272,13 +301,31 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
     }
 }
 
+impl<T: Number, W: Way<T>> WaveLight<T, W> {
+    /// What samples ask of the pixels of the frame whose spectrum lies in the scratch.
+    fn send_back(
+        &self,
+        samples: &[T],
+        scratch: &mut Scratch<T>,
+        take: &mut dyn FnMut(usize, &[Complex<T>]),
+    ) {
+        if self.resample.is_idle() {
+            return self.way.send_back(samples, self.row, scratch, take);
+        }
+        let mut computed = self.cleared(scratch, 1);
+        (self.resample).back(samples, &mut computed, &mut scratch.between, self.row);
+        self.way.send_back(&computed, self.row, scratch, take);
+        scratch.computed = computed;
+    }
+}
+
 impl<T: Number> WaveLight<T, Coherent<T>> {
-    /// doses += coefficients of α ↦ F(x + αd)
+    /// doses += coefficients of α and α² of F(x + αd)
     pub(super) fn add_along(
         &self,
         layout: &PatternLayout,
         [x, d]: [&[T]; 2],
-        doses: [&mut [T]; 3],
+        doses: [&mut [T]; 2],
         run: &Run,
     ) -> Result<()> {
         let frames = 0..layout.grid.frames();
@@ -290,21 +337,28 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
         self.add(doses, &lit, light, run)
     }
 
-    /// |ψ|², 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
+    /// 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
     fn light_along(
         &self,
         (layout, frame): (&PatternLayout, usize),
         [x, d]: [&[T]; 2],
         samples: &mut [T],
     ) {
-        let (first, rest) = samples.split_at_mut(self.samples());
-        let (second, third) = rest.split_at_mut(self.samples());
         self.with_scratch(|of_x| {
             self.load(layout, frame, x, of_x);
             self.with_scratch(|of_d| {
                 self.load(layout, frame, d, of_d);
-                let arrays = [first, second, third];
-                self.way.shine_along([of_x, of_d], arrays, self.row);
+                if self.resample.is_idle() {
+                    return self.way.shine_along([of_x, of_d], samples, self.row);
+                }
+                let mut computed = self.cleared(of_x, 2);
+                let scratches = [&mut *of_x, of_d];
+                (self.way).shine_along(scratches, &mut computed, self.row);
+                let parts = computed.chunks_exact(self.computed());
+                for (part, samples) in parts.zip(samples.chunks_exact_mut(self.samples())) {
+                    (self.resample).forth(part, samples, &mut of_x.between, self.row);
+                }
+                of_x.computed = computed;
             });
         });
     }

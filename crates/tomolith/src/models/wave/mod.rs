@@ -65,7 +65,9 @@
 mod coherent;
 mod cones;
 mod light;
+mod lights;
 mod number;
+mod resample;
 mod sampling;
 mod spectrum;
 pub mod spread;
@@ -74,24 +76,24 @@ mod taps;
 mod tests;
 mod turn;
 
-use super::parallel::{Light, is_straight};
+use super::parallel::Light;
 use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 use crate::kind::{Kind, Section};
-use crate::optics::vial::{Curve, Vial};
+use crate::optics::vial::Vial;
 pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
-use light::{WaveLight, Way};
+use light::WaveLight;
+pub use lights::beyond;
+use lights::{Lights, heights_of};
 use number::Number;
-use sampling::{Beam, Sampling, Side, Spreading};
+use sampling::Beam;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use spectrum::{Heights, Windows};
 use std::f64::consts::TAU;
 use std::ops::Range;
-use turn::{Turn, Uptake};
 
 /// Where the resin begins to absorb.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -194,35 +196,10 @@ fn params_of(section: &Section) -> Result<Params> {
 struct Settings {
     relative_error: f64,
     rotation_error: f64,
-    /// Lateral samples that a voxel is interpolated from.
-    lateral_taps: usize,
 }
 
 /// See the [module page](self).
-pub struct Wave {
-    lights: Vec<WaveLight<f32, Coherent<f32>>>,
-    patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
-}
-
-/// Why the model does not cover a vial and its lights; None when it does.
-#[must_use]
-pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
-    let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
-    if any(&|light| !is_straight(vial, light)) {
-        Some(
-            "waves know one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
-        )
-    } else if any(&|light| light.resin.gradient.is_some()) {
-        Some("waves know one refractive index, and the resin's changes from place to place")
-    } else if any(&|light| light.map.is_some()) {
-        Some("waves know one absorption for all the resin")
-    } else if any(&|light| light.bath.is_some()) {
-        Some("waves know no absorption before the vial")
-    } else {
-        None
-    }
-}
+pub struct Wave(Lights<Coherent<f32>>);
 
 impl Wave {
     /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
@@ -239,53 +216,27 @@ impl Wave {
         let settings = Settings {
             relative_error: params.relative_error,
             rotation_error: params.rotation_error,
-            lateral_taps: 4,
         };
-        if let Some(reason) = beyond(vial, &lights) {
-            return Err(Error::Unsupported {
-                what: "model.wave".into(),
-                reason: reason.into(),
-            });
-        }
-        if grid.is_empty() {
-            return Err(Error::config(
-                "grid",
-                format!("shape {:?} [z, y, x]", grid.shape),
-                "at least one voxel",
-            ));
-        }
-        let layout = DoseLayout::new("dose", grid, 0);
-        let (mut built, mut patterns) = (Vec::new(), Vec::new());
-        let (mut offset, mut first_frame) = (0, 0);
-        for (which, light) in lights.into_iter().enumerate() {
-            light.check()?;
-            let mut pixels = light.layout(offset);
-            pixels.quantity = Quantity::Amplitude;
-            built.push(light_of(
+        let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
+            light_of(
                 vial,
-                &light,
+                light,
                 (params, &settings),
-                &layout,
+                layout,
                 (which, first_frame),
-            )?);
-            offset += pixels.len();
-            first_frame += light.pixels.frames();
-            patterns.push(pixels);
+            )
+        };
+        let mut lights = Lights::new("model.wave", vial, lights, grid, build)?;
+        for patterns in &mut lights.patterns {
+            patterns.quantity = Quantity::Amplitude;
         }
-        Ok(Wave {
-            lights: built,
-            patterns,
-            outputs: vec![layout],
-        })
+        Ok(Wave(lights))
     }
 
     /// Additions and multiplications of the Fourier transforms of a dose and a pullback together.
     #[must_use]
     pub fn operations(&self) -> f64 {
-        let frames = self.patterns.iter().map(|p| p.grid.frames() as f64);
-        (self.lights.iter().zip(frames))
-            .map(|(light, frames)| frames * light.way.operations())
-            .sum()
+        self.0.operations()
     }
 }
 
@@ -302,7 +253,7 @@ pub(super) fn must_fit(
     for (i, light) in lights.iter().enumerate() {
         heights_of(light.pixels.pitch_mm[1], grid)?;
         let beam = beam_of(i, light, params)?;
-        let half_wave = 0.5 / beam.depth_band(light.pixels.pitch_mm.map(|mm| beam.highest(mm)));
+        let half_wave = 0.5 / beam.depth_band();
         if grid.pitch_mm > half_wave {
             warnings.push(format!(
                 "light[{i}]: waves change along the light within {half_wave:.5} mm, and voxels of {:.5} mm do not show it: \
@@ -324,7 +275,7 @@ fn light_of<T: Number>(
 ) -> Result<WaveLight<T, Coherent<T>>> {
     let beam = beam_of(which, light, params)?;
     let place = (params.entrance, params.focus_mm);
-    turning(
+    lights::turning(
         vial,
         (light, &beam),
         (place, settings),
@@ -332,103 +283,6 @@ fn light_of<T: Number>(
         first_frame,
         |windows| Coherent::new(windows, (beam, params.band_limit), modes_of(&beam, params)),
     )
-}
-
-/// A light whose samples turn with an index-matched vial.
-fn turning<T: Number, W: Way<T>>(
-    vial: &dyn Vial,
-    (light, beam): (&Light, &dyn Spreading),
-    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
-    layout: &DoseLayout,
-    first_frame: usize,
-    way: impl FnOnce(Windows<T>) -> W,
-) -> Result<WaveLight<T, W>> {
-    let grid = &layout.grid;
-    let pixels = &light.pixels;
-    let heights = heights_of(pixels.pitch_mm[1], grid)?;
-    let [nz, ny, nx] = grid.shape;
-    let in_resin: Vec<bool> = (0..nx * ny)
-        .map(|i| vial.in_resin([grid.x(i % nx), grid.y(i / nx), 0.0]))
-        .collect();
-    let lit = (0..nx * ny).filter(|&i| in_resin[i]);
-    let radius = lit
-        .map(|i| grid.x(i % nx).hypot(grid.y(i / nx)))
-        .fold(0.0, f64::max);
-    let u = Side {
-        pitch: pixels.pitch_mm[0],
-        pixels: pixels.columns,
-        from: pixels.column_u(0),
-        voxels: [-radius, radius],
-    };
-    let z = Side {
-        pitch: pixels.pitch_mm[1],
-        pixels: pixels.rows,
-        from: pixels.row_z(pixels.rows - 1),
-        voxels: [grid.z(0), grid.z(nz - 1)],
-    };
-    let deepest = radius + focus_mm.abs();
-    let sampling = Sampling::new(beam, [&u, &z], deepest, settings);
-    let resin = light.resin.uptake();
-    let wall = match vial.resin_wall() {
-        Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
-        _ => None,
-    };
-    let uptake = Uptake {
-        active: resin.active_per_mm,
-        attenuation: resin.attenuation_per_mm,
-        wall,
-        entrance: -radius,
-    };
-    let pitch = sampling.padded[0] as f64 * u.pitch / sampling.fine as f64;
-    let windows = Windows::new(sampling, [&u, &z], (heights, nz));
-    let first = u.from + windows.samples.start as f64 * pitch;
-    let turn = Turn::new(
-        (pixels, light.sub_angles),
-        grid,
-        in_resin,
-        (uptake, focus_mm),
-        (first, pitch, windows.width()),
-    );
-    Ok(WaveLight::new(
-        (way(windows), turn),
-        [nx, ny],
-        layout.row,
-        first_frame,
-    ))
-}
-
-/// How rows of pixels and of voxels lie on each other.
-fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
-    let ratio = row_mm / grid.pitch_mm;
-    let whole =
-        |r: f64| (r.round() >= 1.0 && (r / r.round() - 1.0).abs() < 1e-6).then(|| r.round());
-    match (whole(ratio), whole(1.0 / ratio)) {
-        (Some(finer), _) => Ok(Heights {
-            finer: finer as usize,
-            stride: 1,
-        }),
-        (None, Some(stride)) => Ok(Heights {
-            finer: 1,
-            stride: stride as usize,
-        }),
-        (None, None) => {
-            let nearest = if ratio > 1.0 {
-                row_mm / ratio.round()
-            } else {
-                row_mm * (1.0 / ratio).round()
-            };
-            Err(Error::config(
-                "grid.pitch_mm",
-                format!(
-                    "voxels of {} mm and rows of pixels {row_mm} mm apart",
-                    grid.pitch_mm
-                ),
-                format!(
-                    "with [model.wave] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
-                ),
-            ))
-        }
-    }
 }
 
 /// Wavelength and aperture of a light, checked against its pixels; `which` of the lights it is.
@@ -477,6 +331,7 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
         aperture: params.numerical_aperture.map(|na| na / vacuum_mm),
         tilt: wavenumber * params.etendue_deg.to_radians().sin(),
         soft_edge: params.soft_edge,
+        nyquist: light.pixels.pitch_mm.map(|mm| 0.5 / mm),
     })
 }
 
@@ -514,26 +369,25 @@ impl DoseModel for Wave {
     type Field = HostField;
 
     fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
+        &self.0.patterns
     }
 
     fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
+        &self.0.outputs
     }
 
     fn new_patterns(&self) -> Result<HostField> {
-        let pixels = self.patterns.iter().map(PatternLayout::len);
-        Ok(HostField::zeros(pixels.sum()))
+        Ok(self.0.new_patterns())
     }
 
     fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
+        Ok(self.0.new_dose())
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);
-        let frames = self.patterns.iter().map(|p| p.grid.frames()).sum();
-        self.dose_of(0..frames, x, dose, run)
+        let frames = self.0.patterns.iter().map(|p| p.grid.frames()).sum();
+        self.0.add_dose(0..frames, x, dose, run)
     }
 
     fn pullback(
@@ -543,11 +397,7 @@ impl DoseModel for Wave {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (light, layout) in self.lights.iter().zip(&self.patterns) {
-            let own = &mut grad.as_mut_slice()[layout.range()];
-            light.pull_back(layout, x.as_slice(), cotangent.as_slice(), own, run)?;
-        }
-        Ok(())
+        self.0.pull_back(x, cotangent, grad, run)
     }
 
     fn dose_of(
@@ -557,17 +407,13 @@ impl DoseModel for Wave {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (light, layout) in self.lights.iter().zip(&self.patterns) {
-            let own = light.own(&frames, layout);
-            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
-        }
-        Ok(())
+        self.0.add_dose(frames, x, dose, run)
     }
 
-    /// F(x), F′(x)d and F(d): the fields of x and of d, multiplied.
+    /// F′(x)d and F(d): the fields of x and of d, multiplied.
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let mut terms = [self.new_dose()?, self.new_dose()?, self.new_dose()?];
-        for (light, layout) in self.lights.iter().zip(&self.patterns) {
+        let mut terms = [self.new_dose()?, self.new_dose()?];
+        for (light, layout) in self.0.lights.iter().zip(&self.0.patterns) {
             let doses = terms.each_mut().map(HostField::as_mut_slice);
             light.add_along(layout, [x.as_slice(), d.as_slice()], doses, run)?;
         }
@@ -575,7 +421,7 @@ impl DoseModel for Wave {
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        halo(&self.lights)
+        self.0.halo()
     }
 
     fn is_linear(&self) -> bool {
@@ -583,34 +429,14 @@ impl DoseModel for Wave {
     }
 
     fn updates(&self) -> u64 {
-        let columns = self.lights.iter().zip(&self.patterns);
-        let nz = self.outputs[0].grid.shape[0];
-        columns
-            .map(|(light, p)| (light.turn.columns() * nz * p.grid.frames()) as u64)
-            .sum()
+        self.0.updates()
     }
 
     fn describe(&self) -> String {
-        let way = &self.lights[0].way;
-        let modes = match way.modes.len() {
+        let modes = match self.0.lights[0].way.modes.len() {
             1 => String::new(),
             n => format!(", {n} modes"),
         };
-        format!("wave ({}{modes})", described(way.windows()))
+        format!("wave ({}{modes})", self.0.described())
     }
-}
-
-/// The sampling of a light, for people.
-fn described<T: Number>(windows: &Windows<T>) -> String {
-    let s = &windows.sampling;
-    format!(
-        "{} depths {:.4} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples, {} × {} taps",
-        s.depths, s.step, s.padded[0], s.padded[1], s.fine, s.along.taps, s.across.taps
-    )
-}
-
-/// How far along z light reaches from its row.
-fn halo<W: Way<f32>>(lights: &[WaveLight<f32, W>]) -> ZCoupling {
-    let reach = |light: &WaveLight<f32, W>| light.way.windows().sampling.guard[1];
-    ZCoupling::Halo(lights.iter().map(reach).fold(0.0, f64::max))
 }

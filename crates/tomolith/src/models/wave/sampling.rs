@@ -9,15 +9,16 @@
 //! ```
 //! and what would travel further than P − D is deleted: for P = 2D this is the limit of Matsushima & Shimobaba, eq. 13 and 20 to 22.
 //! The band fades towards its end ([`fade`]): with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of
-//! 2D (docs/wave.md). Along the depth |ψ|² has frequencies up to ΔF = w_max − w_min, sideways up to twice those of the field; distances of the samples follow from
-//! the [`Taps`] that interpolate them.
+//! 2D (docs/wave.md). Distances of samples along and across the light follow from the [`Taps`] that interpolate them, for light that fills the band
+//! evenly: the fewest that keep to the errors asked for. Where that saves time, closer samples are interpolated from those that are computed, and
+//! voxels from few of them. The depths lie at (k + ½) steps, their mirror images on the other side of the focal plane.
 //!
 //! # Source
-//! Matsushima & Shimobaba, Opt. Express 17 (2009) 19662; the bound of the depth's frequencies: docs/wave.md.
+//! Matsushima & Shimobaba, Opt. Express 17 (2009) 19662.
 
 use super::Settings;
-use super::taps::Taps;
-use std::f64::consts::PI;
+use super::taps::{OVERHANG, Signal, Taps};
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// One side of the window: u, or z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,19 +56,13 @@ pub(super) struct Sampling {
     pub(super) guard: [f64; 2],
     /// Highest frequency kept, in cycles per window: the indices run from −band to band.
     pub(super) band: [usize; 2],
-    /// Distance of the depths.
-    pub(super) step: f64,
-    /// Number of depths: 0, step, 2·step …, each standing for both sides of the focal plane.
-    pub(super) depths: usize,
-    /// Interpolation between depths.
-    pub(super) along: Taps,
+    /// Depths on one side of the focal plane, at (k + ½) steps; each stands for its mirror image, too.
+    pub(super) along: Ladder,
     /// Samples of the window along u.
-    pub(super) fine: usize,
-    /// Interpolation between them.
-    pub(super) across: Taps,
+    pub(super) across: Ladder,
 }
 
-/// Wavelength and aperture in the resin.
+/// Wavelength and aperture in the resin, and the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Beam {
     /// 1/λ in the resin, 1/mm.
@@ -78,18 +73,20 @@ pub(super) struct Beam {
     pub(super) tilt: f64,
     /// Part of the band over which it fades.
     pub(super) soft_edge: f64,
+    /// Largest frequency of the pixels along u and z, 1/mm.
+    pub(super) nyquist: [f64; 2],
 }
 
 /// What a sampling must know of light.
 pub(super) trait Spreading {
-    /// Largest lateral frequency along one side, for pixels of this distance.
-    fn highest(&self, pitch: f64) -> f64;
-    /// Largest sideways travel over depth, for these largest frequencies along a side and across it.
-    fn steepest(&self, highest: [f64; 2]) -> f64;
-    /// Largest frequency of the light along the depth.
-    fn depth_band(&self, highest: [f64; 2]) -> f64;
-    /// Largest lateral frequency of the light, over that of the field: 2 for squares, 1 for the light itself.
-    fn powers(&self) -> f64;
+    /// Largest lateral frequency along u or z.
+    fn highest(&self, side: usize) -> f64;
+    /// Largest sideways travel over depth along u or z.
+    fn steepest(&self, side: usize) -> f64;
+    /// How light changes along the depth.
+    fn along(&self) -> Signal;
+    /// How it changes along u.
+    fn across(&self) -> Signal;
     /// Part of the band over which it fades.
     fn soft_edge(&self) -> f64;
 }
@@ -106,44 +103,88 @@ pub(super) fn fade(soft_edge: f64, share: f64) -> f64 {
     }
 }
 
+/// Frequencies from −1 to 1 that a band is summed over along each side.
+pub(super) fn over_the_band() -> impl Iterator<Item = f64> + Clone {
+    const HALF: i32 = 64;
+    (-HALF..HALF).map(|i| (f64::from(i) + 0.5) / f64::from(HALF))
+}
+
+impl Beam {
+    /// What passes of a frequency of the pattern in a mode: the pixels limit its own, the lens that of the mode as well.
+    pub(super) fn passes(&self, f: [f64; 2], mode: [f64; 2]) -> f64 {
+        let across = (f[0] + mode[0]).hypot(f[1] + mode[1]);
+        let by_lens =
+            (self.aperture).map_or(1.0, |aperture| fade(self.soft_edge, across / aperture));
+        let by_pixels = [0, 1].map(|i| fade(self.soft_edge, f[i].abs() / self.nyquist[i]));
+        by_lens * by_pixels[0] * by_pixels[1]
+    }
+
+    /// Frequencies of the pattern and the power that passes of each, in the widest mode, as parts of white noise of power 1.
+    fn power(&self) -> impl Iterator<Item = ([f64; 2], f64)> + Clone {
+        let mode = self.widest_mode();
+        let count = over_the_band().count().pow(2) as f64;
+        over_the_band().flat_map(move |z| {
+            over_the_band().map(move |u| {
+                let f = [u * self.nyquist[0], z * self.nyquist[1]];
+                (f, self.passes(f, mode).powi(2) / count)
+            })
+        })
+    }
+
+    fn widest_mode(&self) -> [f64; 2] {
+        [self.tilt * FRAC_1_SQRT_2; 2]
+    }
+
+    /// 1/λ − w of a frequency that travels, without the difference of large numbers.
+    fn lag(&self, f: [f64; 2]) -> f64 {
+        let square = (f[0] * f[0] + f[1] * f[1]).min(self.wavenumber.powi(2));
+        square / (self.wavenumber + (self.wavenumber.powi(2) - square).sqrt())
+    }
+
+    /// Largest frequency of light along the depth.
+    pub(super) fn depth_band(&self) -> f64 {
+        let corner = [0, 1].map(|side| self.highest(side) + self.tilt);
+        let most = corner[0].hypot(corner[1]);
+        self.lag([
+            self.aperture.map_or(most, |aperture| most.min(aperture)),
+            0.0,
+        ])
+    }
+}
+
 impl Spreading for Beam {
-    fn highest(&self, pitch: f64) -> f64 {
-        let nyquist = 0.5 / pitch;
+    fn highest(&self, side: usize) -> f64 {
+        let nyquist = self.nyquist[side];
         self.aperture
             .map_or(nyquist, |na| nyquist.min(na + self.tilt))
     }
 
     /// Of f_side/w, ∞ where some components do not travel.
-    fn steepest(&self, [own, other]: [f64; 2]) -> f64 {
-        let (mut side, mut square) = (
-            own + self.tilt,
-            (own + self.tilt).powi(2) + (other + self.tilt).powi(2),
-        );
+    fn steepest(&self, side: usize) -> f64 {
+        let [own, other] = [side, 1 - side].map(|side| self.highest(side) + self.tilt);
+        let (mut along, mut square) = (own, own * own + other * other);
         if let Some(aperture) = self.aperture {
-            side = side.min(aperture);
+            along = along.min(aperture);
             square = square.min(aperture.powi(2));
         }
         let w = self.wavenumber.powi(2) - square;
         if w > 0.0 {
-            side / w.sqrt()
+            along / w.sqrt()
         } else {
             f64::INFINITY
         }
     }
 
-    /// w_max − w_min
-    fn depth_band(&self, highest: [f64; 2]) -> f64 {
-        let mut square: f64 = highest.iter().map(|f| (f + self.tilt).powi(2)).sum();
-        if let Some(aperture) = self.aperture {
-            square = square.min(aperture.powi(2));
-        }
-        let w = (self.wavenumber.powi(2) - square).max(0.0).sqrt();
-        // As 1/λ − w, without the difference of large numbers
-        square.min(self.wavenumber.powi(2)) / (self.wavenumber + w)
+    /// Phases run with w − 1/λ, those of the mean with that of its mode.
+    fn along(&self) -> Signal {
+        let mode = self.widest_mode();
+        let lag = move |f: [f64; 2]| self.lag([f[0] + mode[0], f[1] + mode[1]]);
+        let mean = lag([0.0; 2]);
+        Signal::of_square(self.power().map(|(f, power)| (lag(f) - mean, power)))
     }
 
-    fn powers(&self) -> f64 {
-        2.0
+    fn across(&self) -> Signal {
+        Signal::of_square(self.power().map(|(f, power)| (f[0], power)))
     }
 
     fn soft_edge(&self) -> f64 {
@@ -151,76 +192,256 @@ impl Spreading for Beam {
     }
 }
 
-/// Numbers of taps that are tried.
+/// Numbers of taps that are tried: from what is transformed, and from what was interpolated to lie closer.
 const TAPS: [usize; 4] = [4, 6, 8, 10];
+const CLOSE_TAPS: [usize; 3] = [2, 4, 6];
 
-impl Sampling {
-    /// The cheapest sampling with the errors that the settings allow; `deepest`: largest distance of a voxel from the focal plane.
-    pub(super) fn new(
-        beam: &dyn Spreading,
-        [u, z]: [&Side; 2],
-        deepest: f64,
-        settings: &Settings,
-    ) -> Self {
-        let highest = [beam.highest(u.pitch), beam.highest(z.pitch)];
-        let side = |own: &Side, frequencies: [f64; 2]| {
-            let reach = own.reach();
-            let travel = deepest * beam.steepest(frequencies);
-            // A soft edge of the band ends the rings around what a pixel lights after some pixels; those of a hard one never end
-            let rings = if beam.soft_edge() > 0.0 {
-                3.0 / beam.soft_edge()
-            } else {
-                2.0
-            };
-            let needed = own.span().max(reach + travel.min(reach)) / own.pitch;
-            smooth_even((needed + rings).ceil() as usize)
+/// Time of a multiplication and addition of rows over that of an operation of a Fourier transform: 5.5 to 6.5 and 7·10⁹ of them a second and
+/// core were measured, of 550 voxels a row.
+const ROW_COST: f64 = 1.2;
+
+/// Samples that light is computed at, and those that voxels are interpolated from.
+#[derive(Clone, Debug)]
+pub(super) struct Ladder {
+    /// Distance of the samples that are computed, mm.
+    pub(super) step: f64,
+    /// Their number.
+    pub(super) count: usize,
+    /// Closer samples, interpolated from those: their distance, mm, number and weights.
+    pub(super) closer: Option<(f64, usize, Taps)>,
+    /// Interpolation of voxels from the last of them.
+    pub(super) taps: Taps,
+}
+
+impl Ladder {
+    /// Distance and number of the samples that voxels are interpolated from.
+    pub(super) fn last(&self) -> (f64, usize) {
+        self.closer
+            .as_ref()
+            .map_or((self.step, self.count), |(step, count, _)| (*step, *count))
+    }
+}
+
+/// Steps, numbers and taps that are weighed against each other.
+#[derive(Clone, Copy, Debug)]
+struct Rungs {
+    step: f64,
+    count: usize,
+    taps: usize,
+    closer: Option<(f64, usize, usize)>,
+}
+
+impl Rungs {
+    /// Taps that a voxel is interpolated from.
+    fn last_taps(&self) -> usize {
+        self.closer.map_or(self.taps, |(_, _, taps)| taps)
+    }
+
+    fn last_count(&self) -> usize {
+        self.closer.map_or(self.count, |(_, count, _)| count)
+    }
+
+    fn built(&self, signal: &Signal, has_end: bool) -> Ladder {
+        let end = |count: usize| has_end.then_some(count as i64 - 1);
+        let from_computed = Taps::new(self.taps, signal, self.step, end(self.count));
+        let (closer, taps) = match self.closer {
+            None => (None, from_computed),
+            Some((step, count, taps)) => (
+                Some((step, count, from_computed)),
+                Taps::new(taps, signal, step, end(count)),
+            ),
         };
-        let padded = [side(u, highest), side(z, [highest[1], highest[0]])];
-        let guard = [
-            padded[0] as f64 * u.pitch - u.reach(),
-            padded[1] as f64 * z.pitch - z.reach(),
-        ];
-        let band = |i: usize, pitch: f64| {
-            let most = (padded[i] - 1) / 2;
-            ((highest[i] * padded[i] as f64 * pitch) as usize).clamp(1, most)
-        };
-        let band = [band(0, u.pitch), band(1, z.pitch)];
-        let depth_band = beam.depth_band(highest);
-        let (mut best, mut least) = (None, f64::INFINITY);
-        for taps in TAPS {
-            let widest = Taps::widest_band(taps, settings.relative_error);
-            let step = (widest / depth_band).min(deepest.max(u.pitch));
-            let depths = (deepest / step).ceil() as usize + taps / 2;
-            // A depth costs about as much as twenty taps of all voxels of a frame
-            let cost = depths as f64 + 0.05 * (taps * settings.lateral_taps) as f64 * 4.0;
-            if cost < least {
-                (best, least) = (Some((taps, step, depths)), cost);
-            }
-        }
-        let (taps, step, depths) = best.unwrap_or((4, deepest, 3));
-        let along = Taps::new(taps, depth_band * step);
-        let taps = settings.lateral_taps;
-        let widest = Taps::widest_band(taps, settings.rotation_error);
-        let frequencies = beam.powers() * band[0] as f64;
-        let fine = smooth_even((frequencies / widest).ceil() as usize);
-        let fine = fine.max(smooth_even(2 * band[0] + 2));
-        let across = Taps::new(taps, frequencies / fine as f64);
-        Sampling {
-            padded,
-            guard,
-            band,
-            step,
-            depths,
-            along,
-            fine,
-            across,
+        Ladder {
+            step: self.step,
+            count: self.count,
+            closer,
+            taps,
         }
     }
 }
 
-/// The smallest even number ≥ n without prime factors above 7.
-fn smooth_even(n: usize) -> usize {
-    let smooth = |&m: &usize| {
+/// The fewest depths (k + ½) steps, up to the deepest voxel, that hold light with such an error; their distance.
+fn fewest(taps: usize, signal: &Signal, deepest: f64, error: f64) -> (f64, usize) {
+    let step = |count: usize| deepest / (count as f64 - 0.5 + OVERHANG);
+    let holds = |count: usize| Taps::error_in_disc(taps, signal, step(count), count) <= error;
+    let mut enough = taps / 2;
+    while !holds(enough) && enough < MOST_DEPTHS {
+        enough *= 2;
+    }
+    let mut short = enough / 2;
+    while enough - short.max(taps / 2 - 1) > 1 {
+        let middle = usize::midpoint(enough, short.max(taps / 2 - 1));
+        if holds(middle) {
+            enough = middle;
+        } else {
+            short = middle;
+        }
+    }
+    (step(enough), enough)
+}
+
+/// More depths than memory holds.
+const MOST_DEPTHS: usize = 1 << 16;
+
+/// All ways to sample the depths.
+fn ways_along(signal: &Signal, deepest: f64, error: f64) -> Vec<Rungs> {
+    let mut ways = Vec::new();
+    let close = CLOSE_TAPS.map(|taps| (taps, fewest(taps, signal, deepest, error * FRAC_1_SQRT_2)));
+    for taps in TAPS {
+        let (step, count) = fewest(taps, signal, deepest, error);
+        let rungs = Rungs {
+            step,
+            count,
+            taps,
+            closer: None,
+        };
+        ways.push(rungs);
+        let (step, count) = fewest(taps, signal, deepest, error * FRAC_1_SQRT_2);
+        for (close_taps, (close_step, close_count)) in close {
+            if close_count > count && close_taps < taps {
+                ways.push(Rungs {
+                    step,
+                    count,
+                    taps,
+                    closer: Some((close_step, close_count, close_taps)),
+                });
+            }
+        }
+    }
+    ways
+}
+
+/// All ways to sample a window of some length, of which voxels need a part; `band`: frequencies that must be held.
+fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f64) -> Vec<Rungs> {
+    let most = window / (2 * band + 2) as f64;
+    let computed = |taps: usize, error: f64| {
+        let step = Taps::widest(taps, signal, error, most);
+        smooth((window / step - 1e-6).ceil() as usize)
+    };
+    let mut ways = Vec::new();
+    let close = CLOSE_TAPS.map(|taps| {
+        let step = Taps::widest(taps, signal, error * FRAC_1_SQRT_2, most);
+        (taps, step)
+    });
+    for taps in TAPS {
+        let count = computed(taps, error);
+        ways.push(Rungs {
+            step: window / count as f64,
+            count,
+            taps,
+            closer: None,
+        });
+        let count = computed(taps, error * FRAC_1_SQRT_2);
+        let step = window / count as f64;
+        for (close_taps, close_step) in close {
+            if close_step < step && close_taps < taps {
+                let close_count = (part / close_step).ceil() as usize + close_taps + 1;
+                ways.push(Rungs {
+                    step,
+                    count,
+                    taps,
+                    closer: Some((close_step, close_count, close_taps)),
+                });
+            }
+        }
+    }
+    ways
+}
+
+/// What a sampling has to serve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Needs {
+    /// Largest distance of a voxel from the focal plane, mm.
+    pub(super) deepest: f64,
+    /// Columns of voxels, and voxels of a column.
+    pub(super) voxels: [usize; 2],
+    /// Samples of a window along z.
+    pub(super) high: f64,
+}
+
+impl Sampling {
+    /// The quickest sampling with the errors that the settings allow.
+    pub(super) fn new(
+        beam: &dyn Spreading,
+        sides: [&Side; 2],
+        needs: &Needs,
+        settings: &Settings,
+    ) -> Self {
+        let padded = [0, 1].map(|i| padded(beam, i, sides[i], needs.deepest));
+        let guard = [0, 1].map(|i| padded[i] as f64 * sides[i].pitch - sides[i].reach());
+        let band = [0, 1].map(|i| {
+            let most = (padded[i] - 1) / 2;
+            ((beam.highest(i) * padded[i] as f64 * sides[i].pitch) as usize).clamp(1, most)
+        });
+        let (along, across) = (beam.along(), beam.across());
+        let width = padded[0] as f64 * sides[0].pitch;
+        let part = sides[0].voxels[1] - sides[0].voxels[0];
+        let ways = ways_across(&across, [width, part], band[0], settings.rotation_error);
+        let ways_along = ways_along(&along, needs.deepest, settings.relative_error);
+        let pairs = ways_along
+            .iter()
+            .flat_map(|a| ways.iter().map(move |b| (a, b)));
+        let cost = |(a, b): &(&Rungs, &Rungs)| cost(a, b, part, band[0], padded[1], needs);
+        let (a, b) = pairs
+            .min_by(|a, b| cost(a).total_cmp(&cost(b)))
+            .unwrap_or((&ways_along[0], &ways[0]));
+        Sampling {
+            padded,
+            guard,
+            band,
+            along: a.built(&along, true),
+            across: b.built(&across, false),
+        }
+    }
+}
+
+/// Time of a dose and a pullback of a frame, in operations of Fourier transforms.
+fn cost(
+    along: &Rungs,
+    across: &Rungs,
+    part: f64,
+    band: usize,
+    padded_z: usize,
+    needs: &Needs,
+) -> f64 {
+    let [columns, heights] = needs.voxels;
+    let high = needs.high * padded_z as f64;
+    let of_depth =
+        (2 * band + 1) as f64 * operations(high) + heights as f64 * operations(across.count as f64);
+    let width = (part / across.step)
+        .max(across.last_count() as f64 * f64::from(u8::from(across.closer.is_some())));
+    let mut rows = (columns * along.last_taps() * across.last_taps()) as f64;
+    if across.closer.is_some() {
+        rows += (along.count * across.last_count() * across.taps) as f64;
+    }
+    if along.closer.is_some() {
+        rows += along.last_count() as f64 * width * along.taps as f64;
+    }
+    3.0 * along.count as f64 * of_depth + 2.0 * ROW_COST * rows * heights as f64
+}
+
+/// Operations of a Fourier transform, 5·n·log₂n.
+pub(super) fn operations(n: f64) -> f64 {
+    5.0 * n * n.log2()
+}
+
+/// Pixels of a window along one side, those of the guard included.
+fn padded(beam: &dyn Spreading, i: usize, side: &Side, deepest: f64) -> usize {
+    let reach = side.reach();
+    let travel = deepest * beam.steepest(i);
+    // A soft edge of the band ends the rings around what a pixel lights after some pixels; those of a hard one never end
+    let rings = if beam.soft_edge() > 0.0 {
+        3.0 / beam.soft_edge()
+    } else {
+        2.0
+    };
+    let needed = side.span().max(reach + travel.min(reach)) / side.pitch;
+    2 * smooth((0.5 * (needed + rings)).ceil() as usize)
+}
+
+/// The smallest number ≥ n without prime factors above 7.
+fn smooth(n: usize) -> usize {
+    let is_smooth = |&m: &usize| {
         let mut rest = m;
         for p in [2, 3, 5, 7] {
             while rest.is_multiple_of(p) {
@@ -229,8 +450,5 @@ fn smooth_even(n: usize) -> usize {
         }
         rest == 1
     };
-    (n.max(2).next_multiple_of(2)..)
-        .step_by(2)
-        .find(smooth)
-        .unwrap_or(n)
+    (n.max(2)..).find(is_smooth).unwrap_or(n)
 }

@@ -1,11 +1,12 @@
 //! Fourier transforms of the frames of one light, with as little of each as is needed.
 //!
-//! Only frequencies within the band are kept; transforms along z are made for the columns of pixels and the lateral samples that
-//! voxels need. What happens to a spectrum on its way to a depth is not known here: [`coherent`](super::coherent),
+//! Only frequencies within the band are kept. A field is transformed along z first, for every frequency along u, then along u at the heights of voxels
+//! only: lateral samples lie closer than pixels, and fewer lines are as long. What happens to a spectrum on its way to a depth is not known here: [`coherent`](super::coherent),
 //! [`cones`](super::cones).
 
 use super::number::Number;
-use super::sampling::{Sampling, Side};
+use super::resample::Places;
+use super::sampling::{Sampling, Side, operations};
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
@@ -20,8 +21,12 @@ pub(super) struct Windows<T: Number> {
     pub(super) window: [f64; 2],
     /// Shift of the heights, and the scale of the transforms, one per frequency along z.
     shifts: Vec<Complex<T>>,
-    /// Lateral samples that voxels need.
-    pub(super) samples: Range<i64>,
+    /// Lateral samples that are computed.
+    samples: Range<i64>,
+    /// Those that voxels are interpolated from.
+    pub(super) last: Places,
+    /// First pixel along u, mm.
+    from: f64,
     /// Sample of a voxel's height: first, and the way to the next, in a window of `heights.2`.
     heights: (usize, usize, usize),
     pub(super) voxels: usize,
@@ -31,7 +36,7 @@ pub(super) struct Windows<T: Number> {
     fine_inverse: [Arc<dyn Fft<T>>; 2],
 }
 
-/// Frequencies along z that are moved together: a cache line.
+/// Lines that are moved together: a cache line.
 const TOGETHER: usize = 8;
 
 /// Arrays of one thread.
@@ -44,12 +49,18 @@ pub(super) struct Scratch<T: Number> {
     pub(super) power: Vec<Complex<T>>,
     /// Sum of the adjoint.
     pub(super) sum: Vec<Complex<T>>,
-    /// Lateral samples × frequencies along z.
+    /// Frequencies along u × heights of voxels, or frequencies along z × pixels.
     mixed: Vec<Complex<T>>,
     lines: Vec<Complex<T>>,
     /// Lateral samples × voxels along z.
     pub(super) field: Vec<Complex<T>>,
     rest: Vec<Complex<T>>,
+    /// Light at all depths and lateral samples that are computed.
+    pub(super) computed: Vec<T>,
+    /// The same at closer lateral samples.
+    pub(super) between: Vec<T>,
+    /// What voxels ask of the samples they are interpolated from.
+    pub(super) samples: Vec<T>,
 }
 
 pub(super) fn zero<T: Number>() -> Complex<T> {
@@ -64,6 +75,50 @@ pub(super) fn complex<T: Number>((sin, cos): (f64, f64), size: f64) -> Complex<T
 fn next(at: usize, stride: usize, count: usize) -> usize {
     let to = at + stride;
     if to < count { to } else { to - count }
+}
+
+/// Where a transform of length n holds frequency `i` − `band`.
+fn placed(i: usize, band: usize, n: usize) -> usize {
+    if i < band { n - band + i } else { i - band }
+}
+
+/// Frequencies from −`band` to `band`, as a transform holds them.
+fn spread<T: Number>(from: &[Complex<T>], band: usize, line: &mut [Complex<T>]) {
+    let n = line.len();
+    line[band + 1..n - band].fill(zero());
+    line[n - band..].copy_from_slice(&from[..band]);
+    line[..=band].copy_from_slice(&from[band..]);
+}
+
+/// The inverse of [`spread`].
+fn collect<T: Number>(line: &[Complex<T>], band: usize, to: &mut [Complex<T>]) {
+    to[..band].copy_from_slice(&line[line.len() - band..]);
+    to[band..].copy_from_slice(&line[..=band]);
+}
+
+/// Lateral samples that voxels are interpolated from, and the indices of those that are computed, counted from the first pixel.
+fn lateral(sampling: &Sampling, u: &Side) -> (Places, Range<i64>) {
+    let own = &sampling.across;
+    let index = |mm: f64| (mm - u.from) / own.step;
+    let half = own.taps.taps as i64 / 2;
+    let [low, high] = u.voxels;
+    let Some((step, count, taps)) = &own.closer else {
+        let samples = index(low).floor() as i64 - half..index(high).ceil() as i64 + half + 1;
+        let last = Places {
+            from: u.from + samples.start as f64 * own.step,
+            step: own.step,
+            count: (samples.end - samples.start) as usize,
+        };
+        return (last, samples);
+    };
+    let last = Places {
+        from: low - half as f64 * step,
+        step: *step,
+        count: *count,
+    };
+    let (end, half) = (last.from + *count as f64 * step, taps.taps as i64 / 2);
+    let samples = index(last.from).floor() as i64 - half..index(end).ceil() as i64 + half + 1;
+    (last, samples)
 }
 
 /// How the heights of voxels lie on the rows of pixels: `ratio[0]` samples for `ratio[1]` rows' distance …
@@ -97,22 +152,21 @@ impl<T: Number> Windows<T> {
         let shifts = (-bz..=bz)
             .map(|f| complex((TAU * f as f64 / window[1] * shift).sin_cos(), scale))
             .collect();
-        let sample_u = window[0] / sampling.fine as f64;
-        let half = sampling.across.taps as i64 / 2;
-        let samples = ((u.voxels[0] - u.from) / sample_u).floor() as i64 - half
-            ..((u.voxels[1] - u.from) / sample_u).ceil() as i64 + half + 1;
+        let (last, samples) = lateral(&sampling, u);
         let mut plans = FftPlanner::new();
         let mut both = |n: [usize; 2]| {
             let forward = n.map(|n| plans.plan_fft_forward(n));
             (forward, n.map(|n| plans.plan_fft_inverse(n)))
         };
         let (forward, inverse) = both(sampling.padded);
-        let (fine_forward, fine_inverse) = both([sampling.fine, fine_z]);
+        let (fine_forward, fine_inverse) = both([sampling.across.count, fine_z]);
         Windows {
             pixels: [u.pixels, z.pixels],
             window,
             shifts,
             samples,
+            last,
+            from: u.from,
             heights: (first, heights.stride, fine_z),
             voxels,
             sampling,
@@ -128,15 +182,27 @@ impl<T: Number> Windows<T> {
         self.sampling.band.map(|b| 2 * b + 1)
     }
 
-    /// Lateral samples.
+    /// Lateral samples that are computed.
     pub(super) fn width(&self) -> usize {
         (self.samples.end - self.samples.start) as usize
+    }
+
+    pub(super) fn computed(&self) -> Places {
+        let step = self.sampling.across.step;
+        Places {
+            from: self.from + self.samples.start as f64 * step,
+            step,
+            count: self.width(),
+        }
     }
 
     pub(super) fn scratch(&self) -> Scratch<T> {
         let [nu, nz] = self.counts();
         let [mu, mz] = self.sampling.padded;
-        let longest = mu.max(mz).max(self.sampling.fine).max(self.heights.2);
+        let longest = mu
+            .max(mz)
+            .max(self.sampling.across.count)
+            .max(self.heights.2);
         let plans = [
             &self.forward,
             &self.inverse,
@@ -150,10 +216,13 @@ impl<T: Number> Windows<T> {
             here: vec![zero(); nu * nz],
             power: Vec::new(),
             sum: Vec::new(),
-            mixed: vec![zero(); (self.width() * nz).max(mu * nz)],
+            mixed: vec![zero(); (nu * self.voxels).max(mu * nz)],
             lines: vec![zero(); TOGETHER * longest],
             field: vec![zero(); self.width() * self.voxels],
             rest: vec![zero(); rest.unwrap_or(0)],
+            computed: Vec::new(),
+            between: Vec::new(),
+            samples: Vec::new(),
         }
     }
 
@@ -187,7 +256,7 @@ impl<T: Number> Windows<T> {
             }
             self.forward[1].process_with_scratch(line, rest);
             for (i, shift) in self.shifts.iter().enumerate() {
-                mixed[i * mu + column] = line[(i + mz - bz) % mz] * shift;
+                mixed[i * mu + column] = line[placed(i, bz, mz)] * shift;
             }
         }
         for (row, to) in mixed
@@ -195,8 +264,7 @@ impl<T: Number> Windows<T> {
             .zip(spectrum.chunks_exact_mut(nu))
         {
             self.forward[0].process_with_scratch(row, rest);
-            to[..bu].copy_from_slice(&row[mu - bu..]);
-            to[bu..].copy_from_slice(&row[..=bu]);
+            collect(row, bu, to);
         }
     }
 
@@ -220,16 +288,14 @@ impl<T: Number> Windows<T> {
             .chunks_exact_mut(mu)
             .zip(sum.chunks_exact(nu))
         {
-            row.fill(zero());
-            row[mu - bu..].copy_from_slice(&from[..bu]);
-            row[..=bu].copy_from_slice(&from[bu..]);
+            spread(from, bu, row);
             self.inverse[0].process_with_scratch(row, rest);
         }
         for column in 0..self.pixels[0] {
             let line = &mut lines[..mz];
             line.fill(zero());
             for (i, shift) in self.shifts.iter().enumerate() {
-                line[(i + mz - bz) % mz] = mixed[i * mu + column] * shift.conj();
+                line[placed(i, bz, mz)] = mixed[i * mu + column] * shift.conj();
             }
             self.inverse[1].process_with_scratch(line, rest);
             take(column, &line[..self.pixels[1]]);
@@ -238,77 +304,72 @@ impl<T: Number> Windows<T> {
 
     /// `scratch.field` = the field of a spectrum at the lateral samples and the heights of the voxels.
     pub(super) fn field(&self, from: &[Complex<T>], parts: Parts<'_, T>) {
-        let [nu, nz] = self.counts();
+        let [nu, _] = self.counts();
         let [bu, bz] = self.sampling.band;
-        let fine = self.sampling.fine;
+        let (fine, (start, stride, high)) = (self.sampling.across.count, self.heights);
         let Parts {
             mixed,
             lines,
             field,
             rest,
         } = parts;
+        for first in (0..nu).step_by(TOGETHER) {
+            let group = first..(first + TOGETHER).min(nu);
+            let lines = &mut lines[..group.len() * high];
+            for line in lines.chunks_exact_mut(high) {
+                line[bz + 1..high - bz].fill(zero());
+            }
+            for (iz, row) in from.chunks_exact(nu).enumerate() {
+                let at = placed(iz, bz, high);
+                for (line, &v) in lines.chunks_exact_mut(high).zip(&row[group.clone()]) {
+                    line[at] = v;
+                }
+            }
+            self.fine_inverse[1].process_with_scratch(lines, rest);
+            let mut at = start;
+            for to in mixed.chunks_exact_mut(nu).take(self.voxels) {
+                for (to, line) in to[group.clone()].iter_mut().zip(lines.chunks_exact(high)) {
+                    *to = line[at];
+                }
+                at = next(at, stride, high);
+            }
+        }
         let first = self.samples.start.rem_euclid(fine as i64) as usize;
-        for (group, rows) in from.chunks(TOGETHER * nu).enumerate() {
+        let heights = mixed[..self.voxels * nu].chunks(TOGETHER * nu);
+        for (group, rows) in heights.enumerate() {
             let count = rows.len() / nu;
             for (line, row) in lines.chunks_exact_mut(fine).zip(rows.chunks_exact(nu)) {
-                line[bu + 1..fine - bu].fill(zero());
-                line[fine - bu..].copy_from_slice(&row[..bu]);
-                line[..=bu].copy_from_slice(&row[bu..]);
+                spread(row, bu, line);
             }
             self.fine_inverse[0].process_with_scratch(&mut lines[..count * fine], rest);
             let mut at = first;
-            for to in mixed.chunks_exact_mut(nz).take(self.width()) {
+            for to in field.chunks_exact_mut(self.voxels).take(self.width()) {
                 for (i, to) in to[group * TOGETHER..][..count].iter_mut().enumerate() {
                     *to = lines[i * fine + at];
                 }
                 at = next(at, 1, fine);
             }
         }
-        let (start, stride, high) = self.heights;
-        let lines = &mut lines[..high];
-        for (from, to) in (mixed.chunks_exact(nz)).zip(field.chunks_exact_mut(self.voxels)) {
-            lines[bz + 1..high - bz].fill(zero());
-            lines[high - bz..].copy_from_slice(&from[..bz]);
-            lines[..=bz].copy_from_slice(&from[bz..]);
-            self.fine_inverse[1].process_with_scratch(lines, rest);
-            let mut at = start;
-            for to in to {
-                *to = lines[at];
-                at = next(at, stride, high);
-            }
-        }
     }
 
     /// The adjoint of [`field`](Self::field): `onto` = the spectrum of a field.
     pub(super) fn field_back(&self, onto: &mut [Complex<T>], parts: Parts<'_, T>) {
-        let [nu, nz] = self.counts();
+        let [nu, _] = self.counts();
         let [bu, bz] = self.sampling.band;
-        let fine = self.sampling.fine;
+        let (fine, (start, stride, high)) = (self.sampling.across.count, self.heights);
         let Parts {
             mixed,
             lines,
             field,
             rest,
         } = parts;
-        let (start, stride, high) = self.heights;
-        for (to, from) in (mixed.chunks_exact_mut(nz)).zip(field.chunks_exact(self.voxels)) {
-            let line = &mut lines[..high];
-            line.fill(zero());
-            let mut at = start;
-            for &from in from {
-                line[at] = from;
-                at = next(at, stride, high);
-            }
-            self.fine_forward[1].process_with_scratch(line, rest);
-            to[..bz].copy_from_slice(&line[high - bz..]);
-            to[bz..].copy_from_slice(&line[..=bz]);
-        }
         let first = self.samples.start.rem_euclid(fine as i64) as usize;
-        for (group, rows) in onto.chunks_mut(TOGETHER * nu).enumerate() {
+        let heights = mixed[..self.voxels * nu].chunks_mut(TOGETHER * nu);
+        for (group, rows) in heights.enumerate() {
             let count = rows.len() / nu;
             lines[..count * fine].fill(zero());
             let mut at = first;
-            for from in mixed.chunks_exact(nz).take(self.width()) {
+            for from in field.chunks_exact(self.voxels).take(self.width()) {
                 for (i, &from) in from[group * TOGETHER..][..count].iter().enumerate() {
                     lines[i * fine + at] = lines[i * fine + at] + from;
                 }
@@ -316,8 +377,26 @@ impl<T: Number> Windows<T> {
             }
             self.fine_forward[0].process_with_scratch(&mut lines[..count * fine], rest);
             for (line, row) in lines.chunks_exact(fine).zip(rows.chunks_exact_mut(nu)) {
-                row[..bu].copy_from_slice(&line[fine - bu..]);
-                row[bu..].copy_from_slice(&line[..=bu]);
+                collect(line, bu, row);
+            }
+        }
+        for first in (0..nu).step_by(TOGETHER) {
+            let group = first..(first + TOGETHER).min(nu);
+            let lines = &mut lines[..group.len() * high];
+            lines.fill(zero());
+            let mut at = start;
+            for from in mixed.chunks_exact(nu).take(self.voxels) {
+                for (&from, line) in from[group.clone()].iter().zip(lines.chunks_exact_mut(high)) {
+                    line[at] = from;
+                }
+                at = next(at, stride, high);
+            }
+            self.fine_forward[1].process_with_scratch(lines, rest);
+            for (iz, row) in onto.chunks_exact_mut(nu).enumerate() {
+                let at = placed(iz, bz, high);
+                for (line, v) in lines.chunks_exact(high).zip(&mut row[group.clone()]) {
+                    *v = line[at];
+                }
             }
         }
     }
@@ -355,14 +434,14 @@ impl<T: Number> Windows<T> {
         }
     }
 
-    /// Multiplications and additions of the transforms of an image and of one depth, 5·n·log₂n for each of length n.
+    /// Multiplications and additions of the transforms of an image and of one depth.
     pub(super) fn operations(&self) -> [f64; 2] {
-        let of = |n: usize, times: usize| 5.0 * n as f64 * (n as f64).log2() * times as f64;
+        let of = |n: usize, times: usize| operations(n as f64) * times as f64;
         let [mu, mz] = self.sampling.padded;
-        let [_, nz] = self.counts();
+        let [nu, nz] = self.counts();
         [
             of(mz, self.pixels[0]) + of(mu, nz),
-            of(self.sampling.fine, nz) + of(self.heights.2, self.width()),
+            of(self.heights.2, nu) + of(self.sampling.across.count, self.voxels),
         ]
     }
 }

@@ -51,8 +51,8 @@
 //! ```
 
 use super::cones::{Cone, Cones};
-use super::light::{WaveLight, Way};
-use super::{Entrance, Settings, beyond, described, halo, heights_of, turning};
+use super::lights::{Lights, heights_of, turning};
+use super::{Entrance, Settings};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
@@ -140,11 +140,7 @@ fn params_of(section: &Section) -> Result<Params> {
 }
 
 /// See the [module page](self).
-pub struct Spread {
-    lights: Vec<WaveLight<f32, Cones<f32>>>,
-    patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
-}
+pub struct Spread(Lights<Cones<f32>>);
 
 /// Refuses voxels that do not lie on the rows of pixels, before any work.
 ///
@@ -167,47 +163,27 @@ impl Spread {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        if let Some(reason) = beyond(vial, &lights) {
-            return Err(Error::Unsupported {
-                what: "model.spread".into(),
-                reason: reason.into(),
-            });
-        }
         let settings = Settings {
             relative_error: params.relative_error,
             rotation_error: params.rotation_error,
-            lateral_taps: 4,
         };
-        let cone = Cone {
-            slope: params.half_angle_deg.to_radians().tan(),
-            soft_edge: 0.25,
-        };
-        let layout = DoseLayout::new("dose", grid, 0);
-        let place = (params.entrance, params.focus_mm);
-        let (mut built, mut patterns) = (Vec::new(), Vec::new());
-        let (mut offset, mut first_frame) = (0, 0);
-        for light in lights {
-            light.check()?;
-            let pixels = light.layout(offset);
+        let place = ((params.entrance, params.focus_mm), &settings);
+        let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
+            let cone = Cone {
+                slope: params.half_angle_deg.to_radians().tan(),
+                soft_edge: 0.25,
+                nyquist: light.pixels.pitch_mm.map(|mm| 0.5 / mm),
+            };
             let way = |windows| Cones::new(windows, &cone);
-            let place = (place, &settings);
-            built.push(turning(
-                vial,
-                (&light, &cone),
-                place,
-                &layout,
-                first_frame,
-                way,
-            )?);
-            offset += pixels.len();
-            first_frame += light.pixels.frames();
-            patterns.push(pixels);
-        }
-        Ok(Spread {
-            lights: built,
-            patterns,
-            outputs: vec![layout],
-        })
+            turning(vial, (light, &cone), place, layout, first_frame, way)
+        };
+        Ok(Spread(Lights::new(
+            "model.spread",
+            vial,
+            lights,
+            grid,
+            build,
+        )?))
     }
 }
 
@@ -215,20 +191,19 @@ impl LinearOperator for Spread {
     type Field = HostField;
 
     fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
+        &self.0.patterns
     }
 
     fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
+        &self.0.outputs
     }
 
     fn new_patterns(&self) -> Result<HostField> {
-        let pixels = self.patterns.iter().map(PatternLayout::len);
-        Ok(HostField::zeros(pixels.sum()))
+        Ok(self.0.new_patterns())
     }
 
     fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
+        Ok(self.0.new_dose())
     }
 
     fn add_forward(
@@ -238,36 +213,25 @@ impl LinearOperator for Spread {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (light, layout) in self.lights.iter().zip(&self.patterns) {
-            let own = light.own(&frames, layout);
-            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
-        }
-        Ok(())
+        self.0.add_dose(frames, x, dose, run)
     }
 
+    /// Linear: the same wherever it is taken.
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
         let anywhere = grad.zeros_like();
-        for (light, layout) in self.lights.iter().zip(&self.patterns) {
-            let own = &mut grad.as_mut_slice()[layout.range()];
-            light.pull_back(layout, anywhere.as_slice(), cotangent.as_slice(), own, run)?;
-        }
-        Ok(())
+        self.0.pull_back(&anywhere, cotangent, grad, run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        halo(&self.lights)
+        self.0.halo()
     }
 
     fn updates(&self) -> u64 {
-        let nz = self.outputs[0].grid.shape[0];
-        let of = |(light, layout): (&WaveLight<f32, Cones<f32>>, &PatternLayout)| {
-            (light.turn.columns() * nz * layout.grid.frames()) as u64
-        };
-        self.lights.iter().zip(&self.patterns).map(of).sum()
+        self.0.updates()
     }
 
     fn describe(&self) -> String {
-        format!("spread ({})", described(self.lights[0].way.windows()))
+        format!("spread ({})", self.0.described())
     }
 }
 

@@ -3,12 +3,13 @@
 //! # Equation
 //! A voxel at (X, Y) lies at depth d = −(X cos α + Y sin α) along the light of azimuth α and at u = −X sin α + Y cos α across it:
 //! ```text
-//! dose(X, Y, z) += a·e^(−μ_t·way) Σ_k Σ_j c_k(|d − d₀|/h)·b_j(u)·I[k][j][z]
+//! dose(X, Y, z) += a·e^(−μ_t·way) Σ_k Σ_j c_k(|d − d₀|/h − ½)·b_j(u)·I[k][j][z]
 //! ```
 //! with the weights of [`Taps`](super::taps::Taps) along and across. Depths are mirrored about the focal plane d₀: |ψ(−x)|² = |ψ(x)|² for real patterns.
 //! Dose and pullback enumerate the same entries, the first by voxel, the second sorted by sample.
 
 use super::number::Number;
+use super::resample::{Places, mirrored};
 use super::sampling::Sampling;
 use crate::grid::{PatternGrid, VolumeGrid};
 use std::ops::Range;
@@ -53,10 +54,8 @@ pub(super) struct Turn {
     in_resin: Vec<bool>,
     uptake: Uptake,
     focus: f64,
-    /// First lateral sample, mm, and the distance of samples.
-    lateral: [f64; 2],
     /// Lateral samples.
-    width: usize,
+    lateral: Places,
 }
 
 /// What one frame brings to the voxels of a tile.
@@ -78,7 +77,7 @@ impl Turn {
         grid: &VolumeGrid,
         in_resin: Vec<bool>,
         (uptake, focus): (Uptake, f64),
-        (first, pitch, width): (f64, f64, usize),
+        lateral: Places,
     ) -> Self {
         let [_, ny, nx] = grid.shape;
         let within = |sub: usize| (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
@@ -93,8 +92,7 @@ impl Turn {
             in_resin,
             uptake,
             focus,
-            lateral: [first, pitch],
-            width,
+            lateral,
         }
     }
 
@@ -118,6 +116,7 @@ impl Turn {
         let subs = frame * self.sub_angles..(frame + 1) * self.sub_angles;
         let turns: Vec<(f64, f64)> = self.azimuths[subs].iter().map(|a| a.sin_cos()).collect();
         let share = 1.0 / self.sub_angles as f64;
+        let (depths, _) = sampling.along.last();
         for iy in ys {
             for ix in xs.clone() {
                 let column = iy * self.x.len() + ix;
@@ -130,12 +129,12 @@ impl Turn {
                     let depth = -(self.x[ix] * cos + self.y[iy] * sin);
                     let u = self.y[iy] * cos - self.x[ix] * sin;
                     let weight = share * self.uptake.dose(depth, u);
-                    let place = (depth - self.focus).abs() / sampling.step;
-                    let k0 = sampling.along.at(place, &mut entries.along);
-                    let place = (u - self.lateral[0]) / self.lateral[1];
-                    let j0 = sampling.across.at(place, &mut entries.across);
+                    let place = (depth - self.focus).abs() / depths - 0.5;
+                    let k0 = sampling.along.taps.at(place, &mut entries.along);
+                    let place = (u - self.lateral.from) / self.lateral.step;
+                    let j0 = sampling.across.taps.at(place, &mut entries.across);
                     for (k, a) in (k0..).zip(&entries.along) {
-                        let row = first + k.unsigned_abs() as usize * self.width;
+                        let row = first + mirrored(k) * self.lateral.count;
                         for (j, b) in (j0..).zip(&entries.across) {
                             entries.slots.push((row as i64 + j) as u32);
                             entries.weights.push(T::of(weight * a * b));
