@@ -79,7 +79,7 @@ pub(super) struct Beam {
 
 /// What a sampling must know of light.
 pub(super) trait Spreading {
-    /// Largest lateral frequency along u or z.
+    /// Lateral frequency along u or z from which on nothing passes: at most twice that of the pixels.
     fn highest(&self, side: usize) -> f64;
     /// Largest sideways travel over depth along u or z.
     fn steepest(&self, side: usize) -> f64;
@@ -87,8 +87,8 @@ pub(super) trait Spreading {
     fn along(&self) -> Signal;
     /// How it changes along u.
     fn across(&self) -> Signal;
-    /// Part of the band over which it fades.
-    fn soft_edge(&self) -> f64;
+    /// How many pixels around a pixel its light rings.
+    fn rings(&self) -> f64;
 }
 
 /// What passes of a frequency at a share of its limit: all, then less as cos² over `soft_edge`, nothing from the limit on.
@@ -187,8 +187,13 @@ impl Spreading for Beam {
         Signal::of_square(self.power().map(|(f, power)| (f[0], power)))
     }
 
-    fn soft_edge(&self) -> f64 {
-        self.soft_edge
+    /// A soft edge of the band ends them; those of a hard one never end.
+    fn rings(&self) -> f64 {
+        if self.soft_edge > 0.0 {
+            3.0 / self.soft_edge
+        } else {
+            2.0
+        }
     }
 }
 
@@ -370,8 +375,9 @@ impl Sampling {
         let padded = [0, 1].map(|i| padded(beam, i, sides[i], needs.deepest));
         let guard = [0, 1].map(|i| padded[i] as f64 * sides[i].pitch - sides[i].reach());
         let band = [0, 1].map(|i| {
-            let most = (padded[i] - 1) / 2;
-            ((beam.highest(i) * padded[i] as f64 * sides[i].pitch) as usize).clamp(1, most)
+            // Nothing passes at the highest frequency itself
+            let highest = beam.highest(i) * padded[i] as f64 * sides[i].pitch;
+            ((highest - 1e-6).ceil() as usize - 1).max(1)
         });
         let (along, across) = (beam.along(), beam.across());
         let width = padded[0] as f64 * sides[0].pitch;
@@ -429,14 +435,8 @@ pub(super) fn operations(n: f64) -> f64 {
 fn padded(beam: &dyn Spreading, i: usize, side: &Side, deepest: f64) -> usize {
     let reach = side.reach();
     let travel = deepest * beam.steepest(i);
-    // A soft edge of the band ends the rings around what a pixel lights after some pixels; those of a hard one never end
-    let rings = if beam.soft_edge() > 0.0 {
-        3.0 / beam.soft_edge()
-    } else {
-        2.0
-    };
     let needed = side.span().max(reach + travel.min(reach)) / side.pitch;
-    2 * smooth((0.5 * (needed + rings)).ceil() as usize)
+    2 * smooth((0.5 * (needed + beam.rings())).ceil() as usize)
 }
 
 /// The smallest number ≥ n without prime factors above 7.

@@ -77,7 +77,7 @@ fn next(at: usize, stride: usize, count: usize) -> usize {
     if to < count { to } else { to - count }
 }
 
-/// Where a transform of length n holds frequency `i` − `band`.
+/// Where a transform of length n > `band` holds frequency `i` − `band`; it repeats after n.
 fn placed(i: usize, band: usize, n: usize) -> usize {
     if i < band { n - band + i } else { i - band }
 }
@@ -288,14 +288,19 @@ impl<T: Number> Windows<T> {
             .chunks_exact_mut(mu)
             .zip(sum.chunks_exact(nu))
         {
-            spread(from, bu, row);
+            row.fill(zero());
+            for (i, &v) in from.iter().enumerate() {
+                let at = &mut row[placed(i, bu, mu)];
+                *at = *at + v;
+            }
             self.inverse[0].process_with_scratch(row, rest);
         }
         for column in 0..self.pixels[0] {
             let line = &mut lines[..mz];
             line.fill(zero());
             for (i, shift) in self.shifts.iter().enumerate() {
-                line[placed(i, bz, mz)] = mixed[i * mu + column] * shift.conj();
+                let at = &mut line[placed(i, bz, mz)];
+                *at = *at + mixed[i * mu + column] * shift.conj();
             }
             self.inverse[1].process_with_scratch(line, rest);
             take(column, &line[..self.pixels[1]]);
@@ -316,13 +321,12 @@ impl<T: Number> Windows<T> {
         for first in (0..nu).step_by(TOGETHER) {
             let group = first..(first + TOGETHER).min(nu);
             let lines = &mut lines[..group.len() * high];
-            for line in lines.chunks_exact_mut(high) {
-                line[bz + 1..high - bz].fill(zero());
-            }
+            lines.fill(zero());
             for (iz, row) in from.chunks_exact(nu).enumerate() {
                 let at = placed(iz, bz, high);
                 for (line, &v) in lines.chunks_exact_mut(high).zip(&row[group.clone()]) {
-                    line[at] = v;
+                    // Heights further apart than the band asks for see frequencies together
+                    line[at] = line[at] + v;
                 }
             }
             self.fine_inverse[1].process_with_scratch(lines, rest);

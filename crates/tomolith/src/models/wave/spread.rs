@@ -23,8 +23,8 @@
 //! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of light between lateral samples |
 //!
 //! # Limits
-//! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. The highest quarter of
-//! the pixels' frequencies fades: what a single pixel lights has rounded edges and rings, some of them below 0.
+//! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. Pixels
+//! have soft edges (`cones`): beside a sharp edge light overshoots by 0.6 %, also below 0.
 //!
 //! # Cost
 //! As `wave`, with a pullback that costs as much as a dose.
@@ -171,8 +171,7 @@ impl Spread {
         let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
             let cone = Cone {
                 slope: params.half_angle_deg.to_radians().tan(),
-                soft_edge: 0.25,
-                nyquist: light.pixels.pitch_mm.map(|mm| 0.5 / mm),
+                pitch: light.pixels.pitch_mm,
             };
             let way = |windows| Cones::new(windows, &cone);
             turning(vial, (light, &cone), place, layout, first_frame, way)
