@@ -197,7 +197,7 @@ fn positive(section: &Section, lengths: &[(&str, Mm)]) -> Result<()> {
     for &(key, Mm(value)) in lengths {
         if !(value.is_finite() && value > 0.0) {
             return Err(
-                Error::config(key, format!("{value} mm"), "a length > 0").under(&section.path)
+                Error::config(key, Mm(value).to_string(), "a length > 0").under(&section.path)
             );
         }
     }
