@@ -419,6 +419,23 @@ pub(super) const WRONG: &[Wrong] = &[
             "pure_radon",
         ],
     ),
+    (
+        "[[light]]",
+        "[light]",
+        "[light]",
+        &[
+            "light",
+            "invalid type: map",
+            "a list, whose tables are written [[light]]",
+        ],
+    ),
+    // Light that is gone before it comes to the part
+    (
+        "absorption_per_mm = 0.05",
+        "absorption_per_mm = 90",
+        "[[light]]",
+        &["light", "no light meets the target", "absorption_per_mm"],
+    ),
     // Lengths beyond all measure are told in a few digits
     (
         "size_mm = 2.0",

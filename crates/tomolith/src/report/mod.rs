@@ -291,7 +291,7 @@ mod tests {
         let farthest = evaluation.farthest.unwrap();
         let place = &json["evaluation"]["farthest"];
         assert_eq!(place["at_xyz_mm"], serde_json::json!(farthest.at_mm));
-        assert_eq!(place["side"], "print_without_target");
+        assert_eq!(place["side"], serde_json::json!(farthest.side));
         assert_eq!(
             json["run"]["models"]["evaluation"],
             "parallel: one slice serves all"
@@ -331,7 +331,8 @@ mod tests {
             assert!(!page.contains(bad), "{bad}");
         }
         assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
-        assert!(page.contains(" mm: print without target.") && page.contains("It is at x = "));
+        let side = evaluation.farthest.unwrap().side.words();
+        assert!(page.contains("It is at x = ") && page.contains(&format!(" mm: {side}.")));
         assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
         // Nine slices, a sinogram, eight frames
         assert_eq!(page.matches("data:image/png;base64,").count(), 18);
