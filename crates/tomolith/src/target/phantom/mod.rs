@@ -365,7 +365,7 @@ mod tests {
             ),
             (
                 json!({"diamond": {"wall_mm": 0.5}}),
-                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.312 mm",
+                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm",
             ),
             (
                 json!({"dog_bones": {"count": 0}}),
