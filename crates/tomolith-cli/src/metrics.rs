@@ -12,6 +12,7 @@ use tomolith::metrics::published::{Options, of_print, value_of};
 use tomolith::metrics::{Evaluation, METRICS, Published, evaluate};
 use tomolith::report::json::evaluation_json;
 use tomolith::target::label::{OUTSIDE, PART, VOID};
+use tomolith::units::{concise, exact};
 use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
@@ -76,7 +77,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     if !(pitch_mm.is_finite() && pitch_mm > 0.0) {
         return Err(Error::config(
             "--pitch-mm",
-            format!("found {pitch_mm}"),
+            format!("found {}", exact(pitch_mm)),
             "a number > 0, mm",
         ));
     }
@@ -140,7 +141,11 @@ impl Units {
             ("--exposure-s", exposure_s),
         ] {
             if !(value.is_finite() && value > 0.0) {
-                return Err(Error::config(key, format!("found {value}"), "a number > 0"));
+                return Err(Error::config(
+                    key,
+                    format!("found {}", exact(value)),
+                    "a number > 0",
+                ));
             }
         }
         Ok(Some(Units {
@@ -168,11 +173,11 @@ impl Units {
 fn show_system(row: &Converted) {
     let name = json!(row.system);
     say(&format!(
-        "{:>26} brightest pixel {:.6} {}, threshold {:.6} {} (Li et al. 2024, S.9)",
+        "{:>26} brightest pixel {} {}, threshold {} {} (Li et al. 2024, S.9)",
         name.as_str().unwrap_or_default(),
-        row.pattern.0,
+        concise(row.pattern.0),
         row.pattern.1,
-        row.dose.0,
+        concise(row.dose.0),
         row.dose.1
     ));
 }
@@ -265,8 +270,7 @@ fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> 
 }
 
 fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
-    let number =
-        |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.6}"));
+    let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), concise);
     let unit = |unit: &str| match unit {
         "mm" | "mm³" if !scaled => unit.replace("mm", "voxel"),
         other => other.to_owned(),
@@ -282,6 +286,14 @@ fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
                 kind.summary
             ));
         }
+    }
+    if let Some(farthest) = evaluation.farthest {
+        let [x, y, z] = farthest.at_mm.map(concise);
+        let (side, unit) = (farthest.side.words(), unit("mm"));
+        say(&format!(
+            "{:>26} ({x}, {y}, {z}) {unit}: {side}",
+            "hausdorff_mm is at"
+        ));
     }
     say("");
     say("as published:");

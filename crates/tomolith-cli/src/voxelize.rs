@@ -14,6 +14,7 @@ use tomolith::kind::Section;
 use tomolith::target::{
     PHANTOMS, Repair, Resolution, Target, TargetSpec, build, default_grid, voxelise,
 };
+use tomolith::units::concise;
 use tomolith::{Error, Result};
 
 const VOXELIZE: &str = "\
@@ -140,14 +141,18 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
-        let exact = exact.map_or(String::new(), |exact| format!(" (exactly {exact:.6} mm³)"));
+        let exact = exact.map_or(String::new(), |exact| {
+            format!(" (exactly {} mm³)", concise(exact))
+        });
         say(&format!(
             "{:>10} {nx} × {ny} × {nz} voxels of {} mm",
-            "grid", grid.pitch_mm
+            "grid",
+            concise(grid.pitch_mm)
         ));
         say(&format!(
-            "{:>10} {part} voxels, {volume_mm3:.6} mm³{exact}",
-            "part"
+            "{:>10} {part} voxels, {} mm³{exact}",
+            "part",
+            concise(volume_mm3)
         ));
         if part == 0 {
             say(&format!(

@@ -255,6 +255,12 @@ fn runs_are_compared_and_exported() {
             .expect(2, "export a --output frames")
             .contains("is not empty")
     );
+    // A folder of exported frames stands for its frames
+    bench.expect(0, "export a --output plain --quiet");
+    bench.expect(
+        0,
+        "simulate job.toml --patterns plain --output again --quiet",
+    );
     assert!(
         bench
             .expect(2, "export job.toml --output c")
@@ -270,7 +276,18 @@ fn runs_are_compared_and_exported() {
         said.contains("printer.canvas") && said.contains("need 32 × 16"),
         "{said}"
     );
-    assert!(bench.expect(2, "compare a nowhere").contains("nowhere"));
+    fs::create_dir(bench.path("empty")).unwrap();
+    for (no_run, why) in [
+        ("nowhere", "no such folder"),
+        ("empty", "no report.json in it"),
+        ("job.toml", "a file, not a folder"),
+    ] {
+        let said = bench.expect(2, &format!("compare a {no_run}"));
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        for part in [no_run, why, "accepted: the folder of a run"] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+    }
     assert!(!bench.path("c").exists());
 }
 
@@ -344,6 +361,12 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
         &format!("check job.toml {job} --set model.matrix.file=m.npz"),
     );
     fs::write(bench.path("torn.npz"), b"PK").unwrap();
+    // A file that is missing is told before what it could not be asked for
+    let said = bench.expect(
+        2,
+        &format!("check job.toml {small} --set model.matrix.file=none.npz"),
+    );
+    assert!(said.contains("model.matrix.file"), "{said}");
     for (change, wanted) in [
         ("model.matrix.file=none.npz", "none.npz"),
         ("model.matrix.file=torn.npz", "scipy.sparse.save_npz"),
@@ -403,6 +426,16 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
             "{said}"
         );
     }
+    let said = bench.expect(2, "check .");
+    assert!(
+        said.contains("a folder") && said.contains("a job file, such as ./job.toml"),
+        "{said}"
+    );
+    let said = bench.expect(2, "phantom gear --pitch-mm 1e300 --output gear.npy");
+    assert!(
+        said.contains("--pitch-mm: 1e300 mm") && said.contains("at most 1000 mm"),
+        "{said}"
+    );
     let said = bench.expect(2, "compare a --output page.txt");
     assert!(
         said.contains("page.txt") && said.contains(".html"),

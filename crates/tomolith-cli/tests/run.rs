@@ -9,32 +9,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-const JOB: &str = r#"[target]
-phantom = "gear"
-size_mm = 2.0
-
-[grid]
-pitch_mm = 0.1
-
-[resin]
-refractive_index = 1.5
-absorption_per_mm = 0.05
-
-[vial.cylinder]
-inner_radius_mm = 3.0
-outer_radius_mm = 3.5
-refractive_index = 1.5
-
-[[light]]
-pixels = [48, 24]
-angles = 30
-projector.collimated = { pixel_pitch_mm = 0.1 }
-
-[objective.threshold]
+const JOB: &str = concat!(
+    include_str!("gear.toml"),
+    r#"[objective.threshold]
 
 [stop]
 iterations = 6
-"#;
+"#
+);
 
 struct Bench {
     temp: tempfile::TempDir,
@@ -128,6 +110,25 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     assert_eq!(report["evaluation"]["sub_angles"], 4);
     assert_eq!(report["evaluation"]["standing_still"]["sub_angles"], 1);
 
+    // Relative doses are no energies, and say so
+    assert_eq!(report["published"]["light_sent"]["unit"], "dose × mm³");
+    assert!(report["published"]["unit_systems"].is_null());
+    // Which model it was can be read, and the job is still a job
+    let models = &report["run"]["models"];
+    assert!(
+        models["optimisation"]
+            .as_str()
+            .unwrap()
+            .starts_with("parallel")
+    );
+    let job = fs::read_to_string(run.join("job.toml")).unwrap();
+    for stage in ["optimisation", "evaluation"] {
+        let line = format!("# Model of the {stage}: parallel (");
+        assert!(job.contains(&line), "{line} is not in\n{job}");
+    }
+    let place = &report["evaluation"]["farthest"];
+    assert!(place["at_xyz_mm"][2].is_f64() && place["side"].is_string());
+
     let said = bench.expect(
         0,
         "simulate job.toml --patterns out/job/patterns.npz --output again",
@@ -162,6 +163,30 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "run elsewhere/resolved.toml --output resolved --threads 1",
     );
     assert_same_bits(&bench.path("resolved"), &written, "the resolved job");
+}
+
+#[test]
+fn doses_are_energies_where_the_resin_says_what_it_needs() {
+    let bench = Bench::new();
+    let line = "run job.toml --quiet --set resin.critical_dose_mj_per_mm3=2";
+    bench.expect(0, &format!("{line} --output plain"));
+    let machine = "--set printer.canvas=[48,24] --set printer.peak_irradiance_mw_per_cm2=100";
+    bench.expect(0, &format!("{line} {machine} --output machine"));
+    for (folder, systems) in [("plain", 2), ("machine", 4)] {
+        let report = json(&bench.path(folder).join("report.json"));
+        let rows = report["published"]["unit_systems"].as_array().unwrap();
+        assert_eq!(rows.len(), systems, "{folder}");
+        // 2 mJ/mm³ are 2 J/cm³; the brightest pixel is the printer's white, in J/cm²
+        assert_eq!(rows[0]["dose"], serde_json::json!([2.0, "J/cm³"]));
+        let white = report["lights"][0]["budget"]["white_mj_per_mm2"]
+            .as_f64()
+            .unwrap();
+        let brightest = rows[0]["pattern"][0].as_f64().unwrap();
+        assert!(
+            (10.0 * brightest / white - 1.0).abs() < 1e-5,
+            "{brightest} {white}"
+        );
+    }
 }
 
 #[test]

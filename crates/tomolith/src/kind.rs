@@ -166,6 +166,9 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
         );
     }
     let (found, accepted) = match message.split_once(", expected ") {
+        Some((found @ "invalid type: map", "a sequence")) => {
+            (found, format!("a list, whose tables are written [[{key}]]"))
+        }
         Some((found, expected)) => (found, in_words(expected)),
         None => match message.split_once("; accepted: ") {
             Some((found, accepted)) => (found, accepted.to_owned()),

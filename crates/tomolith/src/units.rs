@@ -12,11 +12,43 @@
 //! ```
 
 use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
+
+/// A number as it stands in a job, for messages: every digit that was written, however large or small it is.
+///
+/// ```
+/// use tomolith::units::exact;
+/// assert_eq!([0.054, 2.0, 1.0000001, 1e300].map(exact), ["0.054", "2", "1.0000001", "1e300"]);
+/// ```
+#[must_use]
+pub fn exact(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// A length or volume that was computed, for messages: six significant digits at most, so that a part of micrometres has some
+/// and one of 10³⁰⁰ mm has not three hundred.
+///
+/// ```
+/// use tomolith::units::concise;
+/// assert_eq!([0.1 + 0.2, 7.6, 1.0 / 3.0, 1.25e-9, -2e300].map(concise), ["0.3", "7.6", "0.333333", "1.25e-9", "-2e300"]);
+/// ```
+#[must_use]
+pub fn concise(value: f64) -> String {
+    exact(format!("{value:.5e}").parse().unwrap_or(value))
+}
 
 /// A length in millimetres: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default, Serialize)]
 #[serde(transparent)]
 pub struct Mm(pub f64);
+
+/// As it was written, with its unit: `8 mm`, `1e300 mm`.
+impl fmt::Display for Mm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} mm", exact(self.0))
+    }
+}
 
 impl Mm {
     fn parse(text: &str) -> Result<Self, String> {
@@ -104,7 +136,7 @@ impl<'de> Deserialize<'de> for Mm {
         struct Visitor;
         impl serde::de::Visitor<'_> for Visitor {
             type Value = Mm;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str("a length: a number in mm, or a string such as \"8 mm\" or \"13.7 um\"")
             }
             fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<Mm, E> {

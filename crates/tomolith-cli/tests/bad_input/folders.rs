@@ -19,6 +19,24 @@ fn a_folder_that_is_not_ours_is_left_alone() {
 }
 
 #[test]
+fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
+    let bench = Bench::new();
+    let before = bench.earlier();
+    // One voxel of 2.5 mm is in the grid's middle, and less than half of it in the gear: known only when it is voxelised
+    let late = ["--set", "grid.pitch_mm=2.5"];
+    let new = bench.path("new").display().to_string();
+    for more in [&late[..], &[&late[..], &["--output", &new]].concat()] {
+        let output = bench.tomolith(JOB, more);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(flat(&message).contains("no voxel of the grid"), "{message}");
+    }
+    assert_eq!(bench.earlier(), before);
+    assert!(!bench.run_folder().join(".new").exists());
+    assert!(!bench.path("new").exists());
+}
+
+#[test]
 fn too_little_memory_is_said_with_the_estimate() {
     let bench = Bench::new();
     let before = bench.earlier();

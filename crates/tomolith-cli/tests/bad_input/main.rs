@@ -11,28 +11,9 @@ use std::process::{Command, Output};
 use tempfile::TempDir;
 
 /// A job that works, small.
-const JOB: &str = r#"[target]
-phantom = "gear"
-size_mm = 2.0
-
-[grid]
-pitch_mm = 0.1
-
-[resin]
-refractive_index = 1.5
-absorption_per_mm = 0.05
-
-[vial.cylinder]
-inner_radius_mm = 3.0
-outer_radius_mm = 3.5
-refractive_index = 1.5
-
-[[light]]
-pixels = [48, 24]
-angles = 30
-projector.collimated = { pixel_pitch_mm = 0.1 }
-
-[objective.threshold]
+const JOB: &str = concat!(
+    include_str!("../gear.toml"),
+    r#"[objective.threshold]
 lower = 0.85
 upper = 0.95
 
@@ -41,7 +22,8 @@ iterations = 2
 
 [output]
 folder = "FOLDER"
-"#;
+"#
+);
 
 /// A folder with a job and an earlier run.
 struct Bench {

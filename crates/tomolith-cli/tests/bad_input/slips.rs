@@ -409,6 +409,46 @@ pub(super) const WRONG: &[Wrong] = &[
         "penalties",
         &["penalties[0].weight", "missing"],
     ),
+    (
+        "absorption_per_mm = 0.05\n",
+        "",
+        "[resin]",
+        &[
+            "resin.absorption_per_mm",
+            "the key is missing",
+            "pure_radon",
+        ],
+    ),
+    (
+        "[[light]]",
+        "[light]",
+        "[light]",
+        &[
+            "light",
+            "invalid type: map",
+            "a list, whose tables are written [[light]]",
+        ],
+    ),
+    // Light that is gone before it comes to the part
+    (
+        "absorption_per_mm = 0.05",
+        "absorption_per_mm = 90",
+        "[[light]]",
+        &["light", "no light meets the target", "absorption_per_mm"],
+    ),
+    // Lengths beyond all measure are told in a few digits
+    (
+        "size_mm = 2.0",
+        "size_mm = 1e300",
+        "[target]",
+        &["target", "reaches 5e299 mm from the axis"],
+    ),
+    (
+        "inner_radius_mm = 3.0",
+        "inner_radius_mm = 1e300",
+        "inner_radius_mm",
+        &["found 1e300 mm, not smaller than outer_radius_mm = 3.5 mm"],
+    ),
     // What does not fit
     (
         "size_mm = 2.0",
@@ -535,7 +575,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "pixels",
         &[
             "light[0].pixels",
-            "the field reaches 0.300 mm along the axis",
+            "the field reaches 0.3 mm along the axis",
             "another offset_mm",
         ],
     ),
@@ -558,10 +598,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "angles = 30",
         "angles = 30\nselection.rows = [0, 14]",
         "pixels",
-        &[
-            "light[0].pixels",
-            "the field reaches 0.200 mm along the axis",
-        ],
+        &["light[0].pixels", "the field reaches 0.2 mm along the axis"],
     ),
     (
         "angles = 30",

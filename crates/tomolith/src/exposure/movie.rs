@@ -16,6 +16,7 @@
 //! ```
 
 use crate::error::{Error, Result};
+use crate::units::exact;
 use std::f64::consts::TAU;
 
 /// Frames a second, when `frames` frames fill an `arc` (rad) of the vial's turn at `rpm` turns a minute.
@@ -26,7 +27,7 @@ pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
     if !(rpm.is_finite() && rpm > 0.0) {
         return Err(Error::config(
             "output.rpm",
-            format!("found {rpm}"),
+            format!("found {}", exact(rpm)),
             "a finite number > 0, turns a minute",
         ));
     }

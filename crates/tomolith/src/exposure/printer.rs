@@ -51,7 +51,7 @@ use super::quantise::Quantised;
 use super::tone::{Curve, Tone};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns, PixelMask};
-use crate::units::{Mm, Pitch};
+use crate::units::{Mm, Pitch, exact};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -176,7 +176,7 @@ impl PrinterSpec {
             }
             Err(Error::config(
                 format!("printer.{key}"),
-                format!("found {value}"),
+                format!("found {}", exact(value)),
                 accepted,
             ))
         };

@@ -20,6 +20,7 @@ use crate::models::selection::Selection;
 use crate::models::{Choice, DoseModel, Run, scatter};
 use crate::optics::random::Stream;
 use crate::target::label;
+use crate::units::concise;
 use serde::Serialize;
 use std::fmt;
 
@@ -128,10 +129,10 @@ impl fmt::Display for Agreement {
         };
         write!(
             f,
-            "{} of the part's mean dose off random paths in the part, {} in the void (rms over blocks of {:.2} mm, {} paths twice)",
+            "{} of the part's mean dose off random paths in the part, {} in the void (rms over blocks of {} mm, {} paths twice)",
             off(self.part),
             off(self.void),
-            self.block_mm,
+            concise(self.block_mm),
             self.paths
         )
     }

@@ -1,18 +1,17 @@
-//! Tables → objects: vial, lights, and whether the target fits them.
+//! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`fit`](super::fit).
 
 use super::selection::selection_of;
 use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, VialCommon};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
-use crate::io::csr::Csr;
 use crate::io::mesh::read_mesh;
 use crate::io::npy::read_levels;
 use crate::kind::Section;
 use crate::models::parallel::{Kernel, Light};
 use crate::models::planner::Setup;
 use crate::models::selection::Selection;
-use crate::models::{Choice, MODELS, matrix, rays, scatter};
+use crate::models::{Choice, MODELS, rays, scatter};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::Gradient;
 use crate::optics::motion::Motion;
@@ -23,13 +22,10 @@ use crate::optics::surface::{Net, Surface, meeting};
 use crate::optics::trace::Bath;
 use crate::optics::vial::ended::{End, Ended};
 use crate::optics::vial::{Curve, VIALS, Vial};
-use crate::target::{MeshShape, Placement, Repair, Role, Shape, label};
-use rayon::prelude::*;
+use crate::target::{MeshShape, Placement, Repair, Role, Shape};
+use crate::units::{concise, exact};
 use std::path::Path;
 use std::sync::Arc;
-
-/// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
-const STRAY: f64 = 1e-3;
 
 /// What stands between the projectors and the resin.
 pub(crate) struct Optics {
@@ -38,9 +34,9 @@ pub(crate) struct Optics {
     /// One per light.
     pub(crate) lights: Vec<Light>,
     /// What stands between each light's pixels and the vial.
-    paths: Vec<rays::Optics>,
+    pub(super) paths: Vec<rays::Optics>,
     /// Bodies of the job among the obstacles of a path, before the inserts of the target.
-    bodies: usize,
+    pub(super) bodies: usize,
     /// How light becomes dose.
     pub(crate) model: Choice,
     /// What every dose is multiplied by.
@@ -188,61 +184,6 @@ impl Optics {
         model
     }
 
-    /// Refuses an evaluation that a stored matrix cannot give.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
-        let evaluate = &spec.evaluate;
-        if !matches!(self.model, Choice::Matrix(_))
-            || (evaluate.refine, evaluate.sub_angles) == (1, 1)
-        {
-            return Ok(());
-        }
-        Err(Error::config(
-            "evaluate",
-            format!(
-                "refine = {} and sub_angles = {}, but a matrix is known for its own voxels and frames only",
-                evaluate.refine, evaluate.sub_angles
-            ),
-            "refine = 1 and sub_angles = 1 with [model.matrix]",
-        ))
-    }
-
-    /// Reads the stored matrix of a job that names one, and refuses one that does not fit: it is read again when it is needed.
-    ///
-    /// # Errors
-    /// [`Error::Config`] at `model.matrix.file`.
-    pub(crate) fn matrix_must_fit(&self, grid: &VolumeGrid) -> Result<()> {
-        let Choice::Matrix(matrix) = &self.model else {
-            return Ok(());
-        };
-        let pixels: Vec<PatternGrid> = self.lights.iter().map(|l| l.pixels.clone()).collect();
-        let fits = Csr::read(&matrix.file).and_then(|csr| matrix::must_fit(&csr, &pixels, grid));
-        fits.map_err(|error| {
-            let (found, accepted) = match error {
-                Error::Format {
-                    path,
-                    found,
-                    accepted,
-                } => (format!("{}: {found}", path.display()), accepted),
-                Error::Shape {
-                    what,
-                    expected,
-                    found,
-                } => (
-                    format!("{} holds {found:?}", matrix.file.display()),
-                    format!("{expected:?}: {what}"),
-                ),
-                other => (
-                    other.to_string(),
-                    "an .npz of scipy.sparse.save_npz, relative to the job file".to_owned(),
-                ),
-            };
-            Error::config("model.matrix.file", found, accepted)
-        })
-    }
-
     /// The same lights with frames averaged over so many angles.
     pub(crate) fn lights_turning(&self, sub_angles: usize) -> Vec<Light> {
         let turning = |light: &Light| Light {
@@ -279,205 +220,9 @@ impl Optics {
         (surrounding / resin).powi(2)
     }
 
-    /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
-    ///
-    /// Seen along the axis, tilted light is bent as if both indices were those of their parts across it: n·sin of the angle
-    /// to the plane is the same outside and inside.
-    fn reach_mm(&self) -> (f64, usize) {
-        let reach = |(i, light): (usize, &Light)| {
-            let [low, high] = field_mm(light);
-            let half_field = high[0].min(-low[0]).max(0.0);
-            let resin = light.resin.refractive_index;
-            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
-            let (sin, cos) = self.tilt_rad().sin_cos();
-            let across = (resin.powi(2) - (surrounding * sin).powi(2))
-                .max(0.0)
-                .sqrt();
-            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
-            (reach, i)
-        };
-        let reaches = self.lights.iter().enumerate().map(reach);
-        reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
-    }
-
     /// How far the axis leans.
     pub(crate) fn tilt_rad(&self) -> f64 {
         self.paths.first().map_or(0.0, |path| path.motion.tilt_rad)
-    }
-
-    /// Warns of a target whose box looks larger than the field because the axis leans: its far edge is seen higher.
-    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
-        let tilt = self.tilt_rad().abs();
-        let [low, high] = shape.bounds_mm();
-        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
-        let sides = |light: &Light| {
-            let field = field_mm(light);
-            let seen = |up: f64| up * tilt.cos() + out * tilt.sin();
-            [
-                ("up", seen(high[2]), field[1][1]),
-                ("down", seen(-low[2]), -field[0][1]),
-            ]
-        };
-        let mut warnings = Vec::new();
-        for (i, light) in self.lights.iter().enumerate() {
-            let beyond = |(_, seen, end): &(&str, f64, f64)| tilt > 0.0 && seen > end;
-            if let Some((way, seen, end)) = sides(light).into_iter().find(beyond) {
-                warnings.push(format!(
-                    "light[{i}]: the axis leans by {:.1}°, so the target reaches {way} to {seen:.3} mm in the field, which ends at \
-                     {end:.3} mm: some of it may not be lit from all sides",
-                    tilt.to_degrees(),
-                ));
-            }
-        }
-        warnings
-    }
-
-    /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with both sizes.
-    pub(crate) fn must_hold(&self, shape: &dyn Shape) -> Result<()> {
-        let [low, high] = shape.bounds_mm();
-        // A shape touches every face of its box, so some of it is this far from the axis
-        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
-        let resin = self.vial.resin_wall().inscribed_radius();
-        if out > resin * (1.0 + 1e-9) {
-            return Err(Error::config(
-                "target",
-                format!("reaches {out:.3} mm from the axis, but the resin ends at {resin:.3} mm"),
-                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial",
-            ));
-        }
-        for (i, light) in self.lights.iter().enumerate() {
-            let field = field_mm(light);
-            // Seen by a projector that the axis leans towards or away from, it is at least this high
-            let seen = |up: f64| up * self.tilt_rad().cos();
-            for (name, extent, field) in [
-                // A field on one side of the axis lights all of a part that turns
-                ("sideways", out, field[1][0].max(-field[0][0])),
-                ("along the axis", seen(high[2]), field[1][1]),
-                ("along the axis", seen(-low[2]), -field[0][1]),
-            ] {
-                if extent > field * (1.0 + 1e-9) {
-                    return Err(Error::config(
-                        format!("light[{i}].pixels"),
-                        format!(
-                            "the field reaches {field:.3} mm {name}, the target {extent:.3} mm"
-                        ),
-                        accepted(light),
-                    ));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Voxels of the target whose middle is in a body of the job.
-    fn in_bodies(
-        &self,
-        inside: &crate::grid::Volume<f32>,
-        labels: &crate::grid::Volume<u8>,
-        grey: bool,
-    ) -> u64 {
-        let bodies = self
-            .paths
-            .first()
-            .map_or(&[][..], |p| &p.obstacles[..self.bodies]);
-        if bodies.is_empty() {
-            return 0;
-        }
-        let grid = &labels.grid;
-        let [_, ny, nx] = grid.shape;
-        let hidden = |&i: &usize| {
-            let is_part = if grey {
-                inside.values[i] > 0.0
-            } else {
-                inside.values[i] >= 0.5
-            };
-            let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-            is_part && bodies.iter().any(|body| body.surface.contains(middle))
-        };
-        (0..grid.len()).into_par_iter().filter(hidden).count() as u64
-    }
-
-    /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
-    ///
-    /// # Errors
-    /// [`Error::Config`] when there is nothing to print, or part of it cannot be.
-    pub(crate) fn warnings(
-        &self,
-        inside: &crate::grid::Volume<f32>,
-        labels: &crate::grid::Volume<u8>,
-        grey: bool,
-    ) -> Result<Vec<String>> {
-        let grid = &labels.grid;
-        let [_, ny, nx] = grid.shape;
-        let (reach, light) = self.reach_mm();
-        let size = (nx * ny).max(1);
-        let of_slice = |(labels, inside): (&[u8], &[f32])| {
-            let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
-            for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
-                let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
-                if !is_part {
-                    continue;
-                }
-                part += 1;
-                stray += u64::from(label == label::OUTSIDE);
-                let radius = grid.x(i % nx).hypot(grid.y(i / nx));
-                farthest = farthest.max(radius);
-                beyond += u64::from(radius > reach);
-            }
-            (part, stray, beyond, farthest)
-        };
-        let slices = labels
-            .values
-            .par_chunks(size)
-            .zip(inside.values.par_chunks(size));
-        let (part, stray, beyond, farthest) = slices.map(of_slice).reduce(
-            || (0, 0, 0, 0.0),
-            |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2, a.3.max(b.3)),
-        );
-        let mm3 = |voxels: u64| voxels as f64 * grid.voxel_mm3();
-        if part == 0 {
-            return Err(Error::config(
-                "target",
-                "no voxel of the grid is in the target",
-                "a target that lies in the grid and is larger than a voxel",
-            ));
-        }
-        let mut warnings = Vec::new();
-        if stray as f64 > STRAY * part as f64 {
-            return Err(Error::config(
-                "target",
-                format!(
-                    "{:.3} of {:.3} mm³ lie outside the resin or the region that counts",
-                    mm3(stray),
-                    mm3(part)
-                ),
-                "a target inside the resin: give target.size_mm or target.offset_mm, another vial or grid.region",
-            ));
-        } else if stray > 0 {
-            warnings.push(format!(
-                "{:.4} mm³ of the target lie outside the resin and will not print",
-                mm3(stray)
-            ));
-        }
-        let hidden = self.in_bodies(inside, labels, grey);
-        if hidden > 0 {
-            warnings.push(format!(
-                "{:.3} of {:.3} mm³ of the target lie within bodies of [[obstacles]], where there is no resin",
-                mm3(hidden),
-                mm3(part)
-            ));
-        }
-        if beyond > 0 {
-            warnings.push(format!(
-                "the target reaches {farthest:.2} mm from the axis, but light[{light}] is tangent only up to {reach:.2} mm: \
-                 {:.1} % of it cannot be lit from all sides",
-                100.0 * beyond as f64 / part as f64
-            ));
-        }
-        Ok(warnings)
     }
 }
 
@@ -498,7 +243,7 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
     if let Some(step) = params.step_mm.filter(|step| !(1e-3..=10.0).contains(step)) {
         return Err(Error::config(
             "resin.gradient.step_mm",
-            format!("found {step}"),
+            format!("found {}", exact(step)),
             "0.001 to 10",
         ));
     }
@@ -519,26 +264,16 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
         if !(square > 0.0 && square.is_finite()) {
             return Err(Error::config(
                 "resin.gradient",
-                format!("at {rho:.3} mm from the axis n² is {square:.3} times that on it"),
+                format!(
+                    "at {} mm from the axis n² is {} times that on it",
+                    concise(rho),
+                    concise(square)
+                ),
                 "an index above 0 everywhere in the resin",
             ));
         }
     }
     Ok(Some(gradient))
-}
-
-/// Lowest and highest corner [u, z] of what a light may light, mm.
-fn field_mm(light: &Light) -> [[f64; 2]; 2] {
-    light.selection.field_mm(&light.pixels)
-}
-
-/// What would make the field of a light larger than a target.
-fn accepted(light: &Light) -> &'static str {
-    if light.selection.masks.is_empty() && light.pixels.offset_mm == [0.0; 2] {
-        "a field larger than the target: more pixels, a larger pitch, or a smaller target"
-    } else {
-        "a field larger than the target: more pixels, another offset_mm or selection of the light, or a smaller target"
-    }
 }
 
 /// The absorbing bath of a job.
@@ -554,8 +289,12 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     if radius < vial {
         return Err(Error::config(
             "bath.radius_mm",
-            format!("found {radius} mm, within the vial, which reaches {vial:.3} mm"),
-            format!("a radius of at least {vial:.3} mm"),
+            format!(
+                "found {} mm, within the vial, which reaches {} mm",
+                exact(radius),
+                concise(vial)
+            ),
+            format!("a radius of at least {} mm", concise(vial)),
         ));
     }
     Ok(Some(Bath {
@@ -598,7 +337,7 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
         if !(least..=most).contains(&value) {
             return Err(Error::config(
                 format!("motion.{key}"),
-                format!("found {value}"),
+                format!("found {}", exact(value)),
                 format!("{least} to {most}"),
             ));
         }
@@ -633,7 +372,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
         {
             return Err(Error::config(
                 format!("{section}.material.diffuse.reflectance"),
-                format!("found {reflectance}"),
+                format!("found {}", exact(reflectance)),
                 "0 to 1",
             ));
         }
@@ -642,7 +381,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
         {
             return Err(Error::config(
                 format!("{section}.material.dielectric.refractive_index"),
-                format!("found {refractive_index}"),
+                format!("found {}", exact(refractive_index)),
                 "a finite number > 0",
             ));
         }
@@ -666,10 +405,11 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
         let met = walls
             .iter()
             .find_map(|(wall, _)| meeting(shape.mesh(), wall));
-        if let Some([x, y, z]) = met {
+        if let Some(place) = met {
+            let [x, y, z] = place.map(concise);
             return Err(Error::config(
                 section,
-                format!("the body meets a wall of the vial at ({x:.3}, {y:.3}, {z:.3}) mm"),
+                format!("the body meets a wall of the vial at ({x}, {y}, {z}) mm"),
                 "a body wholly in the resin, in a wall or outside of the vial",
             ));
         }
@@ -685,11 +425,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = &spec.resin;
-    let absorption = if resin.pure_radon {
-        0.0
-    } else {
-        resin.absorption_per_mm
-    };
+    let absorption = resin.active_per_mm();
     Light {
         pixels: PatternGrid {
             azimuths,
@@ -724,12 +460,12 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::job::Document;
     use crate::job::tests::FULL;
 
-    fn spec(changes: &[&str]) -> JobSpec {
+    pub(in crate::job) fn spec(changes: &[&str]) -> JobSpec {
         let mut document = Document::toml("a.toml", FULL).unwrap();
         changes
             .iter()
@@ -737,7 +473,7 @@ mod tests {
         JobSpec::from_document(&document).unwrap()
     }
 
-    fn key(error: Error) -> String {
+    pub(in crate::job) fn key(error: Error) -> String {
         match error {
             Error::Config { key, .. } => key,
             other => panic!("{other}"),
@@ -785,29 +521,6 @@ mod tests {
         for x in [7.2, 8.0] {
             assert_eq!(key(at(x).unwrap_err()), "obstacles[0]");
         }
-    }
-
-    #[test]
-    fn what_of_the_target_is_within_a_body_is_told() {
-        use crate::grid::Volume;
-        let folder = tempfile::tempdir().unwrap();
-        let body = crate::io::mesh::samples::cuboid([-0.5; 3], [0.5; 3]);
-        let bytes = crate::io::mesh::samples::stl_binary(&body);
-        std::fs::write(folder.path().join("body.stl"), bytes).unwrap();
-        let warned = |changes: &[&str]| {
-            let optics = Optics::new(&spec(changes), folder.path()).unwrap();
-            // Middles at ±0.25 and ±0.75 mm: eight of them in the body, 1/8 mm³ each
-            let grid = VolumeGrid::centered([4, 4, 4], 0.5);
-            let inside = Volume::filled(grid.clone(), 1.0f32);
-            let labels = Volume::filled(grid, label::PART);
-            optics.warnings(&inside, &labels, false).unwrap().join("\n")
-        };
-        let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
-        assert!(
-            text.contains("1.000 of 8.000 mm³ of the target lie within"),
-            "{text}"
-        );
-        assert!(!warned(&[]).contains("within bodies"));
     }
 
     #[test]
@@ -883,116 +596,5 @@ mod tests {
         let (active, total) = (vec![0.1, 0.25, 0.5], vec![0.6, 0.75, 1.0]);
         let expected = AbsorptionMap::new([1, 1, 3], 1.0, active, total).unwrap();
         assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
-    }
-
-    #[test]
-    fn the_outermost_ray_of_a_leaning_vial_passes_the_axis_at_the_reach() {
-        for tilt in ["0", "25"] {
-            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
-            let optics = Optics::new(&spec, Path::new("")).unwrap();
-            let setup = optics.setup();
-            let rays = rays::Rays::new(
-                setup.vial,
-                optics.lights.clone(),
-                setup.optics,
-                &rays::Params::default(),
-                VolumeGrid::centered([8, 8, 8], 1.0),
-            )
-            .unwrap();
-            // The middle of the last of 128 columns
-            let (legs, _) = rays.trace(0, 0, 127, 32);
-            let (from, along) = (legs[0].ray.from, legs[0].ray.direction);
-            let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
-            let (reach, light) = optics.reach_mm();
-            assert!(
-                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
-                "{tilt}: {passes} {reach}"
-            );
-            assert_eq!(light, 0);
-        }
-    }
-
-    #[test]
-    fn an_image_beside_the_axis_reaches_as_far_as_its_nearer_edge_and_lights_as_far_as_its_farther_one()
-     {
-        let optics = |changes: &[&str]| Optics::new(&spec(changes), Path::new("")).unwrap();
-        // 128 columns of 0.05 mm reach 3.2 mm to each side; 2.5 mm are left on one
-        let (expected, _) = optics(&["light.pixels=[100, 64]"]).reach_mm();
-        for change in [
-            "light.offset_mm=[0.7, 0]",
-            "light.offset_mm=[-0.7, 0.1]",
-            "light.selection.columns=[14, 114]",
-        ] {
-            let (reach, _) = optics(&[change]).reach_mm();
-            assert!(
-                (reach - expected).abs() < 1e-9,
-                "{change}: {reach} {expected}"
-            );
-        }
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let held = |changes: &[&str]| optics(changes).must_hold(gear.as_ref());
-        // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
-        assert_eq!(
-            key(held(&["light.pixels=[60, 64]"]).unwrap_err()),
-            "light[0].pixels"
-        );
-        held(&["light.pixels=[60, 64]", "light.offset_mm=[1.01, 0]"]).unwrap();
-        // 64 rows reach 1.6 mm up and down, the gear 1.5 mm
-        held(&["light.offset_mm=[0, -0.09]"]).unwrap();
-        for change in ["light.offset_mm=[0, 0.11]", "light.selection.rows=[3, 61]"] {
-            assert_eq!(
-                key(held(&[change]).unwrap_err()),
-                "light[0].pixels",
-                "{change}"
-            );
-        }
-    }
-
-    #[test]
-    fn a_leaning_axis_lifts_the_edge_of_the_target_in_the_field() {
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0 } } }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let warned = |tilt: &str| {
-            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
-            let optics = Optics::new(&spec, Path::new("")).unwrap();
-            optics.leaning(gear.as_ref())
-        };
-        // 64 rows of 0.05 mm: 1.6 mm up. The edge, 2.5 mm out, is lifted by 2.5·sin
-        assert!(warned("0").is_empty());
-        let [text] = &warned("-70")[..] else {
-            panic!("one warning");
-        };
-        assert!(
-            text.contains("light[0]") && text.contains("ends at 1.600 mm"),
-            "{text}"
-        );
-    }
-
-    #[test]
-    fn a_matrix_is_judged_on_its_own_voxels_only() {
-        let matrix = "model={ matrix = { file = \"m.npz\" } }";
-        let own = ["evaluate.refine=1", "evaluate.sub_angles=1", matrix];
-        let optics = |spec: &JobSpec| Optics::new(spec, Path::new("/jobs")).unwrap();
-        let (finer, own) = (spec(&own[2..]), spec(&own));
-        assert_eq!(
-            key(optics(&finer).must_be_judged(&finer).unwrap_err()),
-            "evaluate"
-        );
-        optics(&own).must_be_judged(&own).unwrap();
-        let Choice::Matrix(matrix) = optics(&own).model else {
-            panic!("another model");
-        };
-        assert_eq!(matrix.file, Path::new("/jobs/m.npz"));
     }
 }

@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Name of the file that says how frames and movies are to be shown.
 pub(crate) const EXPOSURE: &str = "exposure.json";
@@ -183,9 +183,11 @@ pub(crate) fn exposed(
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine.
-pub(crate) fn read(scene: &Scene, path: &Path, progress: &mut dyn Progress) -> Result<Written> {
-    let of_run = path.join("patterns.npz");
-    let path = if of_run.is_file() { &of_run } else { path };
+pub(crate) fn read(scene: &Scene, given: &Path, progress: &mut dyn Progress) -> Result<Written> {
+    // A run folder stands for its patterns, an exported one for its frames
+    let within = ["patterns.npz", "frames"].map(|name| given.join(name));
+    let path = within.iter().find(|path| path.exists());
+    let path = path.map_or(given, PathBuf::as_path);
     let mut frames = Vec::new();
     for i in 0..scene.spec.light.len() {
         let Some(found) = frames_of(scene, i, path, progress)? else {

@@ -45,6 +45,19 @@ impl Document {
     /// # Errors
     /// [`Error::Io`] when it cannot be read; [`Error::Config`] with file and line when it is no TOML or JSON.
     pub fn read(file: &Path) -> Result<Self> {
+        if file.is_dir() {
+            let job = file.join("job.toml");
+            let accepted = if job.is_file() {
+                format!("a job file, such as {}", job.display())
+            } else {
+                "a job file in TOML or JSON".to_owned()
+            };
+            return Err(Error::Format {
+                path: file.to_owned(),
+                found: "a folder".to_owned(),
+                accepted,
+            });
+        }
         let bytes = std::fs::read(file).map_err(|e| Error::io(file, e))?;
         Self::from_bytes(file, bytes)
     }

@@ -2,6 +2,9 @@
 //!
 //! New files are written to `.new/` inside the folder; [`RunFolder::publish`] moves them to their names at the end, so a
 //! run that fails or is killed leaves earlier outputs as they were. A folder is known to be ours by its `job.toml`.
+//!
+//! A run that fails takes back what it laid there: its new files, its lock, and a folder that holds nothing else. What stays is a
+//! checkpoint, which `--resume` goes on from, with the job that it belongs to.
 
 use crate::error::{Error, Result};
 use std::fs;
@@ -22,6 +25,10 @@ const LOCK: &str = ".lock";
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
+    /// Whether this run made the folder.
+    is_made: bool,
+    /// Whether this run marked it as one of ours, which its outputs or a checkpoint must bear out.
+    is_marked: bool,
     _lock: fs::File,
 }
 
@@ -69,6 +76,7 @@ impl RunFolder {
     /// As [`check`](Self::check); [`Error::Unsupported`] when another process is running in it; [`Error::Io`].
     pub fn open(path: &Path, resolved_job: &str) -> Result<Self> {
         Self::check(path)?;
+        let is_made = !path.exists();
         fs::create_dir_all(path).map_err(|e| Error::io(path, e))?;
         let lock_path = path.join(LOCK);
         let lock = fs::File::create(&lock_path).map_err(|e| Error::io(&lock_path, e))?;
@@ -82,8 +90,10 @@ impl RunFolder {
             }
             Err(fs::TryLockError::Error(e)) => return Err(Error::io(&lock_path, e)),
         }
-        let folder = RunFolder {
+        let mut folder = RunFolder {
             path: path.to_owned(),
+            is_made,
+            is_marked: false,
             _lock: lock,
         };
         let new = folder.new_files();
@@ -91,6 +101,7 @@ impl RunFolder {
         fs::create_dir(&new).map_err(|e| Error::io(&new, e))?;
         folder.write_job(resolved_job)?;
         if !path.join(JOB).exists() {
+            folder.is_marked = true;
             folder.move_in(JOB)?;
             folder.write_job(resolved_job)?;
         }
@@ -120,7 +131,7 @@ impl RunFolder {
     ///
     /// # Errors
     /// [`Error::Io`].
-    pub fn publish(self) -> Result<()> {
+    pub fn publish(mut self) -> Result<()> {
         let new = self.new_files();
         let entries = fs::read_dir(&new).map_err(|e| Error::io(&new, e))?;
         let mut names: Vec<String> = entries
@@ -143,10 +154,9 @@ impl RunFolder {
                 fs::remove_file(old.path()).map_err(|e| Error::io(old.path(), e))?;
             }
         }
-        names.iter().try_for_each(|name| self.move_in(name))?;
-        fs::remove_dir_all(&new).map_err(|e| Error::io(&new, e))?;
-        let lock = self.path.join(LOCK);
-        fs::remove_file(&lock).map_err(|e| Error::io(&lock, e))
+        // From here on there are outputs, which the mark belongs to
+        self.is_marked = false;
+        names.iter().try_for_each(|name| self.move_in(name))
     }
 
     /// What a killed run left behind.
@@ -168,6 +178,28 @@ impl RunFolder {
         fs::write(&path, format!("{MARK}{resolved_job}")).map_err(|e| Error::io(&path, e))
     }
 
+    /// Says in the job file to come, as comments, what a job does not name: by which models it was computed.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn describe(&self, resolved_job: &str, models: &[(&str, String)]) -> Result<()> {
+        let lines: String = models
+            .iter()
+            .map(|(stage, model)| format!("# Model of the {stage}: {model}\n"))
+            .collect();
+        self.write_job(&format!("{lines}{resolved_job}"))
+    }
+
+    /// Whether nothing is left that a later run could use: no outputs, no checkpoint.
+    fn is_bare(&self) -> bool {
+        let Ok(entries) = fs::read_dir(&self.path) else {
+            return false;
+        };
+        let is_ours =
+            |entry: fs::DirEntry| [JOB, LOCK].iter().any(|name| entry.file_name() == *name);
+        entries.into_iter().all(|entry| entry.is_ok_and(is_ours))
+    }
+
     /// Puts one new file or folder in the place of the old one.
     fn move_in(&self, name: &str) -> Result<()> {
         let (from, to) = (self.new_files().join(name), self.path.join(name));
@@ -181,9 +213,72 @@ impl RunFolder {
     }
 }
 
+/// Takes back what a run that failed laid in the folder. What cannot be removed is left: the error that ended the run is the one
+/// to be told, and the next run removes it.
+impl Drop for RunFolder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(self.new_files());
+        if self.is_marked && self.is_bare() {
+            let _ = fs::remove_file(self.path.join(JOB));
+        }
+        let _ = fs::remove_file(self.path.join(LOCK));
+        if self.is_made {
+            // Refused by the system where anything is in it
+            let _ = fs::remove_dir(&self.path);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_run_that_fails_leaves_nothing_but_its_checkpoint() {
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("run");
+        let fails = |checkpoint: bool| {
+            let folder = RunFolder::open(&path, "job").unwrap();
+            fs::write(folder.new_files().join("dose.npy"), "half").unwrap();
+            if checkpoint {
+                fs::create_dir(folder.checkpoint()).unwrap();
+            }
+        };
+        let names = || {
+            let entries = fs::read_dir(&path).unwrap();
+            let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
+            names.sort();
+            names
+        };
+        fails(false);
+        assert!(!path.exists());
+        // Somebody's empty folder stays, empty
+        fs::create_dir(&path).unwrap();
+        fails(false);
+        assert!(names().is_empty());
+        fails(true);
+        assert_eq!(names(), ["checkpoint", "job.toml"]);
+        RunFolder::open(&path, "again").unwrap().publish().unwrap();
+        fails(false);
+        assert_eq!(names(), ["checkpoint", "job.toml"]);
+    }
+
+    #[test]
+    fn the_job_tells_the_models_and_is_still_a_job() {
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("run");
+        let folder = RunFolder::open(&path, "a = 1\n").unwrap();
+        folder
+            .describe(
+                "a = 1\n",
+                &[("evaluation", "rays: light is not collimated".to_owned())],
+            )
+            .unwrap();
+        folder.publish().unwrap();
+        RunFolder::check(&path).unwrap();
+        let text = fs::read_to_string(path.join(JOB)).unwrap();
+        assert!(text.contains("# Model of the evaluation: rays: light is not collimated\na = 1\n"));
+    }
 
     #[test]
     fn only_new_empty_and_own_folders_are_taken() {

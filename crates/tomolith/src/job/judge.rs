@@ -20,6 +20,7 @@ use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::models::{Choice, DoseLayout, Run, planner};
 use crate::target::label;
+use crate::units::concise;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -49,6 +50,8 @@ pub(crate) struct Judged {
     pub(crate) noise: Option<Noise>,
     /// How far scattered light by orders is from random paths; None where it does not go order by order.
     pub(crate) agreement: Option<Agreement>,
+    /// The model that gave the doses, and why it was chosen.
+    pub(crate) model: String,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -127,7 +130,7 @@ pub(crate) fn judge(
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
-            let dose = dose(scene, lights, &scene.grid, raw, &mut room, cancel)?;
+            let (dose, _) = dose(scene, lights, &scene.grid, raw, &mut room, cancel)?;
             let response = scene.responses(dose)?;
             let evaluation = measure(scene, voxels, &response, raw)?;
             room.values = response.values;
@@ -138,8 +141,8 @@ pub(crate) fn judge(
         None => None,
         Some(_) => {
             let lights = scene.optics.lights.clone();
-            let response =
-                scene.responses(dose(scene, lights, &scene.grid, shown, &mut room, cancel)?)?;
+            let (dose, _) = dose(scene, lights, &scene.grid, shown, &mut room, cancel)?;
+            let response = scene.responses(dose)?;
             headline(voxels)
                 .metric
                 .measure(&print(scene, voxels, &response)?)
@@ -154,17 +157,18 @@ pub(crate) fn judge(
     progress.event(&Event::Note { text });
     room = Room::default();
     let fine = scene.voxels(&grid)?;
-    let response = scene.responses(dose(
+    let (still, _) = dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
         shown,
         &mut room,
         cancel,
-    )?)?;
+    )?;
+    let response = scene.responses(still)?;
     let standing = measure(scene, &fine, &response, shown)?;
     room.values = response.values;
-    let turning = dose(
+    let (turning, model) = dose(
         scene,
         scene.optics.lights_turning(sub_angles),
         &grid,
@@ -245,6 +249,7 @@ pub(crate) fn judge(
         bodies,
         noise,
         agreement,
+        model,
         warnings,
     })
 }
@@ -288,12 +293,12 @@ impl Steps<'_> {
         Some(format!(
             "{}: {own:.4} is what the patterns reach before they are written, on the job's own grid, {turning:.4} is what the written patterns print. \
              {} comes from writing them with {bits} bits ({written:.4} on the same voxels), \
-             {} from looking at voxels of {:.4} mm instead of {:.4} mm ({standing:.4}), {} from the vial turning during each frame.",
+             {} from looking at voxels of {} mm instead of {} mm ({standing:.4}), {} from the vial turning during each frame.",
             self.kind.title,
             by(own, written),
             by(written, standing),
-            self.turning.grid.pitch_mm,
-            self.optimised?.grid.pitch_mm,
+            concise(self.turning.grid.pitch_mm),
+            concise(self.optimised?.grid.pitch_mm),
             by(standing, turning),
         ))
     }
@@ -306,7 +311,7 @@ pub(super) struct Room {
     values: Vec<f32>,
 }
 
-/// Dose of patterns on a grid, by the model that judges.
+/// Dose of patterns on a grid, by the model that judges, and what is said of it.
 fn dose(
     scene: &Scene,
     lights: Vec<Light>,
@@ -314,13 +319,13 @@ fn dose(
     patterns: &[Patterns],
     room: &mut Room,
     cancel: &Run,
-) -> Result<Volume<f32>> {
+) -> Result<(Volume<f32>, String)> {
     let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let choice = scene.optics.model_for(refine, grid);
     dose_by(&choice, scene, lights, grid, patterns, room, cancel)
 }
 
-/// Dose of patterns on a grid.
+/// Dose of patterns on a grid, and what is said of the model.
 pub(super) fn dose_by(
     choice: &Choice,
     scene: &Scene,
@@ -329,20 +334,14 @@ pub(super) fn dose_by(
     patterns: &[Patterns],
     room: &mut Room,
     cancel: &Run,
-) -> Result<Volume<f32>> {
+) -> Result<(Volume<f32>, String)> {
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
         light.selection = Selection::default();
     }
-    let model = planner::plan(
-        choice,
-        scene.optics.setup(),
-        lights,
-        grid.clone(),
-        None,
-        cancel,
-    )?
-    .model;
+    let setup = scene.optics.setup();
+    let planner::Plan { model, reason, .. } =
+        planner::plan(choice, setup, lights, grid.clone(), None, cancel)?;
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
@@ -354,7 +353,8 @@ pub(super) fn dose_by(
     model.dose(&x, &mut room.field, cancel)?;
     drop(x);
     let values = std::mem::take(&mut room.values);
-    Ok(model.outputs()[0].volume_in(room.field.as_slice(), values))
+    let dose = model.outputs()[0].volume_in(room.field.as_slice(), values);
+    Ok((dose, reason))
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -512,7 +512,7 @@ mod tests {
             "IoU: 0.9900 is",
             "0.9605 is",
             "−0.0020 comes",
-            "−0.0180 from looking at voxels of 0.1000 mm instead of 0.2000 mm (0.9700)",
+            "−0.0180 from looking at voxels of 0.1 mm instead of 0.2 mm (0.9700)",
             "−0.0095 from the vial",
         ] {
             assert!(text.contains(part), "{part}: {text}");

@@ -5,6 +5,7 @@
 //! | text → values that know their lines | [`document`] |
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
+//! | typed tables → objects, and whether these fit together | `build`, `fit` |
 //! | every row of every family's table | [`kinds`], [`schema`], [`page`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
@@ -18,6 +19,7 @@ mod device;
 pub mod document;
 mod estimate;
 pub mod export;
+mod fit;
 pub mod folder;
 pub mod import;
 mod judge;

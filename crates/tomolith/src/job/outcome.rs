@@ -2,6 +2,7 @@
 
 use crate::metrics::Measure;
 use crate::optimize::StopReason;
+use crate::units::concise;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -181,7 +182,7 @@ impl fmt::Display for Plan {
             "{:>12} {} voxels of {} mm",
             "grid",
             times(self.voxels),
-            round(self.pitch_mm)
+            concise(self.pitch_mm)
         )?;
         writeln!(
             f,
@@ -258,9 +259,4 @@ fn duration(seconds: f64) -> String {
         s if s < 6000.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.1} h", s / 3600.0),
     }
-}
-
-/// Four digits behind the point, without trailing zeros.
-fn round(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4
 }

@@ -87,7 +87,6 @@ impl Scene {
         }
         RunFolder::check(&job.folder())?;
         let mut optics = Optics::new(&spec, &job.base())?;
-        optics.must_be_judged(&spec)?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
         notes.extend(given_patterns(&spec, &optics)?);
@@ -106,7 +105,9 @@ impl Scene {
         let covered = optics
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
+        // A file that is missing is told before numbers that do not suit it
         optics.matrix_must_fit(&grid)?;
+        optics.must_be_judged(&spec)?;
         let light = light::must_arrive(&optics)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
@@ -155,7 +156,9 @@ impl Scene {
         let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
         scene.warnings.extend(notes.cloned());
         scene.bound_by_time()?;
-        if scene.spec.resin.pure_radon && scene.spec.resin.absorption_per_mm > 0.0 {
+        if scene.spec.resin.pure_radon
+            && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
+        {
             scene
                 .warnings
                 .push("resin.pure_radon = true: the absorption is not used".to_owned());

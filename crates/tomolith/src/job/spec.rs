@@ -126,8 +126,9 @@ pub enum Region {
 pub struct ResinSpec {
     /// Refractive index, 1 to 4.
     pub refractive_index: f64,
-    /// Napierian absorption of the active species, 1/mm, > 0: what makes dose.
-    pub absorption_per_mm: f64,
+    /// Napierian absorption of the active species, 1/mm, > 0: what makes dose. Required, except with `pure_radon`, which does not use it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub absorption_per_mm: Option<f64>,
     /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
@@ -484,11 +485,21 @@ fn fbp() -> Value {
     kind("fbp")
 }
 
+impl ResinSpec {
+    /// Absorption of the active species, 1/mm: 0 for the plain sum of fluence.
+    #[must_use]
+    pub fn active_per_mm(&self) -> f64 {
+        self.absorption_per_mm
+            .filter(|_| !self.pure_radon)
+            .unwrap_or(0.0)
+    }
+}
+
 impl Default for ResinSpec {
     fn default() -> Self {
         ResinSpec {
             refractive_index: 1.5,
-            absorption_per_mm: 0.0,
+            absorption_per_mm: None,
             attenuation_per_mm: None,
             gradient: None,
             map: None,

@@ -16,6 +16,7 @@ use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
 use crate::optimize::Counters;
 use crate::report::Timing;
+use crate::units::concise;
 use std::path::Path;
 use std::time::Instant;
 
@@ -269,9 +270,9 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
 /// Takes the run folder, and tells what is known so far.
 fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFolder> {
     let [nz, ny, nx] = scene.grid.shape;
-    let pitch = scene.grid.pitch_mm;
+    let pitch = concise(scene.grid.pitch_mm);
     let text = format!(
-        "{}: {nx} × {ny} × {nz} voxels of {pitch:.4} mm, {} frames",
+        "{}: {nx} × {ny} × {nz} voxels of {pitch} mm, {} frames",
         scene.name, scene.extent.frames
     );
     for text in std::iter::once(text).chain(scene.notes.iter().cloned()) {

@@ -1,9 +1,12 @@
 //! Ranges of every key, before any work.
 
-use super::spec::{Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, SelectionSpec};
+use super::spec::{
+    Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, ResinSpec, SelectionSpec,
+};
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::shown_rate;
+use crate::units::exact;
 use std::collections::BTreeSet;
 
 /// Fastest turn of a vial, 1/min.
@@ -105,23 +108,10 @@ fn resin(spec: &JobSpec) -> Result<()> {
         4.0,
         INDEX,
     )?;
-    not_negative("resin.absorption_per_mm", resin.absorption_per_mm, "1/mm")?;
-    if resin.absorption_per_mm > MOST_ABSORPTION {
-        return Err(Error::config(
-            "resin.absorption_per_mm",
-            format!("found {}", resin.absorption_per_mm),
-            format!("at most {MOST_ABSORPTION} per mm: light must reach the part"),
-        ));
-    }
-    if resin.absorption_per_mm == 0.0 && !resin.pure_radon {
-        return Err(Error::config(
-            "resin.absorption_per_mm",
-            "found 0: a resin that absorbs nothing gets no dose",
-            "a number > 0 in 1/mm, or resin.pure_radon = true for the plain sum of fluence",
-        ));
-    }
+    absorption(resin)?;
     if let Some(attenuation) = resin.attenuation_per_mm {
-        let least = resin.absorption_per_mm + resin.scattering_per_mm.max(0.0);
+        // What the absorption is worth with `pure_radon`, which does not use it, is still no more than the attenuation
+        let least = resin.absorption_per_mm.unwrap_or(0.0) + resin.scattering_per_mm.max(0.0);
         let accepted = format!(
             "a number of at least resin.absorption_per_mm + resin.scattering_per_mm = {least}, in 1/mm"
         );
@@ -154,6 +144,24 @@ fn resin(spec: &JobSpec) -> Result<()> {
     match resin.critical_dose_mj_per_mm3 {
         Some(dose) => positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³"),
         None => Ok(()),
+    }
+}
+
+fn absorption(resin: &ResinSpec) -> Result<()> {
+    let key = "resin.absorption_per_mm";
+    let accepted = "a number > 0 in 1/mm, or resin.pure_radon = true for the plain sum of fluence";
+    match resin.absorption_per_mm {
+        None if resin.pure_radon => Ok(()),
+        None => Err(Error::config(key, "the key is missing", accepted)),
+        Some(0.0) if !resin.pure_radon => {
+            let found = "found 0: a resin that absorbs nothing gets no dose";
+            Err(Error::config(key, found, accepted))
+        }
+        Some(absorption) if absorption > MOST_ABSORPTION => {
+            let accepted = format!("at most {MOST_ABSORPTION} per mm: light must reach the part");
+            refuse(key, exact(absorption), accepted)
+        }
+        Some(absorption) => not_negative(key, absorption, "1/mm"),
     }
 }
 
@@ -370,7 +378,7 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     if spec.output.rpm > MOST_RPM {
         return Err(Error::config(
             "output.rpm",
-            format!("found {}", spec.output.rpm),
+            format!("found {}", exact(spec.output.rpm)),
             format!("at most {MOST_RPM} turns per minute"),
         ));
     }
@@ -410,7 +418,7 @@ fn positive(key: &str, value: f64, unit: &str) -> Result<()> {
     }
     refuse(
         key,
-        value,
+        exact(value),
         format!("a number > 0 {unit}").trim_end().to_owned(),
     )
 }
@@ -421,7 +429,7 @@ fn not_negative(key: &str, value: f64, unit: &str) -> Result<()> {
     }
     refuse(
         key,
-        value,
+        exact(value),
         format!("a number, 0 or more {unit}").trim_end().to_owned(),
     )
 }
@@ -430,7 +438,7 @@ fn within(key: &str, value: f64, least: f64, most: f64, accepted: &str) -> Resul
     if value >= least && value <= most {
         Ok(())
     } else {
-        refuse(key, value, accepted.to_owned())
+        refuse(key, exact(value), accepted.to_owned())
     }
 }
 
@@ -464,6 +472,7 @@ mod tests {
             ("grid.shape=[4, 0, 4]", "grid.shape[1]"),
             ("resin.refractive_index=0.9", "resin.refractive_index"),
             ("resin.absorption_per_mm=0", "resin.absorption_per_mm"),
+            ("resin.absorption_per_mm=1e300", "resin.absorption_per_mm"),
             ("resin.absorption_per_mm=-0.1", "resin.absorption_per_mm"),
             ("resin.attenuation_per_mm=0.01", "resin.attenuation_per_mm"),
             ("resin.dose_convention=\"watts\"", "resin.dose_convention"),

@@ -16,10 +16,10 @@ use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::{PatternStats, Print};
-use crate::metrics::published::unit_systems::UnitSystem;
-use crate::metrics::published::value_of;
+use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
+use crate::units::concise;
 use std::panic::resume_unwind;
 use std::path::Path;
 
@@ -107,7 +107,17 @@ pub(crate) fn all(
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
     }
-    report(done, &new, &history, movies, &shown, timings)
+    let models = models(done);
+    folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    report(done, &new, &history, movies, &shown, timings, models)
+}
+
+/// The models that gave the doses, by what they were asked for.
+fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
+    let optimised = done.optimised.as_ref();
+    let optimised = optimised.map(|optimised| ("optimisation", optimised.model.clone()));
+    let judged = ("evaluation", done.judged.model.clone());
+    optimised.into_iter().chain([judged]).collect()
 }
 
 /// `report.json` and `report.html`.
@@ -118,6 +128,7 @@ fn report(
     movies: Vec<MovieReport>,
     exposures: &device::Shown<'_>,
     timings: Vec<Timing>,
+    models: Vec<(&'static str, String)>,
 ) -> Result<()> {
     let Done {
         job,
@@ -148,6 +159,7 @@ fn report(
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
         facts: facts(scene, optimised.as_ref(), judged),
+        models,
         lights,
         labels: &judged.fine.labels,
         response: &judged.response,
@@ -157,7 +169,7 @@ fn report(
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
         optimisation: judged.optimisation.as_ref(),
-        published: published(scene, done),
+        published: published(done, exposures.lights())?,
         history,
         movies,
         job_text: &resolved.to_toml()?,
@@ -169,7 +181,10 @@ fn report(
 }
 
 /// Numbers as they were published, those of each slice, and the units of the publications.
-fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_json::Value> {
+fn published(
+    done: &Done<'_>,
+    exposures: &[device::ShownLight],
+) -> Result<serde_json::Map<String, serde_json::Value>> {
     let judged = &done.judged;
     let mut map: serde_json::Map<_, _> = judged
         .published
@@ -191,17 +206,34 @@ fn published(scene: &Scene, done: &Done<'_>) -> serde_json::Map<String, serde_js
     if let Some(agreement) = judged.agreement {
         map.insert("orders".to_owned(), serde_json::json!(agreement));
     }
-    let resin = &scene.spec.resin;
-    let brightest = PatternStats::of(&done.patterns.shown).max;
-    let threshold = value_of(&judged.published, "threshold_jaccard");
-    if let Some(dose) = threshold.filter(|_| !resin.pure_radon) {
-        // The brightest pixel and the gel threshold, for an exposure of one turn
-        let turn_s = 60.0 / scene.spec.output.rpm;
-        let rows = UnitSystem::ALL
-            .map(|s| s.convert(f64::from(brightest), dose, resin.absorption_per_mm, turn_s));
+    let rows = unit_systems(done, exposures)?;
+    if !rows.is_empty() {
         map.insert("unit_systems".to_owned(), serde_json::json!(rows));
     }
-    map
+    Ok(map)
+}
+
+/// The brightest pixel and the dose that turns the resin solid in the units of publications. Doses of a job are relative: these
+/// are energies where the job says which dose the resin needs, and rates where it says how bright the machine is, too.
+fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec<Converted>> {
+    let resin = &done.scene.spec.resin;
+    let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
+    let (Some(critical), Some(gel_dose)) = (critical, done.judged.gel_dose(&done.scene)?) else {
+        return Ok(Vec::new());
+    };
+    let of_light = |(shown, exposure): (_, &device::ShownLight)| {
+        (PatternStats::of([shown]).max, exposure.budget.time_s)
+    };
+    let lights = done.patterns.shown.iter().zip(exposures).map(of_light);
+    let brightest = lights.max_by(|a, b| a.0.total_cmp(&b.0));
+    let (brightest, time_s) = brightest.unwrap_or_default();
+    let convert = |system: UnitSystem| {
+        // Energies do not depend on the time
+        let exposure_s = if system.needs_time() { time_s? } else { 1.0 };
+        let pattern = f64::from(brightest) * critical / gel_dose;
+        Some(system.convert(pattern, critical, resin.active_per_mm(), exposure_s))
+    };
+    Ok(UnitSystem::ALL.into_iter().filter_map(convert).collect())
 }
 
 /// Short facts for the head of the page.
@@ -216,14 +248,17 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
         ("Vial", kind(&spec.vial.kind)),
         (
             "Resin",
-            format!(
-                "n {}, μ {} per mm",
-                spec.resin.refractive_index, spec.resin.absorption_per_mm
-            ),
+            match spec.resin.active_per_mm() {
+                0.0 => format!("n {}, no absorption", spec.resin.refractive_index),
+                active => format!("n {}, μ {active} per mm", spec.resin.refractive_index),
+            },
         ),
         (
             "Grid",
-            format!("{nx} × {ny} × {nz} voxels of {:.4} mm", scene.grid.pitch_mm),
+            format!(
+                "{nx} × {ny} × {nz} voxels of {} mm",
+                concise(scene.grid.pitch_mm)
+            ),
         ),
         ("Frames", scene.extent.frames.to_string()),
     ];

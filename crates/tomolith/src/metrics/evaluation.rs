@@ -14,8 +14,10 @@
 
 use super::print::Print;
 use super::spread::Spread;
+use super::surface::Farthest;
 use super::{METRICS, Measure};
 use crate::grid::VolumeGrid;
+use crate::units::concise;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Points of the IoU curve.
@@ -64,6 +66,8 @@ pub struct Evaluation {
     pub measures: Measures,
     /// The gel threshold that they belong to.
     pub gel_threshold: Measure,
+    /// Where the print's surface and the target's are farthest apart.
+    pub farthest: Option<Farthest>,
     /// Half width of the band round the grey values, for a grey target.
     pub half_width: Measure,
     /// Pairs of a threshold and the exact IoU there, ascending.
@@ -113,6 +117,7 @@ pub fn evaluate(print: &Print<'_>) -> Evaluation {
     Evaluation {
         measures: Measures(measures),
         gel_threshold: print.gel_threshold(),
+        farthest: print.distance().map(|distance| distance.farthest),
         half_width: print.half_width(),
         curve: scan.curve(CURVE),
         histogram: Histogram {
@@ -141,7 +146,7 @@ fn notes(print: &Print<'_>) -> Vec<String> {
         notes.push(format!(
             "Distances between surfaces were taken on a grid coarsened {} times, of {} mm.",
             distance.coarsened,
-            print.grid().pitch_mm * distance.coarsened as f64
+            concise(print.grid().pitch_mm * distance.coarsened as f64)
         ));
     }
     notes

@@ -24,6 +24,7 @@ use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::target::label;
+use crate::units::exact;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
@@ -149,7 +150,7 @@ impl<'a> Print<'a> {
         if !(half_width.is_finite() && half_width >= 0.0) {
             return Err(Error::config(
                 "epsilon",
-                format!("found {half_width}"),
+                format!("found {}", exact(half_width)),
                 "a finite number, 0 or above",
             ));
         }
@@ -172,7 +173,7 @@ impl<'a> Print<'a> {
         if !threshold.is_finite() {
             return Err(Error::config(
                 "evaluate.threshold",
-                format!("found {threshold}"),
+                format!("found {}", exact(threshold)),
                 "a finite number",
             ));
         }

@@ -4,7 +4,9 @@
 //! Both surfaces are iso-surfaces ([`isosurface`](super::isosurface)): the response at the gel threshold, and the
 //! target's inside fraction at ½ (0 and 1 by label when no fraction is known). From every corner of the one the distance
 //! to the nearest triangle of the other is taken, both ways. A corner weighs a third of the area of its triangles, so
-//! mean and 95th percentile are over the surfaces' area, of both together; the Hausdorff distance is the largest of all.
+//! mean and 95th percentile are over the surfaces' area, of both together; the Hausdorff distance is the largest of all. Where it
+//! is, the other body is looked up: a corner of the print that lies in no target is print without target, one that lies in the
+//! target is the end of a print that should go on; and the other way round for corners of the target.
 //!
 //! # Limits
 //! Distances are exact up to f32 between the triangulated surfaces. The iso-surface of a fraction lies within about
@@ -26,7 +28,9 @@
 //! let response = Volume { grid: grid.clone(), values: ramp(0.1) }; // ends at x = 0.1
 //! let labels = Volume { values: inside.values.iter().map(|&s| if s >= 0.5 { PART } else { VOID }).collect(), grid };
 //! let print = Print::new(&labels, &response).unwrap().with_inside(&inside).unwrap().with_threshold(0.5).unwrap();
-//! assert!((print.distance().unwrap().hausdorff_mm - 0.1).abs() < 1e-5);
+//! let distance = print.distance().unwrap();
+//! assert!((distance.hausdorff_mm - 0.1).abs() < 1e-5);
+//! assert_eq!(distance.farthest.side.words(), "print without target");
 //! ```
 
 use super::isosurface::{Surface, isosurface_of, rows_of};
@@ -34,6 +38,7 @@ use super::nearest::TriangleTree;
 use super::print::Print;
 use crate::grid::VolumeGrid;
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// Voxels up to which surfaces are taken on the print's own grid.
 const FULL_RESOLUTION: usize = 200_000_000;
@@ -41,6 +46,37 @@ const FULL_RESOLUTION: usize = 200_000_000;
 const MOST_TRIANGLES: usize = 4_000_000;
 /// Corners that are asked for one after the other, each with the answer of the one before.
 const RUN: usize = 1024;
+
+/// Which body is without the other where surfaces are apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// What is printed there should not be.
+    PrintWithoutTarget,
+    /// What should be printed there is not.
+    TargetWithoutPrint,
+}
+
+impl Side {
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Side::PrintWithoutTarget => "print without target",
+            Side::TargetWithoutPrint => "target without print",
+        }
+    }
+}
+
+/// Where two surfaces are farthest apart.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Farthest {
+    /// The corner [x, y, z] of one surface that is farthest from the other, mm.
+    #[serde(rename = "at_xyz_mm")]
+    pub at_mm: [f64; 3],
+    /// What is wrong there.
+    pub side: Side,
+}
 
 /// Distances between two surfaces, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +87,8 @@ pub struct SurfaceDistance {
     pub p95_mm: f64,
     /// Largest distance, both ways.
     pub hausdorff_mm: f64,
+    /// Where that is.
+    pub farthest: Farthest,
     /// Voxels per edge that were averaged before the surfaces were taken; 1: none.
     pub coarsened: usize,
 }
@@ -78,7 +116,18 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         return None;
     }
     let mut samples = distances(&printed, &target);
-    samples.extend(distances(&target, &printed));
+    let back = distances(&target, &printed);
+    let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
+    let farthest = if samples[of_print].0 >= back[of_target].0 {
+        let at_mm = printed.corners[of_print].map(f64::from);
+        let share = value_at(grid, at_mm, |i, row| print.target_row(i, row));
+        farthest(at_mm, share < 0.5)
+    } else {
+        let at_mm = target.corners[of_target].map(f64::from);
+        let response = value_at(grid, at_mm, |i, row| print.printed_row(i, threshold, row));
+        farthest(at_mm, response > threshold)
+    };
+    samples.extend(back);
     samples.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let area: f64 = samples.iter().map(|s| s.1).sum();
     let mut below = 0.0;
@@ -90,8 +139,54 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         mean_mm: samples.iter().map(|s| f64::from(s.0) * s.1).sum::<f64>() / area,
         p95_mm: f64::from(p95?.0),
         hausdorff_mm: f64::from(samples.last()?.0),
+        farthest,
         coarsened,
     })
+}
+
+fn farthest(at_mm: [f64; 3], is_excess: bool) -> Farthest {
+    let side = if is_excess {
+        Side::PrintWithoutTarget
+    } else {
+        Side::TargetWithoutPrint
+    };
+    Farthest { at_mm, side }
+}
+
+/// Position of the largest distance, the first of equal ones.
+fn largest(samples: &[(f32, f64)]) -> Option<usize> {
+    let indices = 0..samples.len();
+    indices.reduce(|best, i| {
+        if samples[i].0 > samples[best].0 {
+            i
+        } else {
+            best
+        }
+    })
+}
+
+/// A field at a place: linear between the middles of voxels, beyond the outermost as there.
+fn value_at(grid: &VolumeGrid, place_mm: [f64; 3], fill: impl Fn(usize, &mut [f32])) -> f64 {
+    let first = [grid.x(0), grid.y(0), grid.z(0)];
+    let neighbours = |axis: usize| {
+        let last = grid.shape[2 - axis] - 1;
+        let at = ((place_mm[axis] - first[axis]) / grid.pitch_mm).clamp(0.0, last as f64);
+        let share = at.fract();
+        let low = at as usize;
+        [(low, 1.0 - share), ((low + 1).min(last), share)]
+    };
+    let [xs, ys, zs] = [0, 1, 2].map(neighbours);
+    let mut sum = 0.0;
+    for (iz, z) in zs {
+        for (iy, y) in ys {
+            for (ix, x) in xs {
+                let mut voxel = [0.0f32];
+                fill(grid.index(iz, iy, ix), &mut voxel);
+                sum += x * y * z * f64::from(voxel[0]);
+            }
+        }
+    }
+    sum
 }
 
 /// Iso-surface, after averaging over `factor`³ voxels.
@@ -239,6 +334,50 @@ mod tests {
         assert_eq!(d.coarsened, 1);
         let same = compare(&grid, [1.2, 1.2], 0.0, usize::MAX);
         assert!(same.hausdorff_mm < 1e-6, "{same:?}");
+    }
+
+    #[test]
+    fn the_place_of_the_largest_deviation_is_told_and_what_is_wrong_there() {
+        let grid = VolumeGrid::centered([40, 40, 40], 0.1);
+        let part = |i: usize| {
+            let [x, y, z] = [grid.x(i % 40), grid.y(i / 40 % 40), grid.z(i / 1600)];
+            x.hypot(y).hypot(z) < 1.0
+        };
+        let labels = Volume {
+            values: (0..grid.len())
+                .map(|i| if part(i) { PART } else { VOID })
+                .collect(),
+            grid: grid.clone(),
+        };
+        let farthest = |changed: [usize; 3], value: f32| {
+            let mut response = Volume {
+                values: (0..grid.len())
+                    .map(|i| f32::from(u8::from(part(i))))
+                    .collect(),
+                grid: grid.clone(),
+            };
+            let [x, y, z] = changed;
+            response.values[grid.index(z, y, x)] = value;
+            let print = Print::new(&labels, &response).unwrap();
+            print
+                .with_threshold(0.5)
+                .unwrap()
+                .distance()
+                .unwrap()
+                .farthest
+        };
+        // A loose speck at (1.55, 1.45, −1.05) mm; a hole in the middle of the part, at (0.05, 0.05, 0.05) mm
+        for (voxel, value, side) in [
+            ([35, 34, 9], 1.0, Side::PrintWithoutTarget),
+            ([20, 20, 20], 0.0, Side::TargetWithoutPrint),
+        ] {
+            let found = farthest(voxel, value);
+            assert_eq!(found.side, side);
+            let [x, y, z] = voxel;
+            for (found, expected) in found.at_mm.iter().zip([grid.x(x), grid.y(y), grid.z(z)]) {
+                assert!((found - expected).abs() < 0.051, "{found} {expected}");
+            }
+        }
     }
 
     #[test]

@@ -50,6 +50,7 @@ use crate::error::{Error, Result};
 use crate::field::group::Group;
 use crate::field::{BLOCK, Field, HostField, LANES, Lanes};
 use crate::response::{Response, is_reached};
+use crate::units::exact;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -374,7 +375,7 @@ impl BandObjective {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Error::config(
                     key,
-                    format!("found {value}"),
+                    format!("found {}", exact(value)),
                     "a finite number above 0",
                 ));
             }

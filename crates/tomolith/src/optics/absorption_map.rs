@@ -7,6 +7,7 @@ use super::projector::Ray;
 use super::resin::Uptake;
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid, sample};
+use crate::units::Mm;
 
 /// Absorption on a grid of cells about the axis, row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +43,10 @@ impl AbsorptionMap {
             );
         }
         if !(pitch_mm > 0.0 && pitch_mm.is_finite()) {
-            return refused(format!("a pitch of {pitch_mm} mm"), "a finite number > 0");
+            return refused(
+                format!("a pitch of {}", Mm(pitch_mm)),
+                "a finite number > 0",
+            );
         }
         let bad = active
             .iter()

@@ -31,6 +31,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -116,7 +117,7 @@ impl<F: Field> Adam<F> {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Error::config(
                     key,
-                    format!("found {value}"),
+                    format!("found {}", exact(value)),
                     "a finite number above 0",
                 ));
             }
@@ -125,7 +126,7 @@ impl<F: Field> Adam<F> {
             if !(0.0..1.0).contains(&value) {
                 return Err(Error::config(
                     key,
-                    format!("found {value}"),
+                    format!("found {}", exact(value)),
                     "0 or above, below 1",
                 ));
             }

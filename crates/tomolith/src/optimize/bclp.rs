@@ -40,6 +40,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -94,7 +95,7 @@ impl<F: Field> Bclp<F> {
         if !(params.step.is_finite() && params.step > 0.0) {
             return Err(Error::config(
                 "step",
-                format!("found {}", params.step),
+                format!("found {}", exact(params.step)),
                 "a finite number above 0",
             ));
         }

@@ -43,6 +43,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::{Bounds, Field};
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -136,7 +137,7 @@ impl<F: Field> Cal<F> {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Error::config(
                     key,
-                    format!("found {value}"),
+                    format!("found {}", exact(value)),
                     "a finite number above 0",
                 ));
             }
@@ -145,7 +146,7 @@ impl<F: Field> Cal<F> {
         if !params.d_h.is_finite() {
             return Err(Error::config(
                 "d_h",
-                format!("found {}", params.d_h),
+                format!("found {}", exact(params.d_h)),
                 "a finite number",
             ));
         }

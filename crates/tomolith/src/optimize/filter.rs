@@ -85,7 +85,7 @@ impl<F: Field> Projection<F> {
     /// Takes Fᵀ d for what it is.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] when no light meets d.
+    /// [`Error::Config`] when no light meets d.
     pub fn new(patterns: F, lights: &[PatternLayout], wanted: &F) -> Result<Self> {
         let sum = |field: &F| {
             let mut ones = field.zeros_like();
@@ -95,10 +95,11 @@ impl<F: Field> Projection<F> {
         let frames = lights.iter().map(|light| light.grid.frames()).sum();
         let share = sum(&patterns) / (frames as f64 * sum(wanted));
         if !(share.is_finite() && share > 0.0) {
-            return Err(Error::Unsupported {
-                what: "a start from the target".to_owned(),
-                reason: "no light meets the target".to_owned(),
-            });
+            return Err(Error::config(
+                "light",
+                "no light meets the target",
+                "pixels that cover it, and a resin and a bath that let their light come so far (absorption_per_mm)",
+            ));
         }
         Ok(Projection {
             patterns,

@@ -44,6 +44,7 @@ use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::Kind;
 use crate::objective::penalty::PatternPenalty;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -142,7 +143,7 @@ impl<F: Field> Fista<F> {
             {
                 return Err(Error::config(
                     key,
-                    format!("found {value}"),
+                    format!("found {}", exact(value)),
                     "a finite number above 0",
                 ));
             }

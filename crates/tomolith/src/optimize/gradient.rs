@@ -29,6 +29,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -99,7 +100,7 @@ impl<F: Field> Gradient<F> {
         {
             return Err(Error::config(
                 "step",
-                format!("found {step}"),
+                format!("found {}", exact(step)),
                 "a finite number above 0",
             ));
         }
@@ -146,7 +147,7 @@ pub(super) fn momentum(value: f64) -> Result<()> {
     }
     Err(Error::config(
         "momentum",
-        format!("found {value}"),
+        format!("found {}", exact(value)),
         "0 or above, below 1",
     ))
 }

@@ -35,6 +35,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::{Direction, Field, Latest, Pairs, Products};
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -212,7 +213,7 @@ impl<F: Field> Lbfgs<F> {
         if !(0.0..1.0).contains(&params.tolerance) {
             return Err(Error::config(
                 "tolerance",
-                format!("found {}", params.tolerance),
+                format!("found {}", exact(params.tolerance)),
                 "0 or above, below 1",
             ));
         }

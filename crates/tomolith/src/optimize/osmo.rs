@@ -50,6 +50,7 @@ use super::{
 use crate::error::{Error, Result};
 use crate::field::{Bounds, Field};
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -118,7 +119,7 @@ impl<F: Field> Osmo<F> {
         if !(0.0..=1.0).contains(&params.inhibition) {
             return Err(Error::config(
                 "inhibition",
-                format!("found {}", params.inhibition),
+                format!("found {}", exact(params.inhibition)),
                 "0 to 1, a share of the largest pixel",
             ));
         }

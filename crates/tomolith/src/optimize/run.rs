@@ -4,6 +4,7 @@ use super::checkpoint::{Checkpoints, Contents, Saved};
 use super::{Counters, Optimizer, Position, Problem};
 use crate::error::{Error, Result};
 use crate::field::Field;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -47,7 +48,7 @@ impl Stop {
         let refuse = |key: &str, value: f64, accepted: &str| {
             Err(Error::config(
                 format!("stop.{key}"),
-                format!("found {value}"),
+                format!("found {}", exact(value)),
                 accepted,
             ))
         };

@@ -39,15 +39,19 @@ impl ComparedRun {
     /// Reads a run folder.
     ///
     /// # Errors
-    /// [`Error::Io`] when there is no report; [`Error::Format`] when it is none.
+    /// [`Error::Format`] when it is no folder of a run; [`Error::Io`] when its report cannot be read.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("report.json");
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
-        let bad = |found: String| Error::Format {
-            path: path.clone(),
+        let refused = |path: &Path, found: String| Error::Format {
+            path: path.to_owned(),
             found,
             accepted: ACCEPTED.to_owned(),
         };
+        if let Some(found) = is_no_run(folder) {
+            return Err(refused(folder, found.to_owned()));
+        }
+        let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+        let bad = |found: String| refused(&path, found);
         let report: Value = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
         if report["schema"] != "tomolith.report/1" {
             return Err(bad(format!("schema {}", report["schema"])));
@@ -91,6 +95,19 @@ impl ComparedRun {
 
     fn seconds(&self, i: usize) -> Option<f64> {
         self.history.get("seconds")?.get(i).copied()
+    }
+}
+
+/// Why a path is not the folder of a run; None when it holds a report.
+fn is_no_run(folder: &Path) -> Option<&'static str> {
+    if !folder.exists() {
+        Some("there is no such folder")
+    } else if !folder.is_dir() {
+        Some("a file, not a folder")
+    } else if !folder.join("report.json").is_file() {
+        Some("no report.json in it, so no run has ended here")
+    } else {
+        None
     }
 }
 
@@ -717,7 +734,8 @@ mod tests {
     #[test]
     fn folders_that_are_no_runs_are_refused() {
         let folder = tempfile::tempdir().unwrap();
-        assert!(matches!(read_runs(&[folder.path()]), Err(Error::Io { .. })));
+        let empty = read_runs(&[folder.path()]).unwrap_err().to_string();
+        assert!(empty.contains("no report.json in it"), "{empty}");
         std::fs::write(folder.path().join("report.json"), "{\"schema\": \"other\"}").unwrap();
         assert!(matches!(
             read_runs(&[folder.path()]),

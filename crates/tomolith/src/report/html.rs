@@ -11,7 +11,7 @@ use super::{LightReport, MovieReport, ReportData};
 use crate::field::BLOCK;
 use crate::grid::Volume;
 use crate::io::csv::HistoryRow;
-use crate::metrics::{Better, Evaluation, METRICS, Measure, MetricKind};
+use crate::metrics::{Better, Evaluation, METRICS, Measure, MetricKind, surface_deviation};
 use crate::target::label;
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -214,9 +214,10 @@ fn cards(data: &ReportData<'_>) -> String {
         });
         let _ = write!(
             out,
-            "<div class=\"card\"><h3>{}</h3><div class=\"big\">{value}<small>{unit}</small></div><p>{}</p>{still}</div>",
+            "<div class=\"card\"><h3>{}</h3><div class=\"big\">{value}<small>{unit}</small></div><p>{}{}</p>{still}</div>",
             escape(kind.title),
             escape(kind.summary),
+            place(kind, data.evaluation),
         );
     }
     out.push_str("</div>");
@@ -224,6 +225,18 @@ fn cards(data: &ReportData<'_>) -> String {
         out.push_str(&turning_note(data.evaluation, standing));
     }
     out
+}
+
+/// Where the largest deviation is, for its card.
+fn place(kind: &MetricKind, evaluation: &Evaluation) -> String {
+    match evaluation.farthest {
+        Some(farthest) if kind.name == surface_deviation::HAUSDORFF.name => {
+            let [x, y, z] = farthest.at_mm.map(|mm| significant(mm, 3));
+            let side = farthest.side.words();
+            format!(" It is at x = {x}, y = {y}, z = {z} mm: {side}.")
+        }
+        _ => String::new(),
+    }
 }
 
 /// Why there are two values.
@@ -536,7 +549,7 @@ fn patterns(data: &ReportData<'_>) -> String {
             let of = if light.name.is_empty() { String::new() } else { format!(" of light {}", escape(light.name)) };
             format!(
                 "<section><h2>Light patterns{of}</h2><p class=\"muted\">One row of all frames (a sinogram), and some frames as the projector shows them. \
-                 White is {} (mJ/mm² or relative) over the whole exposure.</p>{}{}</section>",
+                 White is {} over the whole exposure, relative as all doses are.</p>{}{}</section>",
                 significant(f64::from(light.full_scale), 4),
                 sinogram(light.patterns, light.full_scale),
                 strip(light.patterns, light.full_scale),

@@ -4,7 +4,8 @@
 //! schema        "tomolith.report/1"
 //! part          name of the part
 //! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
-//!               with gel_threshold, band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
+//!               with gel_threshold, farthest (the place of hausdorff_mm, and whether print or target is without the other there),
+//!               band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
 //!               and standing_still: the same without turning
 //! optimisation  the same on the optimisation's grid
 //! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
@@ -15,7 +16,7 @@
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first
 //! movies        what a decoder makes of each movie
 //! warnings      sentences
-//! run           program, date and times: all that may differ between two equal runs
+//! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
 //! ```
 //!
 //! What is not defined is null; no number is infinite or not a number.
@@ -90,6 +91,11 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         .iter()
         .map(|t| (t.name.clone(), number(t.seconds)))
         .collect();
+    let models: Map<String, Value> = data
+        .models
+        .iter()
+        .map(|(stage, model)| ((*stage).to_owned(), json!(model)))
+        .collect();
     json!({
         "schema": "tomolith.report/1",
         "part": data.part,
@@ -102,6 +108,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "warnings": data.warnings,
         "run": {
             "program": data.program,
+            "models": models,
             "created": data.created,
             "timings_s": timings,
         },
@@ -120,6 +127,7 @@ pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
     let grid = &evaluation.grid;
     let rest = [
         ("gel_threshold", number(evaluation.gel_threshold)),
+        ("farthest", json!(evaluation.farthest)),
         ("band_half_width", number(evaluation.half_width)),
         ("sub_angles", evaluation.sub_angles.into()),
         (

@@ -69,6 +69,8 @@ pub struct ReportData<'a> {
     pub created: &'a str,
     /// Short facts for the head of the page: `("Vial", "cylinder, 7.6 mm")`.
     pub facts: Vec<(String, String)>,
+    /// What gave the doses: `("optimisation", "parallel (…): …")`.
+    pub models: Vec<(&'static str, String)>,
     /// The patterns of each light.
     pub lights: Vec<LightReport<'a>>,
     /// Labels of the evaluation's voxels ([`crate::target::label`]).
@@ -227,6 +229,7 @@ mod tests {
                 program: "Tomolith",
                 created: "",
                 facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
+                models: vec![("evaluation", "parallel: one slice serves all".to_owned())],
                 lights: vec![LightReport {
                     name: "",
                     patterns: &self.patterns,
@@ -285,6 +288,14 @@ mod tests {
         assert!((json["evaluation"]["iou"].as_f64().unwrap() - 1.0).abs() < 1e-12);
         assert_eq!(json["optimisation"], serde_json::Value::Null);
         assert_eq!(json["published"], serde_json::json!({}));
+        let farthest = evaluation.farthest.unwrap();
+        let place = &json["evaluation"]["farthest"];
+        assert_eq!(place["at_xyz_mm"], serde_json::json!(farthest.at_mm));
+        assert_eq!(place["side"], serde_json::json!(farthest.side));
+        assert_eq!(
+            json["run"]["models"]["evaluation"],
+            "parallel: one slice serves all"
+        );
         assert_eq!(json["history"]["forward_calls"], 8);
         assert_eq!(json["run"]["timings_s"]["all"], 2.0);
         assert_eq!(json["lights"][0]["budget"]["turns"], 12.5);
@@ -320,6 +331,8 @@ mod tests {
             assert!(!page.contains(bad), "{bad}");
         }
         assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
+        let side = evaluation.farthest.unwrap().side.words();
+        assert!(page.contains("It is at x = ") && page.contains(&format!(" mm: {side}.")));
         assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
         // Nine slices, a sinogram, eight frames
         assert_eq!(page.matches("data:image/png;base64,").count(), 18);

@@ -37,6 +37,7 @@ use super::{MeshShape, Shape, TargetSpec};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::mesh::{Mesh, read_mesh};
+use crate::units::concise;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -311,9 +312,10 @@ fn refuse_overlaps(
                 return Err(Error::config(
                     key(*i),
                     format!(
-                        "this body ({}) and body[{j}] ({}) share {shared:.4} mm³",
+                        "this body ({}) and body[{j}] ({}) share {} mm³",
                         bodies[*i].role.name(),
-                        bodies[*j].role.name()
+                        bodies[*j].role.name(),
+                        concise(shared)
                     ),
                     "a printed body that overlaps no insert and no keep-dark body",
                 ));
@@ -491,7 +493,7 @@ mod tests {
         // 1 × 2 × 4 mm
         assert!(
             text.starts_with(
-                "target.body[1]: this body (keep-dark) and body[0] (print) share 8.0000 mm³"
+                "target.body[1]: this body (keep-dark) and body[0] (print) share 8 mm³"
             ),
             "{text}"
         );

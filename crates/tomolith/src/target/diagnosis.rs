@@ -30,6 +30,7 @@ mod tidy;
 
 use crate::error::{Error, Result};
 use crate::io::mesh::{Mesh, dot, minus};
+use crate::units::concise;
 pub use crossings::Crossings;
 use crossings::find_crossings;
 use edges::{Edges, agree, turn};
@@ -223,8 +224,8 @@ impl Diagnosis {
         }
         if let Some(at) = self.overlap_at {
             what.push(format!(
-                "overlap or lie in each other over about {:.3} mm³, the longest stretch near {}",
-                self.overlap_mm3,
+                "overlap or lie in each other over about {} mm³, the longest stretch near {}",
+                concise(self.overlap_mm3),
                 place(at)
             ));
         }
@@ -244,8 +245,8 @@ impl Diagnosis {
         }
         if let Some(at) = self.negative_at {
             what.push(format!(
-                "about {:.3} mm³ near {} lie inside out and count as outside",
-                self.negative_mm3,
+                "about {} mm³ near {} lie inside out and count as outside",
+                concise(self.negative_mm3),
                 place(at)
             ));
         }
@@ -254,8 +255,9 @@ impl Diagnosis {
     }
 }
 
-fn place([x, y, z]: [f64; 3]) -> String {
-    format!("({x:.3}, {y:.3}, {z:.3}) mm")
+fn place(at: [f64; 3]) -> String {
+    let [x, y, z] = at.map(concise);
+    format!("({x}, {y}, {z}) mm")
 }
 
 /// Examines a mesh and makes it closed and outward.
@@ -340,7 +342,7 @@ mod tests {
         assert!((after.signed_volume() - 6.0).abs() < 1e-12);
         let said = diagnosis.sentences();
         assert!(
-            said[0].contains("4 edges") && said[0].contains("3.000) mm"),
+            said[0].contains("4 edges") && said[0].contains(", 3) mm"),
             "{said:?}"
         );
         assert!(diagnosis.is_simple());
@@ -467,7 +469,7 @@ mod tests {
         let (_, diagnosis) = found(touching);
         assert_eq!(diagnosis.non_manifold_edges, 1);
         assert!(
-            diagnosis.sentences()[0].contains("(1.000, 1.000, 0.500) mm"),
+            diagnosis.sentences()[0].contains("(1, 1, 0.5) mm"),
             "{:?}",
             diagnosis.sentences()
         );

@@ -11,6 +11,7 @@ use super::voxels::zeros;
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::GreyPixels;
+use crate::units::Mm;
 use rayon::prelude::*;
 
 /// A placed grey image, or a stack of them.
@@ -111,7 +112,7 @@ impl GreyImage {
 fn length(key: &str, value: Option<f64>, accepted: &str) -> Result<f64> {
     match value {
         Some(value) if value.is_finite() && value > 0.0 => Ok(value),
-        Some(value) => Err(Error::config(key, format!("{value} mm"), accepted)),
+        Some(value) => Err(Error::config(key, Mm(value).to_string(), accepted)),
         None => Err(Error::config(key, "the key is missing", accepted)),
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
+use crate::units::{Mm, concise};
 
 /// Space on each side of the shape, as a share of its extent along that axis.
 const MARGIN: f64 = 0.10;
@@ -11,6 +12,8 @@ const MARGIN_VOXELS: usize = 4;
 
 /// Most voxels along an axis: beyond it indices and memory are certain to fail later, and less clearly.
 const MOST_VOXELS: f64 = 65536.0;
+/// Largest edge of a voxel: far beyond any vial, and its volume is still a number.
+const LARGEST_PITCH_MM: f64 = 1000.0;
 
 /// How fine the grid is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,11 +46,11 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
     let least = 2 * MARGIN_VOXELS;
     match resolution {
         Resolution::Pitch(pitch_mm) => {
-            if !(pitch_mm.is_finite() && pitch_mm > 0.0) {
+            if !(pitch_mm > 0.0 && pitch_mm <= LARGEST_PITCH_MM) {
                 return Err(Error::config(
                     "pitch_mm",
-                    pitch_mm.to_string(),
-                    "a length > 0",
+                    Mm(pitch_mm).to_string(),
+                    format!("a length > 0, at most {}", Mm(LARGEST_PITCH_MM)),
                 ));
             }
             // A count that is a whole number up to rounding stays that number
@@ -60,7 +63,13 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
             if !fits {
                 return Err(Error::config(
                     "pitch_mm",
-                    format!("{pitch_mm} mm makes a grid of {x} × {y} × {z} voxels"),
+                    format!(
+                        "{} makes a grid of {} × {} × {} voxels",
+                        Mm(pitch_mm),
+                        concise(x),
+                        concise(y),
+                        concise(z)
+                    ),
                     format!("a pitch that needs at most {MOST_VOXELS} voxels along an axis"),
                 ));
             }

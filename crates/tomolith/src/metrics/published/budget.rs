@@ -1,7 +1,7 @@
 //! The light budget: where the light of the patterns goes.
 //!
-//! **Equation** sent = Σ x·(pixel pitch)², absorbed in a region = Σ_v d_v·(voxel pitch)³, both in mJ; shares are absorbed
-//! over sent. What is neither in the part nor in the void of the grid is reflected, leaves the vial, or is absorbed
+//! **Equation** sent = Σ x·(pixel pitch)², absorbed in a region = Σ_v d_v·(voxel pitch)³, both in the unit of dose times mm³: mJ
+//! where doses are mJ/mm³, else relative as they are; shares are absorbed over sent. What is neither in the part nor in the void of the grid is reflected, leaves the vial, or is absorbed
 //! elsewhere. Doses are those of the active species; with pure Radon (a sum of fluences) the shares mean nothing.
 
 use super::{List, TOMOLITH};
@@ -10,7 +10,7 @@ use crate::grid::{Patterns, Volume};
 use crate::target::label;
 use rayon::prelude::*;
 
-/// Energies of a print, mJ (relative when doses are).
+/// Energies of a print, in the unit of its doses times mm³.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightBudget {
     /// Sent by the projectors.
@@ -72,9 +72,9 @@ pub(super) fn list(
     list.add(
         "light_sent",
         TOMOLITH,
-        "mJ",
+        "dose × mm³",
         (!patterns.is_empty()).then_some(budget.sent),
-        "Σ pattern value × pixel area",
+        "Σ pattern value × pixel area: mJ where doses are mJ/mm³, relative where they are",
     );
     list.add(
         "light_in_part",

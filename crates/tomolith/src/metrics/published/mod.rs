@@ -64,6 +64,7 @@ use super::scan::Scan;
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume};
 use crate::response::{Identity, Response};
+use crate::units::exact;
 use norms::Band;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -124,7 +125,11 @@ impl Options<'_> {
             if (0.0..end).contains(&value) {
                 return Ok(());
             }
-            Err(Error::config(key, format!("found {value}"), accepted))
+            Err(Error::config(
+                key,
+                format!("found {}", exact(value)),
+                accepted,
+            ))
         };
         within(
             "epsilon",

@@ -61,6 +61,12 @@ impl UnitSystem {
         UnitSystem::ArealRate,
     ];
 
+    /// Whether it counts light by the time that it shines.
+    #[must_use]
+    pub fn needs_time(self) -> bool {
+        matches!(self, UnitSystem::VolumetricRate | UnitSystem::ArealRate)
+    }
+
     /// A pattern value (mJ/mm²) and a dose (mJ/mm³) with the active species' absorption (1/mm, above 0) and the exposure
     /// (s, above 0).
     #[must_use]

@@ -15,6 +15,7 @@ use super::{BuildPhase, Phase};
 use crate::error::Error;
 use crate::kind::Kind;
 use crate::optics::random::Stream;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -56,7 +57,7 @@ pub const KIND: Kind<BuildPhase> = Kind {
         if !(-0.999..=0.999).contains(&phase.g) {
             return Err(Error::config(
                 format!("{}.g", section.path),
-                format!("found {}", phase.g),
+                format!("found {}", exact(phase.g)),
                 "-0.999 to 0.999",
             ));
         }

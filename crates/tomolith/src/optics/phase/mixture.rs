@@ -9,6 +9,7 @@ use super::{BuildPhase, PHASES, Phase};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::optics::random::Stream;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -81,7 +82,7 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
         if !(part.share.is_finite() && part.share > 0.0) {
             return Err(Error::config(
                 format!("{}.share", key(i)),
-                format!("found {}", part.share),
+                format!("found {}", exact(part.share)),
                 "a finite number > 0",
             ));
         }

@@ -13,7 +13,7 @@ pub mod telecentric;
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::optics::vial::positive;
-use crate::units::Pitch;
+use crate::units::{Pitch, exact};
 
 /// A straight line with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,7 +93,7 @@ fn not_negative(section: &Section, key: &str, value: f64) -> Result<f64> {
     }
     Err(Error::config(
         format!("{}.{key}", section.path),
-        format!("found {value}"),
+        format!("found {}", exact(value)),
         "a finite number >= 0",
     ))
 }

@@ -18,7 +18,7 @@ use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::optics::vial::positive;
-use crate::units::{Mm, Pitch};
+use crate::units::{Mm, Pitch, exact};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -104,7 +104,7 @@ fn finite(section: &Section, key: &str, value: f64) -> Result<f64> {
     }
     Err(Error::config(
         format!("{}.{key}", section.path),
-        format!("found {value}"),
+        format!("found {}", exact(value)),
         "a finite number",
     ))
 }

@@ -28,7 +28,7 @@
 use super::{Curve, Medium, Vial, Wall};
 use crate::error::{Error, Result};
 use crate::optics::surface::Surface;
-use crate::units::Mm;
+use crate::units::{Mm, exact};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -82,11 +82,11 @@ impl Ended {
                 Err(Error::config(key, found, accepted))
             };
             if !end.z_mm.is_finite() {
-                let found = format!("found {}", end.z_mm);
+                let found = format!("found {}", exact(end.z_mm));
                 return refused(format!("{key}.z_mm"), found, "a finite number");
             }
             if !(end.thickness_mm.is_finite() && end.thickness_mm >= 0.0) {
-                let found = format!("found {}", end.thickness_mm);
+                let found = format!("found {}", exact(end.thickness_mm));
                 return refused(format!("{key}.thickness_mm"), found, "a finite number >= 0");
             }
             if !vial.is_invariant() {
@@ -108,10 +108,11 @@ impl Ended {
             return Err(Error::config(
                 "vial.bottom.z_mm",
                 format!(
-                    "found {} mm, not below the top at {} mm",
-                    resin[0], resin[1]
+                    "found {}, not below the top at {}",
+                    Mm(resin[0]),
+                    Mm(resin[1])
                 ),
-                format!("a height below {} mm", resin[1]),
+                format!("a height below {}", Mm(resin[1])),
             ));
         }
         let walls = [resin[0] - thickness(bottom), resin[1] + thickness(top)];

@@ -23,6 +23,7 @@ use crate::io::mesh::{Mesh, read_mesh};
 use crate::kind::{Kind, Section};
 use crate::optics::projector::Ray;
 use crate::optics::surface::{Net, Surface, meeting};
+use crate::units::concise;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -56,20 +57,20 @@ impl MeshVial {
         let (outside, inside) = (wall(outer, "outer")?, wall(inner, "inner")?);
         let crossing = inner.vertices.iter().find(|&&v| !outside.contains(v));
         let crossing = crossing.or_else(|| outer.vertices.iter().find(|&&v| inside.contains(v)));
-        if let Some([x, y, z]) = crossing {
+        if let Some(vertex) = crossing {
+            let [x, y, z] = vertex.map(concise);
             return Err(Error::config(
                 format!("{key}.inner"),
-                format!(
-                    "the walls cross: the vertex ({x:.3}, {y:.3}, {z:.3}) mm lies on the wrong side"
-                ),
+                format!("the walls cross: the vertex ({x}, {y}, {z}) mm lies on the wrong side"),
                 "an inner wall within the outer one",
             ));
         }
         let edge = meeting(inner, &outside).or_else(|| meeting(outer, &inside));
-        if let Some([x, y, z]) = edge {
+        if let Some(place) = edge {
+            let [x, y, z] = place.map(concise);
             return Err(Error::config(
                 format!("{key}.inner"),
-                format!("the walls meet at ({x:.3}, {y:.3}, {z:.3}) mm"),
+                format!("the walls meet at ({x}, {y}, {z}) mm"),
                 "an inner wall within the outer one",
             ));
         }

@@ -14,6 +14,7 @@ pub mod square;
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::optics::surface::Surface;
+use crate::units::{Mm, exact};
 
 /// The curve of a wall in the plane z = const, centred on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,7 +151,7 @@ pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> 
     }
     Err(Error::config(
         format!("{}.{key}", section.path),
-        format!("found {value}"),
+        format!("found {}", exact(value)),
         "a finite number > 0",
     ))
 }
@@ -166,8 +167,12 @@ pub(crate) fn inner_below_outer(
     }
     Err(Error::config(
         format!("{}.{inner_key}", section.path),
-        format!("found {inner} mm, not smaller than {outer_key} = {outer} mm"),
-        format!("a length below {outer} mm"),
+        format!(
+            "found {}, not smaller than {outer_key} = {}",
+            Mm(inner),
+            Mm(outer)
+        ),
+        format!("a length below {}", Mm(outer)),
     ))
 }
 

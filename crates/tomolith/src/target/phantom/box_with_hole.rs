@@ -62,7 +62,7 @@ fn build(section: &Section) -> Result<Form> {
         ],
     )?;
     if p.hole_mm >= p.size_mm {
-        let found = format!("{} mm in a block of {} mm", p.hole_mm.0, p.size_mm.0);
+        let found = format!("{} in a block of {}", p.hole_mm, p.size_mm);
         return Err(
             Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
         );
@@ -70,8 +70,8 @@ fn build(section: &Section) -> Result<Form> {
     let x = p.hole_x_mm.0;
     if !x.is_finite() || 2.0 * x.abs() + p.hole_mm.0 > p.size_mm.0 {
         let found = format!(
-            "a hole of {} mm at {x} mm in a block of {} mm",
-            p.hole_mm.0, p.size_mm.0
+            "a hole of {} at {} in a block of {}",
+            p.hole_mm, p.hole_x_mm, p.size_mm
         );
         return Err(
             Error::config("hole_x_mm", found, "a place within the block").under(&section.path),

@@ -17,7 +17,7 @@ use super::wheel::Wheel;
 use super::{Body, BuildForm, Form, Prism, positive, rims};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
-use crate::units::Mm;
+use crate::units::{Mm, concise};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -66,9 +66,9 @@ fn build(section: &Section) -> Result<Form> {
     let bore = p.bore_mm.0 / 2.0;
     if !(bore >= 0.0 && bore < wheel.root) {
         let found = format!(
-            "{} mm in a root circle of {:.3} mm",
-            p.bore_mm.0,
-            2.0 * wheel.root
+            "{} in a root circle of {} mm",
+            p.bore_mm,
+            concise(2.0 * wheel.root)
         );
         let accepted = "a diameter ≥ 0 below the root circle";
         return Err(Error::config("bore_mm", found, accepted).under(&section.path));

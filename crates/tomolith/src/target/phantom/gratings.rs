@@ -73,7 +73,7 @@ fn build(section: &Section) -> Result<Form> {
         return refused("periods", p.periods.to_string(), "a number from 1 to 1000");
     }
     if !(p.gap_mm.0 >= 0.0 && p.gap_mm < p.size_mm) {
-        let found = format!("{} mm", p.gap_mm.0);
+        let found = p.gap_mm.to_string();
         return refused("gap_mm", found, "0, or a length below `size_mm`");
     }
     if p.bits.iter().any(|bits| !(1..=16).contains(bits)) {

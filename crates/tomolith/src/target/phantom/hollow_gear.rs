@@ -18,7 +18,7 @@ use super::gear::spur_gear;
 use super::{Body, BuildForm, Form, Prism, positive, rims};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
-use crate::units::Mm;
+use crate::units::{Mm, concise};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,10 +70,13 @@ fn build(section: &Section) -> Result<Form> {
     )?;
     let wheel = spur_gear(section, p.size_mm, p.teeth)?;
     let refused = |key: &str, found: Mm, accepted: String| {
-        Err(Error::config(key, format!("{} mm", found.0), accepted).under(&section.path))
+        Err(Error::config(key, found.to_string(), accepted).under(&section.path))
     };
     if p.wall_mm.0 >= wheel.root {
-        let accepted = format!("less than the root circle's radius, {:.3} mm", wheel.root);
+        let accepted = format!(
+            "less than the root circle's radius, {} mm",
+            concise(wheel.root)
+        );
         return refused("wall_mm", p.wall_mm, accepted);
     }
     if !(p.floor_mm.0 >= 0.0 && p.floor_mm < p.height_mm) {

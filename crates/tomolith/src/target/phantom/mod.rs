@@ -197,7 +197,7 @@ fn positive(section: &Section, lengths: &[(&str, Mm)]) -> Result<()> {
     for &(key, Mm(value)) in lengths {
         if !(value.is_finite() && value > 0.0) {
             return Err(
-                Error::config(key, format!("{value} mm"), "a length > 0").under(&section.path)
+                Error::config(key, Mm(value).to_string(), "a length > 0").under(&section.path)
             );
         }
     }
@@ -365,7 +365,7 @@ mod tests {
             ),
             (
                 json!({"diamond": {"wall_mm": 0.5}}),
-                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.312 mm",
+                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm",
             ),
             (
                 json!({"dog_bones": {"count": 0}}),

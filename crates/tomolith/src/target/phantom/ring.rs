@@ -59,7 +59,7 @@ fn build(section: &Section) -> Result<Form> {
         ],
     )?;
     if p.hole_mm >= p.size_mm {
-        let found = format!("{} mm in a ring of {} mm", p.hole_mm.0, p.size_mm.0);
+        let found = format!("{} in a ring of {}", p.hole_mm, p.size_mm);
         return Err(
             Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
         );

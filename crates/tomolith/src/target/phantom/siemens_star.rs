@@ -71,7 +71,7 @@ fn build(section: &Section) -> Result<Form> {
         );
     }
     if p.hub_mm >= p.size_mm {
-        let found = format!("{} mm in a star of {} mm", p.hub_mm.0, p.size_mm.0);
+        let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
         return Err(
             Error::config("hub_mm", found, "a diameter below `size_mm`").under(&section.path)
         );

@@ -70,7 +70,7 @@ fn build(section: &Section) -> Result<Form> {
     )?;
     // Then the two outer posts on one diagonal do not touch
     if p.post_mm.0 > 0.125 * p.size_mm.0 {
-        let found = format!("{} mm in a circle of {} mm", p.post_mm.0, p.size_mm.0);
+        let found = format!("{} in a circle of {}", p.post_mm, p.size_mm);
         return Err(
             Error::config("post_mm", found, "at most an eighth of `size_mm`").under(&section.path),
         );

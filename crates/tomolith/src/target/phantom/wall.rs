@@ -8,7 +8,7 @@ use super::waves::wave;
 use super::{Body, Form, corners, cuboid, positive};
 use crate::error::{Error, Result};
 use crate::kind::Section;
-use crate::units::Mm;
+use crate::units::{Mm, concise};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -63,8 +63,8 @@ pub(super) fn build(section: &Section, waves: &'static Waves) -> Result<Form> {
     let thickest = waves.thickest * period;
     let wall = p.wall_mm.map_or(thickest, |mm| mm.0);
     if !(wall > 0.0 && wall <= thickest * (1.0 + 1e-9)) {
-        let found = format!("{wall} mm with a period of {period} mm");
-        let accepted = format!("a thickness > 0, at most {thickest:.3} mm");
+        let found = format!("{} with a period of {} mm", Mm(wall), concise(period));
+        let accepted = format!("a thickness > 0, at most {} mm", concise(thickest));
         return Err(Error::config("wall_mm", found, accepted).under(&section.path));
     }
     let half = p.size_mm.0 / 2.0;
