@@ -127,8 +127,8 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         setup.asked_often = false;
         (trials, plan) = by_optimiser(scene, setup, voxels, run)?;
     }
-    // A line, or a quadratic, of which two doses and what they have in common
-    let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.5 };
+    // A line has one coefficient that is not known, a quadratic two
+    let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
     let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
