@@ -131,7 +131,11 @@ impl Source {
         let place = self.pixels.column_u(column) / self.pixels.pitch_mm[0];
         // Half a spacing is added so that no pixel beside or on the axis lies at the leap from 1 to 0
         let beside = (0.5 + place * GOLDEN).rem_euclid(1.0) - 0.5;
-        let beside = if count > 1 { beside / count as f64 } else { 0.0 };
+        let beside = if count > 1 {
+            beside / count as f64
+        } else {
+            0.0
+        };
         self.samples.iter().map(move |sample| Sample {
             within: [sample.within[0], sample.within[1] + beside],
             ..*sample
@@ -280,7 +284,10 @@ fn ranks(count: usize, step: f64) -> impl Iterator<Item = usize> {
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|i, j| part(i).total_cmp(&part(j)));
     let mut ranks = vec![0; count];
-    order.iter().enumerate().for_each(|(rank, &i)| ranks[i] = rank);
+    order
+        .iter()
+        .enumerate()
+        .for_each(|(rank, &i)| ranks[i] = rank);
     ranks.into_iter()
 }
 
