@@ -372,7 +372,7 @@ fn with_many_rays_it_is_what_parallel_says() {
             (square(&|a, b| a - b) / square(&|a, _| a)).sqrt()
         };
         let (few, many) = (difference(4), difference(1024));
-        assert!(many < left && few < left + 0.04, "{vial:?}: {few} {many}");
+        assert!(many < left && few < left + 0.06, "{vial:?}: {few} {many}");
     }
 }
 
