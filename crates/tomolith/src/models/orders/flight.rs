@@ -112,10 +112,10 @@ impl Flight {
     }
 }
 
-/// Sums over points for many patterns at once: every harmonic is evaluated once.
+/// Sums over points for many patterns at once: every harmonic is evaluated once, and its norm never again.
 struct Sums {
     harmonics: Vec<Harmonic>,
-    /// Of each pattern: weight, and places of its two harmonics.
+    /// Of each pattern: weight times both norms, and places of its two harmonics.
     patterns: Vec<Vec<(f64, usize, usize)>>,
 }
 
@@ -134,7 +134,7 @@ impl Sums {
             .map(|pattern| {
                 let terms = pattern.0.iter();
                 terms
-                    .map(|&(weight, a, b)| (weight, place(a), place(b)))
+                    .map(|&(weight, a, b)| (weight * a.norm() * b.norm(), place(a), place(b)))
                     .collect()
             })
             .collect();
@@ -149,7 +149,7 @@ impl Sums {
         let mut values = vec![0.0; self.harmonics.len()];
         for &(direction, arrives) in nodes {
             for (value, harmonic) in values.iter_mut().zip(&self.harmonics) {
-                *value = harmonic.at(direction);
+                *value = harmonic.form(direction);
             }
             for (sum, terms) in sums.iter_mut().zip(&self.patterns) {
                 let product =

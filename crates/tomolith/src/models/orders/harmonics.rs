@@ -15,7 +15,12 @@ pub(super) struct Harmonic {
 
 impl Harmonic {
     /// Its value in a unit direction.
-    pub(super) fn at(self, [x, y, z]: [f64; 3]) -> f64 {
+    pub(super) fn at(self, direction: [f64; 3]) -> f64 {
+        self.norm() * self.form(direction)
+    }
+
+    /// The same without its norm, which is the same in all directions.
+    pub(super) fn form(self, [x, y, z]: [f64; 3]) -> f64 {
         let m = self.m.unsigned_abs();
         // (x + iy)^m
         let (mut re, mut im) = (1.0, 0.0);
@@ -27,11 +32,11 @@ impl Harmonic {
             m if m > 0 => SQRT_2 * re,
             _ => SQRT_2 * im,
         };
-        self.norm() * legendre(self.l, m, z) * around
+        legendre(self.l, m, z) * around
     }
 
     /// √((2l+1)/4π · (l−m)!/(l+m)!)
-    fn norm(self) -> f64 {
+    pub(super) fn norm(self) -> f64 {
         let m = self.m.unsigned_abs();
         let ratio: f64 = (self.l - m + 1..=self.l + m).map(|i| i as f64).product();
         ((2 * self.l + 1) as f64 / (4.0 * PI * ratio)).sqrt()

@@ -20,7 +20,7 @@
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
-//! | `rays_per_pixel` | 1 to 4096 | 4; 16 where cells made the planner choose `rays` | rays of a pixel in a frame; squares lie on a lattice where there is no aperture |
+//! | `rays_per_pixel` | 1 to 4096 | 4; 16 where cells made the planner choose `rays` | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
 //! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |

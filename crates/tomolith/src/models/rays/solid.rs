@@ -31,8 +31,8 @@ const TRIES: usize = 4;
 /// Lines through a cut voxel of a form: two Fibonacci numbers, whose lattice spreads them evenly.
 const LINES: [usize; 2] = [233, 144];
 
-/// Level rays whose pieces are kept: the rows of a column send few that differ.
-const KNOWN: usize = 8;
+/// Level rays whose pieces are kept: the rows of a column send the same ways, one for each ray of a pixel.
+const KNOWN: usize = 256;
 
 /// The pieces of a ray inside a solid.
 #[derive(Debug, Default)]

@@ -42,6 +42,9 @@ const MIDDLE: Sample = Sample {
     aperture: [0.0; 2],
 };
 
+/// The golden ratio − 1: its multiples leave the most even gaps.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// Legs of all pixels of one frame.
 struct Shared {
     /// First leg of each (column, row from below), and one more.
@@ -119,6 +122,26 @@ impl Source {
         }
     }
 
+    /// The samples of a column's pixels: along the axis as far beside the even ones, within their spacing, as the column's place says.
+    /// Level rays of one height meet one slice of voxels; heights that all columns shared would light some slices more than
+    /// others, in every voxel alike. A single ray stays in the middle. The place, not the number, decides: an image
+    /// beside the axis has the rays of a larger one.
+    fn samples_of(&self, column: usize) -> impl Iterator<Item = Sample> {
+        let count = self.samples.len();
+        let place = self.pixels.column_u(column) / self.pixels.pitch_mm[0];
+        // Half a spacing is added so that no pixel beside or on the axis lies at the leap from 1 to 0
+        let beside = (0.5 + place * GOLDEN).rem_euclid(1.0) - 0.5;
+        let beside = if count > 1 {
+            beside / count as f64
+        } else {
+            0.0
+        };
+        self.samples.iter().map(move |sample| Sample {
+            within: [sample.within[0], sample.within[1] + beside],
+            ..*sample
+        })
+    }
+
     fn ray(&self, column: usize, row: usize, sample: &Sample, azimuth: f64) -> Ray {
         let [across, along] = self.pixels.pitch_mm;
         let point = [
@@ -130,8 +153,8 @@ impl Source {
     }
 
     fn trace(&self, column: usize, row: usize, azimuth: f64, mut visit: impl FnMut(Leg)) {
-        for sample in &self.samples {
-            let ray = self.ray(column, row, sample, azimuth);
+        for sample in self.samples_of(column) {
+            let ray = self.ray(column, row, &sample, azimuth);
             self.tracer.legs(ray, None).into_iter().for_each(&mut visit);
         }
     }
@@ -144,9 +167,9 @@ impl Source {
         mut visit: impl FnMut(Leg),
     ) {
         let pixel = (column * self.pixels.rows + row) as u64;
-        for (i, sample) in self.samples.iter().enumerate() {
+        for (i, sample) in self.samples_of(column).enumerate() {
             let mut random = Stream::new([seed, exposure as u64, pixel, i as u64]);
-            let ray = self.ray(column, row, sample, azimuth);
+            let ray = self.ray(column, row, &sample, azimuth);
             let legs = self.tracer.legs(ray, Some(&mut random));
             legs.into_iter().for_each(&mut visit);
         }
@@ -201,8 +224,8 @@ impl Source {
 
     fn account_of(&self, frame: usize, column: usize, row: usize) -> Account {
         let mut account = Account::default();
-        for (i, sample) in self.samples.iter().enumerate() {
-            let ray = self.ray(column, row, sample, self.pixels.azimuths[frame]);
+        for (i, sample) in self.samples_of(column).enumerate() {
+            let ray = self.ray(column, row, &sample, self.pixels.azimuths[frame]);
             let pixel = (column * self.pixels.rows + row) as u64;
             let path = match self.seed() {
                 Some(seed) => {
@@ -229,34 +252,43 @@ impl Source {
     }
 }
 
-/// Points of pixel and aperture: a square lattice in the pixel where `count` is a square and there is no aperture; else
-/// points spread evenly over all dimensions (the additive recurrence of the generalised golden ratio).
+/// Points of pixel and aperture, each dimension by itself in even steps: with n rays every pixel has n heights and n places across. (A
+/// square lattice has only √n of either, and level rays of √n heights light neighbouring slices of voxels unevenly.) Their order
+/// is that of an additive recurrence, the golden ratio's or its generalisation to four dimensions.
 pub(super) fn samples(count: usize, has_aperture: bool) -> Vec<Sample> {
-    let edge = (count as f64).sqrt().round() as usize;
-    if !has_aperture && edge * edge == count {
-        let place = |i: usize| (i as f64 + 0.5) / edge as f64 - 0.5;
-        return (0..count)
-            .map(|i| Sample {
-                within: [place(i % edge), place(i / edge)],
+    let even = |step: f64| ranks(count, step).map(|rank| (rank as f64 + 0.5) / count as f64);
+    if !has_aperture {
+        return even(0.0)
+            .zip(even(GOLDEN))
+            .map(|(u, v)| Sample {
+                within: [u - 0.5, v - 0.5],
                 aperture: [0.0; 2],
             })
             .collect();
     }
     // The positive root of g^5 = g + 1
     const G: f64 = 1.167_303_978_261_418_7;
-    (0..count)
-        .map(|i| {
-            let part = |dimension: i32| (0.5 + i as f64 * G.powi(-dimension)).fract();
-            Sample {
-                within: [part(1) - 0.5, part(2) - 0.5],
-                aperture: if has_aperture {
-                    disc([part(3), part(4)])
-                } else {
-                    [0.0; 2]
-                },
-            }
+    let [u, v, a, b] = [1, 2, 3, 4].map(|dimension| even(G.powi(-dimension)));
+    u.zip(v)
+        .zip(a.zip(b))
+        .map(|((u, v), (a, b))| Sample {
+            within: [u - 0.5, v - 0.5],
+            aperture: disc([a, b]),
         })
         .collect()
+}
+
+/// The ranks of the fractional parts of i·step, for i from 0; equal ones in the order of i.
+fn ranks(count: usize, step: f64) -> impl Iterator<Item = usize> {
+    let part = |i: &usize| (*i as f64 * step).fract();
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|i, j| part(i).total_cmp(&part(j)));
+    let mut ranks = vec![0; count];
+    order
+        .iter()
+        .enumerate()
+        .for_each(|(rank, &i)| ranks[i] = rank);
+    ranks.into_iter()
 }
 
 /// The unit square onto the unit disc, equal areas to equal areas (Shirley and Chiu, J. Graphics Tools 2, 45 (1997)).
@@ -281,8 +313,17 @@ mod tests {
     fn samples_are_centred_and_fill_pixel_and_disc_evenly() {
         assert_eq!(samples(1, true)[0].within, [0.0; 2]);
         assert_eq!(samples(1, true)[0].aperture, [0.0; 2]);
-        let square = samples(4, false);
-        assert_eq!(square[3].within, [0.25, 0.25]);
+        for (count, has_aperture) in [(1, false), (4, false), (7, true), (16, false), (16, true)] {
+            let samples = samples(count, has_aperture);
+            for axis in [0, 1] {
+                let mut steps: Vec<f64> = samples.iter().map(|s| s.within[axis]).collect();
+                steps.sort_by(f64::total_cmp);
+                for (i, step) in steps.iter().enumerate() {
+                    let even = (i as f64 + 0.5) / count as f64 - 0.5;
+                    assert!((step - even).abs() < 1e-12, "{count}: {steps:?}");
+                }
+            }
+        }
         let many = samples(4096, true);
         let mean = |f: &dyn Fn(&Sample) -> f64| many.iter().map(f).sum::<f64>() / 4096.0;
         assert!(mean(&|s| s.within[0]).abs() < 1e-3);

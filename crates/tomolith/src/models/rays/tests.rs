@@ -372,7 +372,7 @@ fn with_many_rays_it_is_what_parallel_says() {
             (square(&|a, b| a - b) / square(&|a, _| a)).sqrt()
         };
         let (few, many) = (difference(4), difference(1024));
-        assert!(many < left && many < few / 4.0, "{vial:?}: {few} {many}");
+        assert!(many < left && few < left + 0.06, "{vial:?}: {few} {many}");
     }
 }
 
@@ -848,6 +848,25 @@ fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
             }
         }
         assert!(worst < 4e-3, "{worst}");
+    }
+}
+
+#[test]
+fn slices_that_fall_between_rows_are_lit_evenly() {
+    // A row of 0.1 mm has 16 rays: at four heights they would give a slice of 0.0716 mm two or three, which is 30 % off
+    let grid = VolumeGrid::centered([20, 20, 20], 0.0716);
+    let mut light = light(40, 24, 32, 0.1);
+    light.resin = Resin::pure_radon(1.48);
+    let vial = IndexMatched { radius_mm: 1.7 };
+    let params = Params {
+        rays_per_pixel: Some(16),
+        ..Params::default()
+    };
+    let model = rays(&vial, light, &Optics::collimated(0.1), &params, grid);
+    let even = lit(&model);
+    for (z, slice) in even.values.chunks_exact(400).enumerate() {
+        let mean = slice.iter().sum::<f32>() / 400.0 / 40.0;
+        assert!((mean - 1.0).abs() < 0.01, "slice {z}: {mean}");
     }
 }
 
