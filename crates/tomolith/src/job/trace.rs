@@ -59,12 +59,28 @@ impl From<Leg> for TracedLeg {
     }
 }
 
+/// Refuses jobs whose light is not made of rays.
+fn must_be_rays(scene: &Scene) -> Result<()> {
+    let model = match scene.optics.model {
+        Choice::Wave(_) => "wave",
+        Choice::Spread(_) => "spread",
+        _ => return Ok(()),
+    };
+    Err(Error::Unsupported {
+        what: "trace".to_owned(),
+        reason: format!(
+            "it follows rays, and light of [model.{model}] is none; `--set 'model={{rays={{}}}}'` follows those that the same projector would send"
+        ),
+    })
+}
+
 /// Traces pixels of a job by the `rays` model, or the `scatter` model where the resin scatters, and gives the dose of all of them at a value of 1.
 ///
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
     let scene = Scene::new(job)?;
+    must_be_rays(&scene)?;
     let lights = scene.optics.lights.clone();
     for pixel in pixels {
         let grid = lights.get(pixel.light).map(|light| &light.pixels);

@@ -32,8 +32,7 @@ pub struct Plan {
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
     pub dark: Vec<bool>,
-    /// Where a model that is asked often is not linear: straight light through the same pixels, which starts and shadows are found
-    /// with.
+    /// Where light that spreads is asked often: straight light through the same pixels, which starts and shadows are found with.
     pub straight: Option<Box<dyn DoseModel<Field = HostField>>>,
 }
 
@@ -260,7 +259,7 @@ pub fn plan(
     }
     let why = setup.why(&way, choice, &lights, &grid);
     let beside = match way {
-        Optical::Wave(_) if setup.asked_often => {
+        Optical::Wave(_) | Optical::Spread(_) if setup.asked_often => {
             let (lights, grid) = (lights.clone(), grid.clone());
             let model = straight(&way, setup, lights, grid, solid.as_ref())?;
             Some(dimmed(model, &dark, setup.dose_factor))

@@ -428,15 +428,30 @@ fn rows() -> Vec<Row> {
     rows
 }
 
+/// Which model gave the dose that a run is judged by.
+fn judge(run: &ComparedRun) -> String {
+    let model = run.report.pointer("/run/models/evaluation");
+    let name = model
+        .and_then(Value::as_str)
+        .and_then(|m| m.split([' ', ',', ':']).next());
+    name.map_or_else(String::new, |name| {
+        format!(
+            "<br><span class=\"muted\">judged by {}</span>",
+            escape(name)
+        )
+    })
+}
+
 fn numbers(runs: &[ComparedRun]) -> String {
     let heads: String = runs
         .iter()
         .enumerate()
         .map(|(i, run)| {
             format!(
-                "<th><i class=\"dot c-{}\"></i>{}</th>",
+                "<th><i class=\"dot c-{}\"></i>{}{}</th>",
                 class(i),
-                escape(&run.name)
+                escape(&run.name),
+                judge(run)
             )
         })
         .collect();

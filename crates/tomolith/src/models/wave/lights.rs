@@ -2,7 +2,7 @@
 
 use super::light::{WaveLight, Way};
 use super::number::Number;
-use super::sampling::{Ladder, Needs, Sampling, Side, Spreading};
+use super::sampling::{Needs, Sampling, Side, Spreading};
 use super::spectrum::{Heights, Windows};
 use super::turn::{Turn, Uptake};
 use super::{Entrance, Settings};
@@ -12,6 +12,7 @@ use crate::grid::VolumeGrid;
 use crate::models::parallel::{Light, is_straight};
 use crate::models::{DoseLayout, PatternLayout, Run, ZCoupling};
 use crate::optics::vial::{Curve, Vial};
+use crate::units::concise;
 use std::ops::Range;
 
 /// Why the model does not cover a vial and its lights; None when it does.
@@ -20,14 +21,14 @@ pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
     let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
     if any(&|light| !is_straight(vial, light)) {
         Some(
-            "waves know one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
+            "it knows one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
         )
     } else if any(&|light| light.resin.gradient.is_some()) {
-        Some("waves know one refractive index, and the resin's changes from place to place")
+        Some("it knows one refractive index, and the resin's changes from place to place")
     } else if any(&|light| light.map.is_some()) {
-        Some("waves know one absorption for all the resin")
+        Some("it knows one absorption for all the resin")
     } else if any(&|light| light.bath.is_some()) {
-        Some("waves know no absorption before the vial")
+        Some("it knows no absorption before the vial")
     } else {
         None
     }
@@ -143,24 +144,13 @@ impl<W: Way<f32>> Lights<W> {
     /// The sampling of the first light, for people.
     pub(super) fn described(&self) -> String {
         let s = &self.lights[0].way.windows().sampling;
-        let ladder = |ladder: &Ladder| match &ladder.closer {
-            None => format!("{} taps", ladder.taps.taps),
-            Some((_, count, taps)) => {
-                format!(
-                    "{} taps to {count}, {} from there",
-                    taps.taps, ladder.taps.taps
-                )
-            }
-        };
         format!(
-            "{} depths {:.4} mm apart on either side of the focus ({}), window of {} × {} pixels, {} lateral samples ({})",
+            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
             s.along.count,
-            s.along.step,
-            ladder(&s.along),
+            concise(s.along.step),
             s.padded[0],
             s.padded[1],
-            s.across.count,
-            ladder(&s.across)
+            s.across.count
         )
     }
 }
@@ -202,7 +192,16 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         voxels: [in_resin.iter().filter(|lit| **lit).count(), nz],
         high: heights.finer as f64,
     };
-    let sampling = Sampling::new(beam, [&u, &z], &needs, settings);
+    let sampling = Sampling::new(beam, [&u, &z], &needs, settings).map_err(|found| {
+        Error::config(
+            settings.model,
+            format!(
+                "{found} up to {} mm from the focal plane, more than anybody has time for",
+                concise(needs.deepest)
+            ),
+            "a focal plane nearer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
+        )
+    })?;
     let resin = light.resin.uptake();
     let wall = match vial.resin_wall() {
         Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
@@ -257,7 +256,7 @@ pub(super) fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
                     grid.pitch_mm
                 ),
                 format!(
-                    "with [model.wave] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
+                    "with [model.wave] and [model.spread] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
                 ),
             ))
         }

@@ -83,6 +83,7 @@ use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 use crate::kind::{Kind, Section};
 use crate::optics::vial::Vial;
+use crate::units::{concise, exact};
 pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
 use light::WaveLight;
@@ -194,6 +195,8 @@ fn params_of(section: &Section) -> Result<Params> {
 /// How errors are shared among the parts of the sampling.
 #[derive(Clone, Copy, Debug)]
 struct Settings {
+    /// Key of the model.
+    model: &'static str,
     relative_error: f64,
     rotation_error: f64,
 }
@@ -214,6 +217,7 @@ impl Wave {
         grid: VolumeGrid,
     ) -> Result<Self> {
         let settings = Settings {
+            model: "model.wave",
             relative_error: params.relative_error,
             rotation_error: params.rotation_error,
         };
@@ -226,7 +230,7 @@ impl Wave {
                 (which, first_frame),
             )
         };
-        let mut lights = Lights::new("model.wave", vial, lights, grid, build)?;
+        let mut lights = Lights::new(settings.model, vial, lights, grid, build)?;
         for patterns in &mut lights.patterns {
             patterns.quantity = Quantity::Amplitude;
         }
@@ -256,9 +260,10 @@ pub(super) fn must_fit(
         let half_wave = 0.5 / beam.depth_band();
         if grid.pitch_mm > half_wave {
             warnings.push(format!(
-                "light[{i}]: waves change along the light within {half_wave:.5} mm, and voxels of {:.5} mm do not show it: \
+                "light[{i}]: waves change along the light within {} mm, and voxels of {} mm do not show it: \
                  grid.pitch_mm at most that, or a smaller model.wave.numerical_aperture",
-                grid.pitch_mm
+                concise(half_wave),
+                exact(grid.pitch_mm)
             ));
         }
     }
@@ -298,6 +303,19 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
                 "model.wave.numerical_aperture",
                 format!("found {na} in a resin of index {index}"),
                 format!("below {index}"),
+            ));
+        }
+        let edge = |i: usize, count: usize| light.pixels.pitch_mm[i] * count as f64;
+        let edge = edge(0, light.pixels.columns).min(edge(1, light.pixels.rows).max(pitch));
+        let least = 0.5 * vacuum_mm / edge.max(pitch * 4.0);
+        if na < least {
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!(
+                    "found {na}, which makes spots wider than the image of {} mm",
+                    concise(edge)
+                ),
+                format!("at least {}", concise(least)),
             ));
         }
         if na > most * std::f64::consts::SQRT_2 {

@@ -18,6 +18,7 @@
 
 use super::Settings;
 use super::taps::{OVERHANG, Signal, Taps};
+use crate::units::concise;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// One side of the window: u, or z.
@@ -87,8 +88,10 @@ pub(super) trait Spreading {
     fn along(&self) -> Signal;
     /// How it changes along u.
     fn across(&self) -> Signal;
-    /// How many pixels around a pixel its light rings.
-    fn rings(&self) -> f64;
+    /// The same of frequencies along this side alone.
+    fn straightest(&self, side: usize) -> f64;
+    /// How far around a pixel its light rings along u or z, mm.
+    fn rings(&self, side: usize) -> f64;
 }
 
 /// What passes of a frequency at a share of its limit: all, then less as cos² over `soft_edge`, nothing from the limit on.
@@ -187,13 +190,25 @@ impl Spreading for Beam {
         Signal::of_square(self.power().map(|(f, power)| (f[0], power)))
     }
 
+    fn straightest(&self, side: usize) -> f64 {
+        let own = self.highest(side) + self.tilt;
+        let own = self.aperture.map_or(own, |aperture| own.min(aperture));
+        own / (self.wavenumber.powi(2) - own * own).max(0.0).sqrt()
+    }
+
     /// A soft edge of the band ends them; those of a hard one never end.
-    fn rings(&self) -> f64 {
-        if self.soft_edge > 0.0 {
+    fn rings(&self, side: usize) -> f64 {
+        let pixels = if self.soft_edge > 0.0 {
             3.0 / self.soft_edge
         } else {
             2.0
-        }
+        };
+        // Half a period of the highest frequency: a pixel, or the spot of the lens
+        let narrowest = self
+            .aperture
+            .unwrap_or(f64::INFINITY)
+            .min(self.nyquist[side]);
+        pixels * 0.5 / narrowest
     }
 }
 
@@ -270,7 +285,7 @@ fn fewest(taps: usize, signal: &Signal, deepest: f64, error: f64) -> (f64, usize
     let step = |count: usize| deepest / (count as f64 - 0.5 + OVERHANG);
     let holds = |count: usize| Taps::error_in_disc(taps, signal, step(count), count) <= error;
     let mut enough = taps / 2;
-    while !holds(enough) && enough < MOST_DEPTHS {
+    while !holds(enough) && (enough as f64) < MOST_SAMPLES {
         enough *= 2;
     }
     let mut short = enough / 2;
@@ -285,8 +300,9 @@ fn fewest(taps: usize, signal: &Signal, deepest: f64, error: f64) -> (f64, usize
     (step(enough), enough)
 }
 
-/// More depths than memory holds.
-const MOST_DEPTHS: usize = 1 << 16;
+/// Pixels along an edge of the window at most, and depths times pixels of the window: what a frame is computed at.
+const MOST_PIXELS: usize = 16384;
+const MOST_SAMPLES: f64 = 2e10;
 
 /// All ways to sample the depths.
 fn ways_along(signal: &Signal, deepest: f64, error: f64) -> Vec<Rungs> {
@@ -365,14 +381,19 @@ pub(super) struct Needs {
 }
 
 impl Sampling {
-    /// The quickest sampling with the errors that the settings allow.
+    /// The quickest sampling with the errors that the settings allow; what is too much of it.
     pub(super) fn new(
         beam: &dyn Spreading,
         sides: [&Side; 2],
         needs: &Needs,
         settings: &Settings,
-    ) -> Self {
-        let padded = [0, 1].map(|i| padded(beam, i, sides[i], needs.deepest));
+    ) -> Result<Self, String> {
+        let wide = [0, 1].map(|i| wide(beam, i, sides[i], needs.deepest));
+        if wide.iter().any(|n| *n > MOST_PIXELS as f64) {
+            let [u, z] = wide.map(concise);
+            return Err(format!("light needs a window of {u} × {z} pixels"));
+        }
+        let padded = wide.map(|n| 2 * smooth((0.5 * n).ceil() as usize));
         let guard = [0, 1].map(|i| padded[i] as f64 * sides[i].pitch - sides[i].reach());
         let band = [0, 1].map(|i| {
             // Nothing passes at the highest frequency itself
@@ -391,13 +412,21 @@ impl Sampling {
         let (a, b) = pairs
             .min_by(|a, b| cost(a).total_cmp(&cost(b)))
             .unwrap_or((&ways_along[0], &ways[0]));
-        Sampling {
+        let samples = padded.iter().fold(a.count as f64, |all, n| all * *n as f64);
+        if samples > MOST_SAMPLES {
+            let [u, z] = padded;
+            return Err(format!(
+                "light needs {} depths of {u} × {z} pixels",
+                a.count
+            ));
+        }
+        Ok(Sampling {
             padded,
             guard,
             band,
             along: a.built(&along, true),
             across: b.built(&across, false),
-        }
+        })
     }
 }
 
@@ -432,11 +461,12 @@ pub(super) fn operations(n: f64) -> f64 {
 }
 
 /// Pixels of a window along one side, those of the guard included.
-fn padded(beam: &dyn Spreading, i: usize, side: &Side, deepest: f64) -> usize {
+fn wide(beam: &dyn Spreading, i: usize, side: &Side, deepest: f64) -> f64 {
     let reach = side.reach();
     let travel = deepest * beam.steepest(i);
-    let needed = side.span().max(reach + travel.min(reach)) / side.pitch;
-    2 * smooth((0.5 * (needed + beam.rings())).ceil() as usize)
+    // What travels further than all voxels is deleted, but not the middle of the band: its end would ring
+    let guard = travel.min(reach).max(deepest * beam.straightest(i));
+    (side.span().max(reach + guard) + beam.rings(i)) / side.pitch
 }
 
 /// The smallest number ≥ n without prime factors above 7.

@@ -156,7 +156,7 @@ impl Spread {
     /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
     ///
     /// # Errors
-    /// [`Error::Config`] where rows of pixels and of voxels do not fit; [`Error::Unsupported`] where [`beyond`] says why.
+    /// [`Error::Config`] where rows of pixels and of voxels do not fit; [`Error::Unsupported`] where [`beyond`](super::beyond) says why.
     pub fn new(
         vial: &dyn Vial,
         lights: Vec<Light>,
@@ -164,6 +164,7 @@ impl Spread {
         grid: VolumeGrid,
     ) -> Result<Self> {
         let settings = Settings {
+            model: "model.spread",
             relative_error: params.relative_error,
             rotation_error: params.rotation_error,
         };
@@ -177,7 +178,7 @@ impl Spread {
             turning(vial, (light, &cone), place, layout, first_frame, way)
         };
         Ok(Spread(Lights::new(
-            "model.spread",
+            settings.model,
             vial,
             lights,
             grid,

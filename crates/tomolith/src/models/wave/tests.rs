@@ -36,6 +36,7 @@ fn grid() -> VolumeGrid {
 
 fn settings(error: f64) -> Settings {
     Settings {
+        model: "model.wave",
         relative_error: error,
         rotation_error: error,
     }
@@ -492,6 +493,15 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
     assert!(found.contains("at most 0.25312"), "{found}");
     let found = refused(light(2), &default, VolumeGrid::centered([4, 4, 4], 0.5e-3));
     assert!(found.contains("0.000400 mm"), "{found}");
+    let far = Params {
+        focus_mm: 1e6,
+        ..Params::default()
+    };
+    let found = refused(light(2), &far, grid());
+    assert!(
+        found.starts_with("model.wave: a focal plane nearer to the axis"),
+        "{found}"
+    );
     let mut bent = light(2);
     bent.surrounding_index = 1.0;
     let vial = crate::optics::vial::cylinder::Cylinder {
