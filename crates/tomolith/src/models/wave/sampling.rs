@@ -88,7 +88,7 @@ pub(super) trait Spreading {
     fn along(&self) -> Signal;
     /// How it changes along u.
     fn across(&self) -> Signal;
-    /// The same of frequencies along this side alone.
+    /// Largest sideways travel over depth of frequencies along this side alone.
     fn straightest(&self, side: usize) -> f64;
     /// How far around a pixel its light rings along u or z, mm.
     fn rings(&self, side: usize) -> f64;

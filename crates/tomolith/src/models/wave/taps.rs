@@ -278,7 +278,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// Light whose power is even up to ½ cycle a step's eighth.
+    /// Light whose power is even up to a frequency, in cycles a step.
     fn even(highest: f64) -> Signal {
         let lines = (0..400).map(move |i| ((f64::from(i) + 0.5) / 400.0 * highest, 1.0));
         Signal::of_light(lines)
