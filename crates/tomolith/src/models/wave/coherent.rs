@@ -9,9 +9,10 @@
 //! # Source
 //! Wechsler et al. 2024, eqs. 2 and 3, with λ = λ₀/n (their text prints k = 2π/(λ₀n)); Matsushima & Shimobaba 2009 for W.
 
+use super::beam::Beam;
+use super::between::Between;
 use super::light::Way;
 use super::number::Number;
-use super::sampling::Beam;
 use super::spectrum::{Scratch, Windows, complex, zero};
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
@@ -56,6 +57,10 @@ pub(super) struct Coherent<T: Number> {
     steps: Vec<Vec<Complex<T>>>,
     /// P·H^½ of each mode: the first depth lies half a step behind the focal plane.
     starts: Vec<Vec<Complex<T>>>,
+    /// Fields that are not transformed.
+    between: Option<Between<T>>,
+    /// What fields are turned back by, 1/mm.
+    middle: f64,
 }
 
 impl<T: Number> Coherent<T> {
@@ -64,7 +69,14 @@ impl<T: Number> Coherent<T> {
         (beam, limit): (Beam, BandLimit),
         modes: Vec<Mode>,
     ) -> Self {
+        let between = Between::new(&windows.sampling);
         let mut waves = Coherent {
+            middle: windows
+                .sampling
+                .fields
+                .as_ref()
+                .map_or(0.0, |own| own.middle),
+            between,
             windows,
             limit,
             beam,
@@ -72,7 +84,7 @@ impl<T: Number> Coherent<T> {
             steps: Vec::new(),
             starts: Vec::new(),
         };
-        let step = waves.windows.sampling.along.step;
+        let (step, _) = waves.windows.sampling.transformed();
         waves.steps = waves.modes.iter().map(|m| waves.kernel(m, step)).collect();
         waves.starts = waves.modes.iter().map(|m| waves.start(m)).collect();
         waves
@@ -98,11 +110,11 @@ impl<T: Number> Coherent<T> {
                 let (square, across) = self.along(mode, [fu, fz]);
                 values.push(if square >= 0.0 {
                     // w − 1/λ without the difference of large numbers
-                    let phase = -TAU * h * across / (k + square.sqrt());
+                    let phase = TAU * h * (self.middle - across / (k + square.sqrt()));
                     complex(phase.sin_cos(), 1.0)
                 } else {
                     let fading = (-TAU * h * (-square).sqrt()).exp();
-                    complex((-TAU * h * k).sin_cos(), fading)
+                    complex((TAU * h * (self.middle - k)).sin_cos(), fading)
                 });
             }
         }
@@ -113,7 +125,7 @@ impl<T: Number> Coherent<T> {
     fn start(&self, mode: &Mode) -> Vec<Complex<T>> {
         let sampling = &self.windows.sampling;
         let [bu, bz] = sampling.band.map(|b| b as i64);
-        let mut values = self.kernel(mode, 0.5 * sampling.along.step);
+        let mut values = self.kernel(mode, 0.5 * sampling.transformed().0);
         let frequencies = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
         for (value, index) in values.iter_mut().zip(frequencies) {
             let f = [0, 1].map(|i| index[i] as f64 / self.windows.window[i]);
@@ -122,9 +134,19 @@ impl<T: Number> Coherent<T> {
         values
     }
 
-    /// The depth of a plane that is computed.
+    /// The depth of a plane that is transformed.
     fn depth(&self, index: usize) -> f64 {
-        (index as f64 + 0.5) * self.windows.sampling.along.step
+        (index as f64 + 0.5) * self.windows.sampling.transformed().0
+    }
+
+    /// Brings a spectrum that has come to the depth before on to this one; `wave`: index of its mode.
+    fn advance(&self, wave: usize, depth: usize, spectrum: &mut [Complex<T>]) {
+        if depth > 0 {
+            for (v, &h) in spectrum.iter_mut().zip(&self.steps[wave]) {
+                *v = *v * h;
+            }
+        }
+        self.limit_to(&self.modes[wave], self.depth(depth), spectrum);
     }
 
     /// Deletes of a spectrum what would come back from the far side of the window at this depth.
@@ -173,51 +195,69 @@ impl<T: Number> Coherent<T> {
         left
     }
 
-    /// `scratch.here` = a spectrum as it is at a depth, limited; without the taper it stays in place for the next depth.
-    fn tapered(&self, mode: &Mode, depth: f64, here: &[Complex<T>], out: &mut Vec<Complex<T>>) {
+    /// A spectrum as the tapered limit leaves it at a depth, or as it is.
+    fn tapered<'a>(
+        &self,
+        (wave, depth): (usize, usize),
+        here: &'a [Complex<T>],
+        out: &'a mut Vec<Complex<T>>,
+    ) -> &'a [Complex<T>] {
+        if self.limit == BandLimit::Hard {
+            return here;
+        }
         let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
-        out.clear();
         let indices = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
+        let left = |index| self.taper(&self.modes[wave], self.depth(depth), index);
+        out.clear();
         out.extend(
             here.iter()
                 .zip(indices)
-                .map(|(&v, index)| v * T::of(self.taper(mode, depth, index))),
+                .map(|(&v, index)| v * T::of(left(index))),
         );
+        out
     }
 
-    /// Calls `see(depth, mode, fields)` for every depth and mode of the images whose spectra lie in the scratches.
+    /// Calls `see(depth, mode, fields)` for every depth where light is wanted and every mode, of the images whose spectra lie in the scratches.
     pub(super) fn propagate<const N: usize>(
         &self,
         mut scratches: [&mut Scratch<T>; N],
         mut see: impl FnMut(usize, &Mode, [&[Complex<T>]; N]),
     ) {
         let mut tapered = Vec::new();
-        for ((mode, step), start) in self.modes.iter().zip(&self.steps).zip(&self.starts) {
+        for (wave, (mode, start)) in self.modes.iter().zip(&self.starts).enumerate() {
             for scratch in &mut scratches {
                 let spectrum = scratch.spectrum.iter().zip(start);
                 for (here, (&value, &start)) in scratch.here.iter_mut().zip(spectrum) {
                     *here = value * start;
                 }
             }
-            for depth in 0..self.windows.sampling.along.count {
-                let x = self.depth(depth);
+            let mut next = 0;
+            for depth in 0..self.windows.sampling.transformed().1 {
                 for scratch in &mut scratches {
-                    if depth > 0 {
-                        for (v, &h) in scratch.here.iter_mut().zip(step) {
-                            *v = *v * h;
-                        }
-                    }
-                    self.limit_to(mode, x, &mut scratch.here);
+                    self.advance(wave, depth, &mut scratch.here);
                     let (here, parts) = scratch.split();
-                    if self.limit == BandLimit::Tapered {
-                        self.tapered(mode, x, here, &mut tapered);
-                        self.windows.field(&tapered, parts);
-                    } else {
-                        self.windows.field(here, parts);
-                    }
+                    let here = self.tapered((wave, depth), here, &mut tapered);
+                    self.windows.field(here, parts);
                 }
-                let fields = scratches.each_ref().map(|scratch| scratch.field.as_slice());
-                see(depth, mode, fields);
+                let Some(between) = &self.between else {
+                    see(
+                        depth,
+                        mode,
+                        scratches.each_ref().map(|s| s.field.as_slice()),
+                    );
+                    continue;
+                };
+                for scratch in &mut scratches {
+                    (scratch.fields).take(depth, between.taps(), &mut scratch.field);
+                }
+                while between.is_ready(next, depth) {
+                    for scratch in &mut scratches {
+                        between.forth(next, &mut scratch.fields);
+                    }
+                    let fields = scratches.each_ref().map(|s| s.fields.between.as_slice());
+                    see(next, mode, fields);
+                    next += 1;
+                }
             }
         }
     }
@@ -233,38 +273,63 @@ impl<T: Number> Coherent<T> {
         let len = scratch.spectrum.len();
         scratch.sum.clear();
         scratch.sum.resize(len, zero());
-        let mut back = vec![zero(); len];
-        let mut tapered = Vec::new();
-        for ((mode, step), start) in self.modes.iter().zip(&self.steps).zip(&self.starts) {
+        let mut back = Back::default();
+        for (wave, (mode, start)) in self.modes.iter().zip(&self.starts).enumerate() {
             scratch.power.clone_from(start);
-            for depth in 0..self.windows.sampling.along.count {
-                if depth > 0 {
-                    for (p, &h) in scratch.power.iter_mut().zip(step) {
-                        *p = *p * h;
-                    }
+            back.begin(start);
+            let mut next = 0;
+            for depth in 0..self.windows.sampling.transformed().1 {
+                self.field_of_image((wave, depth), scratch, &mut back.tapered);
+                let Some(between) = &self.between else {
+                    cotangent(depth, mode, &mut scratch.field);
+                    self.send((wave, depth), scratch, &mut back);
+                    continue;
+                };
+                let (taps, field) = (between.taps(), scratch.field.len());
+                (scratch.fields).take(depth, taps, &mut scratch.field);
+                scratch.fields.clear_asked(depth, taps, field);
+                while between.is_ready(next, depth) {
+                    between.forth(next, &mut scratch.fields);
+                    cotangent(next, mode, &mut scratch.fields.between);
+                    between.back(next, &mut scratch.fields);
+                    next += 1;
                 }
-                let x = self.depth(depth);
-                self.limit_to(mode, x, &mut scratch.power);
-                let is_tapered = self.limit == BandLimit::Tapered;
-                if is_tapered {
-                    self.tapered(mode, x, &scratch.power, &mut tapered);
+                while back.sent <= depth && between.is_done(back.sent, next) {
+                    scratch.field.clear();
+                    (scratch.field).extend_from_slice(scratch.fields.asked(back.sent));
+                    self.send((wave, back.sent), scratch, &mut back);
                 }
-                let power = std::mem::take(&mut scratch.power);
-                let kernel = if is_tapered { &tapered } else { &power };
-                for ((v, &s), &p) in scratch.here.iter_mut().zip(&scratch.spectrum).zip(kernel) {
-                    *v = s * p;
-                }
-                let (here, parts) = scratch.split();
-                self.windows.field(here, parts);
-                cotangent(depth, mode, &mut scratch.field);
-                self.windows.field_back(&mut back, scratch.split().1);
-                for ((sum, &b), &p) in scratch.sum.iter_mut().zip(&back).zip(kernel) {
-                    *sum = *sum + b * p.conj();
-                }
-                scratch.power = power;
             }
         }
         self.windows.transform_back(scratch, take);
+    }
+
+    /// `scratch.field` = the field of the image at a depth, `scratch.power` brought to it.
+    fn field_of_image(
+        &self,
+        (wave, depth): (usize, usize),
+        scratch: &mut Scratch<T>,
+        tapered: &mut Vec<Complex<T>>,
+    ) {
+        self.advance(wave, depth, &mut scratch.power);
+        let kernel = self.tapered((wave, depth), &scratch.power, tapered);
+        for ((v, &s), &p) in scratch.here.iter_mut().zip(&scratch.spectrum).zip(kernel) {
+            *v = s * p;
+        }
+        let (here, parts) = scratch.split();
+        self.windows.field(here, parts);
+    }
+
+    /// `scratch.sum` += what `scratch.field` at a depth sends back.
+    fn send(&self, (wave, depth): (usize, usize), scratch: &mut Scratch<T>, back: &mut Back<T>) {
+        self.advance(wave, depth, &mut back.power);
+        self.windows
+            .field_back(&mut back.spectrum, scratch.split().1);
+        let kernel = self.tapered((wave, depth), &back.power, &mut back.tapered);
+        for ((sum, &b), &p) in scratch.sum.iter_mut().zip(&back.spectrum).zip(kernel) {
+            *sum = *sum + b * p.conj();
+        }
+        back.sent += 1;
     }
 
     /// 2·Re ψχ* and |χ|² of two images at all samples, added to `samples` one after the other.
@@ -283,6 +348,26 @@ impl<T: Number> Coherent<T> {
             self.windows.add_at(depth, (first, row), weight, both);
             self.windows.add_at(depth, (second, row), weight, own);
         });
+    }
+}
+
+/// What is on its way back: fields are sent some depths later than the image comes by.
+#[derive(Default)]
+struct Back<T: Number> {
+    /// P·H^k of the depth that was sent last.
+    power: Vec<Complex<T>>,
+    /// Depths that were sent.
+    sent: usize,
+    spectrum: Vec<Complex<T>>,
+    tapered: Vec<Complex<T>>,
+}
+
+impl<T: Number> Back<T> {
+    fn begin(&mut self, start: &[Complex<T>]) {
+        self.power.clear();
+        self.power.extend_from_slice(start);
+        self.sent = 0;
+        self.spectrum.resize(start.len(), zero());
     }
 }
 
@@ -319,7 +404,7 @@ impl<T: Number> Way<T> for Coherent<T> {
 
     fn operations(&self) -> f64 {
         let [image, depth] = self.windows.operations();
-        let depths = self.windows.sampling.along.count * self.modes.len();
+        let depths = self.windows.sampling.transformed().1 * self.modes.len();
         3.0 * (image + depths as f64 * depth)
     }
 }

@@ -11,9 +11,9 @@
 //! # Source
 //! T: the Fourier transform of a uniform disc, any text on optics (Goodman, *Introduction to Fourier Optics*, eq. 2-35); J₁: Bessel's integral.
 
+use super::beam::{Spreading, fade, over_the_band};
 use super::light::Way;
 use super::number::Number;
-use super::sampling::{Spreading, fade, over_the_band};
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
 use rustfft::num_complex::Complex;
@@ -51,8 +51,12 @@ impl Spreading for Cone {
         self.pitch[side].recip()
     }
 
-    fn steepest(&self, _side: usize) -> f64 {
-        self.slope
+    fn slopes(&self, _side: usize) -> Vec<(f64, f64)> {
+        vec![(self.slope, 1.0)]
+    }
+
+    fn depth_band(&self) -> f64 {
+        self.slope * self.highest(0).hypot(self.highest(1))
     }
 
     /// A ray of slope s changes with f·s along the depth; a disc of slopes seen from its side is a half circle.
@@ -68,13 +72,17 @@ impl Spreading for Cone {
         Signal::of_light(lines)
     }
 
+    fn field(&self, _middle: f64) -> Option<Signal> {
+        None
+    }
+
     fn across(&self) -> Signal {
         let lines = self.frequencies().map(|f| (f[0], self.of_pixel(f).powi(2)));
         Signal::of_light(lines)
     }
 
-    fn straightest(&self, _side: usize) -> f64 {
-        self.slope
+    fn spreads(&self, _side: usize, depth: f64) -> f64 {
+        self.slope * depth
     }
 
     fn rings(&self, side: usize) -> f64 {

@@ -1,10 +1,12 @@
 //! The lights of a model, and how their samples lie on voxels: what does not depend on how light spreads.
 
+use super::beam::Spreading;
 use super::light::{WaveLight, Way};
 use super::number::Number;
-use super::sampling::{Needs, Sampling, Side, Spreading};
+use super::sampling::{Needs, Sampling};
 use super::spectrum::{Heights, Windows};
 use super::turn::{Turn, Uptake};
+use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::error::{Error, Result};
 use crate::field::HostField;
@@ -144,10 +146,10 @@ impl<W: Way<f32>> Lights<W> {
     /// The sampling of the first light, for people.
     pub(super) fn described(&self) -> String {
         let s = &self.lights[0].way.windows().sampling;
+        let (step, count) = s.transformed();
         format!(
-            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
-            s.along.count,
-            concise(s.along.step),
+            "{count} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
+            concise(step),
             s.padded[0],
             s.padded[1],
             s.across.count
@@ -179,13 +181,16 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         pitch: pixels.pitch_mm[0],
         pixels: pixels.columns,
         from: pixels.column_u(0),
-        voxels: [-radius, radius],
+        voxels: Span::Disc {
+            radius,
+            focus: focus_mm,
+        },
     };
     let z = Side {
         pitch: pixels.pitch_mm[1],
         pixels: pixels.rows,
         from: pixels.row_z(pixels.rows - 1),
-        voxels: [grid.z(0), grid.z(nz - 1)],
+        voxels: Span::Between(grid.z(0), grid.z(nz - 1)),
     };
     let needs = Needs {
         deepest: (radius + focus_mm.abs()).max(u.pitch),

@@ -62,6 +62,8 @@
 //! assert!((far - 0.296).abs() < 0.01, "{far}");
 //! ```
 
+mod beam;
+mod between;
 mod coherent;
 mod cones;
 mod light;
@@ -75,6 +77,7 @@ mod taps;
 #[cfg(test)]
 mod tests;
 mod turn;
+mod window;
 
 use super::parallel::Light;
 use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
@@ -84,13 +87,13 @@ use crate::grid::VolumeGrid;
 use crate::kind::{Kind, Section};
 use crate::optics::vial::Vial;
 use crate::units::{concise, exact};
+use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
 use light::WaveLight;
 pub use lights::beyond;
 use lights::{Lights, heights_of};
 use number::Number;
-use sampling::Beam;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;

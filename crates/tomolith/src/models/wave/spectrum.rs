@@ -4,9 +4,11 @@
 //! only: lateral samples lie closer than pixels, and fewer lines are as long. What happens to a spectrum on its way to a depth is not known here: [`coherent`](super::coherent),
 //! [`cones`](super::cones).
 
+use super::between::Kept;
 use super::number::Number;
 use super::resample::Places;
-use super::sampling::{Sampling, Side, operations};
+use super::sampling::Sampling;
+use super::window::{Side, operations};
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
@@ -55,6 +57,8 @@ pub(super) struct Scratch<T: Number> {
     /// Lateral samples × voxels along z.
     pub(super) field: Vec<Complex<T>>,
     rest: Vec<Complex<T>>,
+    /// Fields at the depths that are transformed, and those between them.
+    pub(super) fields: Kept<T>,
     /// Light at all depths and lateral samples that are computed.
     pub(super) computed: Vec<T>,
     /// The same at closer lateral samples.
@@ -101,7 +105,7 @@ fn lateral(sampling: &Sampling, u: &Side) -> (Places, Range<i64>) {
     let own = &sampling.across;
     let index = |mm: f64| (mm - u.from) / own.step;
     let half = own.taps.taps as i64 / 2;
-    let [low, high] = u.voxels;
+    let [low, high] = u.voxels_at(0.0);
     let Some((step, count, taps)) = &own.closer else {
         let samples = index(low).floor() as i64 - half..index(high).ceil() as i64 + half + 1;
         let last = Places {
@@ -143,7 +147,7 @@ impl<T: Number> Windows<T> {
         let fine_z = sampling.padded[1] * heights.finer;
         let sample_z = window[1] / fine_z as f64;
         // The first voxel's height in samples above the first row of pixels
-        let place = (z.voxels[0] - z.from) / sample_z;
+        let place = (z.voxels_at(0.0)[0] - z.from) / sample_z;
         let whole = place.round();
         let shift = (place - whole) * sample_z;
         let first = (whole as i64).rem_euclid(fine_z as i64) as usize;
@@ -220,6 +224,7 @@ impl<T: Number> Windows<T> {
             lines: vec![zero(); TOGETHER * longest],
             field: vec![zero(); self.width() * self.voxels],
             rest: vec![zero(); rest.unwrap_or(0)],
+            fields: Kept::default(),
             computed: Vec::new(),
             between: Vec::new(),
             samples: Vec::new(),

@@ -23,7 +23,7 @@ const ROWS: usize = 512;
 /// Rows that are enough to know an error.
 const FEW_ROWS: usize = 16;
 
-/// Size of the constant part of a signal relative to its variance: the weights then sum to 1 to 10⁻⁷.
+/// Size of the constant part of light relative to its variance: the weights then sum to 1 to 10⁻⁷.
 const CONSTANT: f64 = 1e6;
 
 /// Lines that a spectrum is gathered into.
@@ -32,45 +32,71 @@ const LINES: usize = 256;
 /// How far behind the last sample a place may lie, in steps.
 pub(super) const OVERHANG: f64 = 0.25;
 
+/// What is interpolated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Light that is linear in its pixels.
+    Light,
+    /// A field.
+    Field,
+    /// A field's square.
+    Square,
+}
+
 /// A stationary random signal.
 #[derive(Clone, Debug)]
 pub(super) struct Signal {
     /// Frequencies and weights of γ.
     lines: Vec<(f64, f64)>,
-    /// Whether it is a field's square.
-    is_square: bool,
+    /// What errors are relative to.
+    power: f64,
+    kind: Kind,
 }
 
 impl Signal {
     /// Light that is linear in its pixels; `lines`: frequencies and weights of its power.
     pub(super) fn of_light(lines: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
         Signal {
+            power: lines.clone().map(|line| line.1).sum(),
             lines: gathered(lines),
-            is_square: false,
+            kind: Kind::Light,
+        }
+    }
+
+    /// A field with these lines, and others of smooth patterns that must be met better: errors are relative to the former alone.
+    pub(super) fn of_field(
+        lines: impl Iterator<Item = (f64, f64)> + Clone,
+        smooth: impl Iterator<Item = (f64, f64)> + Clone,
+    ) -> Self {
+        Signal {
+            power: lines.clone().map(|line| line.1).sum(),
+            lines: gathered(lines.chain(smooth)),
+            kind: Kind::Field,
         }
     }
 
     /// The square of a field with a constant part of power 1 and another with these lines.
     pub(super) fn of_square(lines: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
+        let all: f64 = lines.clone().map(|line| line.1).sum();
         Signal {
+            power: all * all + 2.0 * all,
             lines: gathered(lines),
-            is_square: true,
+            kind: Kind::Square,
         }
     }
 
-    /// 1 at a distance of 0.
+    /// Relative to the power.
     fn correlation(&self, distance: f64) -> f64 {
-        let (mut re, mut im, mut all) = (0.0, 0.0, 0.0);
+        let (mut re, mut im) = (0.0, 0.0);
         for &(frequency, weight) in &self.lines {
             let (sin, cos) = (TAU * frequency * distance).sin_cos();
             re += weight * cos;
             im += weight * sin;
-            all += weight;
         }
-        if self.is_square {
-            (re * re + im * im + 2.0 * re) / (all * all + 2.0 * all)
+        if self.kind == Kind::Square {
+            (re * re + im * im + 2.0 * re) / self.power
         } else {
-            re / all
+            re / self.power
         }
     }
 }
@@ -106,6 +132,8 @@ pub(super) struct Taps {
 struct Table {
     rows: usize,
     values: Vec<f64>,
+    /// Size of the signal's constant part.
+    constant: f64,
 }
 
 impl Table {
@@ -114,6 +142,11 @@ impl Table {
         Table {
             rows,
             values: (0..=(taps + 1) * rows).map(at).collect(),
+            constant: if signal.kind == Kind::Field {
+                0.0
+            } else {
+                CONSTANT
+            },
         }
     }
 
@@ -130,13 +163,13 @@ impl Table {
                 let row = nodes.iter().map(|&b| {
                     // Rounding of f32 samples
                     let noise = if a == b { 1e-10 } else { 0.0 };
-                    self.at(a - b, 0) + CONSTANT + noise
+                    self.at(a - b, 0) + self.constant + noise
                 });
                 row.collect()
             })
             .collect();
         let right: Vec<f64> = nodes.iter().map(|&a| self.at(-a, row)).collect();
-        let weights = solve(matrix, right.iter().map(|r| r + CONSTANT).collect());
+        let weights = solve(matrix, right.iter().map(|r| r + self.constant).collect());
         let mut error = self.at(0, 0);
         for ((a, w), r) in nodes.iter().zip(&weights).zip(&right) {
             let others = nodes.iter().zip(&weights);

