@@ -457,6 +457,18 @@ fn light_that_is_scattered_is_traced() {
 }
 
 #[test]
+fn light_that_is_no_ray_is_not_traced() {
+    let bench = Bench::new();
+    for model in ["wave", "spread"] {
+        let line = format!(
+            "trace job.toml --pixel 0,16,8 --set vial={{index_matched={{radius_mm=3.0}}}} --set model={{{model}={{}}}}"
+        );
+        let said = bench.expect(2, &line);
+        assert!(said.contains(&format!("[model.{model}]")), "{said}");
+    }
+}
+
+#[test]
 fn a_job_of_another_program_is_translated_and_can_be_checked() {
     let bench = Bench::new();
     let theirs = r#"{

@@ -37,6 +37,28 @@ pub(super) const WRONG: &[Wrong] = &[
         "relative_error",
         &["model.wave.relative_error", "1e-6 to 0.1"],
     ),
+    (
+        "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
+        "[model.wave]\nrings = 3\n[vial.index_matched]\nradius_mm = 3.0",
+        "rings",
+        &["model.wave.rings", "found 3", "`etendue_deg` above 0"],
+    ),
+    (
+        "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
+        "[model.wave]\nnumerical_aperture = 1e-5\n[vial.index_matched]\nradius_mm = 3.0",
+        "numerical_aperture",
+        &[
+            "model.wave.numerical_aperture",
+            "spots wider than the image of 2.4 mm",
+            "at least 0.00008",
+        ],
+    ),
+    (
+        "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
+        "[model.wave]\n[optimizer.fista]\n[vial.index_matched]\nradius_mm = 3.0",
+        "[optimizer.fista]",
+        &["optimizer.fista with waves"],
+    ),
     // Names
     (
         "iterations = 2",

@@ -13,7 +13,7 @@ use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
-use crate::models::{DoseLayout, DoseModel, Run, planner};
+use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
     self, Checkpoints, Limits, Observer, Outcome, Problem, Row, StepReport, Stop, StopReason,
@@ -296,18 +296,24 @@ pub(super) fn starting_patterns(
         max: bounds.max.unwrap_or(f64::INFINITY),
     };
     let response = scene.response()?;
-    let input = StartInput {
-        model: straight.unwrap_or(model),
+    let limits = vec![limits; scene.spec.light.len()];
+    let input = |model| StartInput {
+        model,
         target: &voxels.target,
         labels: &voxels.labels,
         response: response.as_ref(),
-        limits: &vec![limits; scene.spec.light.len()],
+        limits: &limits,
     };
-    let mut x = start.patterns(&input, cancel)?;
-    if straight.is_some() {
-        into_amplitudes(x.as_mut_slice(), GLIMMER)?;
+    let mut x = start.patterns(&input(straight.unwrap_or(model)), cancel)?;
+    if model.patterns()[0].quantity == Quantity::Energy {
+        return Ok(x);
     }
-    Ok(x)
+    into_amplitudes(x.as_mut_slice(), GLIMMER)?;
+    if scene.starts_as_given()? {
+        return Ok(x);
+    }
+    // A pupil takes light that rays would have brought
+    input(model).scaled_anew(x, cancel)
 }
 
 /// Energies → amplitudes, none of them dark.

@@ -15,6 +15,7 @@ use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
 use crate::kind::Section;
+use crate::models::Choice;
 use crate::models::cells::Cells;
 use crate::models::planner::Setup;
 use crate::models::{DoseLayout, PatternLayout};
@@ -94,7 +95,7 @@ impl Scene {
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
         let has_cells = cells::key(&spec)?.is_some();
-        try_kinds(&spec, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
+        try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
         optics.must_hold(shape.as_ref())?;
@@ -391,6 +392,15 @@ impl Scene {
     pub(crate) fn start(&self) -> Result<Box<dyn Start>> {
         start(&self.spec)
     }
+
+    /// Whether it begins at patterns that are to be taken as they are.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub(crate) fn starts_as_given(&self) -> Result<bool> {
+        let (kind, _) = Section::new("start", self.spec.start.clone()).kind(STARTS)?;
+        Ok(kind.name == "patterns")
+    }
 }
 
 impl Voxels {
@@ -582,7 +592,7 @@ fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Penalties<HostF
 }
 
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
+fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let mut layout = DoseLayout::new("dose", grid.clone(), 0);
     if cells::key(spec)?.is_some() {
@@ -614,7 +624,11 @@ fn try_kinds(spec: &JobSpec, grey: bool, base: &Path) -> Result<()> {
     )?;
     solid_at(spec, response.as_ref())?;
     penalties(spec, &[])?;
-    fit_together(spec, &optimizer(spec)?.needs(), objective.is_convex())?;
+    let is = Are {
+        linear: model.is_linear(),
+        convex: objective.is_convex(),
+    };
+    fit_together(spec, &optimizer(spec)?.needs(), is)?;
     start(spec)?;
     // Of a grey target the values are not known yet
     if asks_for_doses(spec)? && !grey {
@@ -642,8 +656,15 @@ fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
     }
 }
 
+/// What a job's model and objective are.
+#[derive(Clone, Copy)]
+struct Are {
+    linear: bool,
+    convex: bool,
+}
+
 /// Refuses what an optimiser cannot have beside it, with the key of the other.
-fn fit_together(spec: &JobSpec, needs: &Needs, is_convex: bool) -> Result<()> {
+fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
     let method = format!("optimizer.{}", needs.name);
     let not_convex = "an objective and a response that are not convex together";
     for (reason, is_there, key, other) in [
@@ -659,7 +680,8 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is_convex: bool) -> Result<()> {
             "penalties[0]",
             "penalties",
         ),
-        (needs.convex, !is_convex, method.as_str(), not_convex),
+        (needs.convex, !is.convex, method.as_str(), not_convex),
+        (needs.linear, !is.linear, method.as_str(), "waves"),
     ] {
         if let Some(reason) = reason.filter(|_| is_there) {
             return Err(Error::config(

@@ -47,6 +47,14 @@ pub enum Choice {
     Matrix(matrix::Params),
 }
 
+impl Choice {
+    /// Whether dose is linear in the unknowns.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        !matches!(self, Choice::Wave(_))
+    }
+}
+
 /// Reads the parameters of a model from its section.
 pub type ChooseModel = fn(&Section) -> Result<Choice>;
 

@@ -500,6 +500,46 @@ mod tests {
     }
 
     #[test]
+    fn light_that_spreads_has_straight_light_for_starts_and_shadows() {
+        let grid = VolumeGrid::centered([6, 8, 8], 0.1);
+        let optics = [Optics::collimated(0.1)];
+        for choice in [
+            Choice::Wave(crate::models::wave::Params::default()),
+            Choice::Spread(spread::Params {
+                half_angle_deg: 5.0,
+                ..spread::Params::default()
+            }),
+        ] {
+            let setup = Setup {
+                vial: &VIAL,
+                optics: &optics,
+                solid: None,
+                asked_often: true,
+                dose_factor: 1.0,
+            };
+            let plan = plan(
+                &choice,
+                setup,
+                vec![light()],
+                grid.clone(),
+                None,
+                &Run::new(),
+            );
+            let straight = plan.unwrap().straight.unwrap();
+            // One pixel meets the voxels of a chord, of the one height of its row: cones and waves meet others, too
+            let mut x = straight.new_patterns().unwrap();
+            let layout = &straight.patterns()[0];
+            x.as_mut_slice()[layout.runs[6].offset + layout.runs[6].count as usize / 2] = 1.0;
+            let mut dose = straight.new_dose().unwrap();
+            straight.dose(&x, &mut dose, &Run::new()).unwrap();
+            let dose = straight.outputs()[0].volume_of(dose.as_slice());
+            let lit = |z: usize| (0..64).any(|i| *dose.at(z, i / 8, i % 8) > 1e-4);
+            assert_eq!((0..6).filter(|z| lit(*z)).count(), 1);
+            assert_eq!(straight.patterns()[0].quantity, Quantity::Energy);
+        }
+    }
+
+    #[test]
     fn scattering_adds_no_unknowns_to_the_silhouette_and_goes_order_by_order_where_it_can() {
         let grid = VolumeGrid::centered([6, 8, 8], 0.15);
         let mut wanted = Volume::filled(grid.clone(), 0u8);

@@ -690,6 +690,15 @@ mod tests {
     }
 
     #[test]
+    fn the_page_names_the_model_that_judged() {
+        let mut runs = [run("rays", 0.99, "10"), run("waves", 0.9, "10")];
+        runs[1].report["run"] = json!({ "models": { "evaluation": "wave (4 depths): as asked" } });
+        let page = compare_html(&runs);
+        assert_eq!(page.matches("judged by").count(), 1);
+        assert!(page.contains("waves<br><span class=\"muted\">judged by wave</span>"));
+    }
+
+    #[test]
     fn numbers_stand_side_by_side_and_the_best_is_marked() {
         let runs = [run("a", 0.9, "10"), run("b", 0.95, "5")];
         let json = compare_json(&runs);

@@ -63,12 +63,12 @@ impl<T: Number> Between<T> {
         let fields = sampling.fields.as_ref()?;
         let mut weights = Vec::new();
         let row = |k: usize| {
-            let place = (k as f64 + 0.5) * sampling.along.step / fields.step - 0.5;
+            let place = fields.depths.place(sampling.along.computed.at(k));
             let first = fields.taps.at(place, &mut weights);
             (first, weights.iter().map(|w| T::of(*w)).collect())
         };
         Some(Between {
-            rows: (0..sampling.along.count).map(row).collect(),
+            rows: (0..sampling.along.computed.count).map(row).collect(),
             taps: fields.taps.taps,
         })
     }

@@ -2,7 +2,7 @@
 //!
 //! # Equation
 //! ```text
-//! ψ(x, u, z) = Σ_f Ψ(f)·P(f)·W(x, f)·H(f)^(x/h)·e^(2πi f·r),        H = e^(2πi h (w − 1/λ)),        x = h/2, 3h/2, …
+//! ψ(x, u, z) = Σ_f Ψ(f)·P(f)·W(x, f)·H(f)^(x/h)·e^(2πi f·r),        H = e^(2πi h (w − 1/λ)),        x = x₀, x₀ + h, …
 //! ```
 //! The phase is computed in f64 in its reduced form w − 1/λ: the whole one would be 10⁵ rad at 10 mm.
 //!
@@ -55,7 +55,7 @@ pub(super) struct Coherent<T: Number> {
     pub(super) modes: Vec<Mode>,
     /// H of each mode.
     steps: Vec<Vec<Complex<T>>>,
-    /// P·H^½ of each mode: the first depth lies half a step behind the focal plane.
+    /// P·H^(x₀/h) of each mode, x₀ the first depth.
     starts: Vec<Vec<Complex<T>>>,
     /// Fields that are not transformed.
     between: Option<Between<T>>,
@@ -84,7 +84,7 @@ impl<T: Number> Coherent<T> {
             steps: Vec::new(),
             starts: Vec::new(),
         };
-        let (step, _) = waves.windows.sampling.transformed();
+        let step = waves.windows.sampling.transformed().step;
         waves.steps = waves.modes.iter().map(|m| waves.kernel(m, step)).collect();
         waves.starts = waves.modes.iter().map(|m| waves.start(m)).collect();
         waves
@@ -121,11 +121,11 @@ impl<T: Number> Coherent<T> {
         values
     }
 
-    /// P·H^½ of all frequencies of a mode.
+    /// P·H^(x₀/h) of all frequencies of a mode.
     fn start(&self, mode: &Mode) -> Vec<Complex<T>> {
         let sampling = &self.windows.sampling;
         let [bu, bz] = sampling.band.map(|b| b as i64);
-        let mut values = self.kernel(mode, 0.5 * sampling.transformed().0);
+        let mut values = self.kernel(mode, sampling.transformed().at(0));
         let frequencies = (-bz..=bz).flat_map(|fz| (-bu..=bu).map(move |fu| [fu, fz]));
         for (value, index) in values.iter_mut().zip(frequencies) {
             let f = [0, 1].map(|i| index[i] as f64 / self.windows.window[i]);
@@ -136,7 +136,7 @@ impl<T: Number> Coherent<T> {
 
     /// The depth of a plane that is transformed.
     fn depth(&self, index: usize) -> f64 {
-        (index as f64 + 0.5) * self.windows.sampling.transformed().0
+        self.windows.sampling.transformed().at(index)
     }
 
     /// Brings a spectrum that has come to the depth before on to this one; `wave`: index of its mode.
@@ -232,7 +232,7 @@ impl<T: Number> Coherent<T> {
                 }
             }
             let mut next = 0;
-            for depth in 0..self.windows.sampling.transformed().1 {
+            for depth in 0..self.windows.sampling.transformed().count {
                 for scratch in &mut scratches {
                     self.advance(wave, depth, &mut scratch.here);
                     let (here, parts) = scratch.split();
@@ -278,7 +278,7 @@ impl<T: Number> Coherent<T> {
             scratch.power.clone_from(start);
             back.begin(start);
             let mut next = 0;
-            for depth in 0..self.windows.sampling.transformed().1 {
+            for depth in 0..self.windows.sampling.transformed().count {
                 self.field_of_image((wave, depth), scratch, &mut back.tapered);
                 let Some(between) = &self.between else {
                     cotangent(depth, mode, &mut scratch.field);
@@ -404,7 +404,7 @@ impl<T: Number> Way<T> for Coherent<T> {
 
     fn operations(&self) -> f64 {
         let [image, depth] = self.windows.operations();
-        let depths = self.windows.sampling.transformed().1 * self.modes.len();
+        let depths = self.windows.sampling.transformed().count * self.modes.len();
         3.0 * (image + depths as f64 * depth)
     }
 }

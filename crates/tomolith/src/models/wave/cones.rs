@@ -141,9 +141,10 @@ impl<T: Number> Cones<T> {
     pub(super) fn new(windows: Windows<T>, cone: &Cone) -> Self {
         let sampling = &windows.sampling;
         let [bu, bz] = sampling.band.map(|b| b as i64);
-        let radius = |depth: usize| (depth as f64 + 0.5) * sampling.along.step * cone.slope;
+        let depths = sampling.along.computed;
+        let radius = |depth: usize| depths.at(depth) * cone.slope;
         let highest = cone.highest(0).hypot(cone.highest(1));
-        let disc = Disc::up_to(TAU * highest * radius(sampling.along.count));
+        let disc = Disc::up_to(TAU * highest * radius(depths.count));
         let transfer = |depth: usize| {
             let radius = radius(depth);
             let mut values = Vec::with_capacity(((2 * bu + 1) * (2 * bz + 1)) as usize);
@@ -157,7 +158,7 @@ impl<T: Number> Cones<T> {
             values
         };
         Cones {
-            transfers: (0..sampling.along.count).map(transfer).collect(),
+            transfers: (0..depths.count).map(transfer).collect(),
             windows,
         }
     }

@@ -81,7 +81,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
 
     /// Samples of one frame that voxels are interpolated from: rows of them.
     fn rows(&self) -> usize {
-        self.way.windows().sampling.along.last().1 * self.way.windows().last.count
+        self.way.windows().sampling.along.last().count * self.way.windows().last.count
     }
 
     /// The same in numbers.
@@ -91,7 +91,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
 
     /// Numbers of one frame's samples that are computed.
     fn computed(&self) -> usize {
-        self.way.windows().sampling.along.count * self.way.windows().width() * self.row
+        self.way.windows().sampling.along.computed.count * self.way.windows().width() * self.row
     }
 
     fn with_scratch<R>(&self, work: impl FnOnce(&mut Scratch<T>) -> R) -> R {

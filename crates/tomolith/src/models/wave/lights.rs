@@ -146,13 +146,14 @@ impl<W: Way<f32>> Lights<W> {
     /// The sampling of the first light, for people.
     pub(super) fn described(&self) -> String {
         let s = &self.lights[0].way.windows().sampling;
-        let (step, count) = s.transformed();
+        let depths = s.transformed();
         format!(
-            "{count} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
-            concise(step),
+            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
+            depths.count,
+            concise(depths.step),
             s.padded[0],
             s.padded[1],
-            s.across.count
+            s.across.computed.count
         )
     }
 }
@@ -193,7 +194,10 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         voxels: Span::Between(grid.z(0), grid.z(nz - 1)),
     };
     let needs = Needs {
-        deepest: (radius + focus_mm.abs()).max(u.pitch),
+        depths: [
+            (focus_mm.abs() - radius).max(0.0),
+            (radius + focus_mm.abs()).max(u.pitch),
+        ],
         voxels: [in_resin.iter().filter(|lit| **lit).count(), nz],
         high: heights.finer as f64,
     };
@@ -202,7 +206,7 @@ pub(super) fn turning<T: Number, W: Way<T>>(
             settings.model,
             format!(
                 "{found} up to {} mm from the focal plane, more than anybody has time for",
-                concise(needs.deepest)
+                concise(needs.depths[1])
             ),
             "a focal plane nearer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
         )

@@ -21,7 +21,7 @@
 //! |---|---|---|---|---|
 //! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of \|ψ\|² between the depths that are computed |
 //! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of \|ψ\|² between lateral samples, for light that fills the band |
-//! | `numerical_aperture` | – | > 0, below n | none | of the projector's lens: patterns are limited to what it passes |
+//! | `numerical_aperture` | – | λ₀/(2·image) to n | none | of the projector's lens: patterns are limited to what it passes; below that its spots are wider than the image |
 //! | `soft_edge` | – | 0 to 1 | 0.25 | part of the band of frequencies over which it fades; 0: cut, as published |
 //! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
 //! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
@@ -66,6 +66,7 @@ mod beam;
 mod between;
 mod coherent;
 mod cones;
+mod lattice;
 mod light;
 mod lights;
 mod number;
@@ -130,8 +131,8 @@ pub struct Params {
     pub entrance: Entrance,
     /// Half angle of the cone of modes in resin, degrees, 0 to 10.
     pub etendue_deg: f64,
-    /// Rings of modes about the middle one, 1 to 6.
-    pub rings: usize,
+    /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
+    pub rings: Option<usize>,
 }
 
 impl Default for Params {
@@ -145,7 +146,7 @@ impl Default for Params {
             band_limit: BandLimit::Hard,
             entrance: Entrance::Wall,
             etendue_deg: 0.0,
-            rings: 2,
+            rings: None,
         }
     }
 }
@@ -189,8 +190,16 @@ fn params_of(section: &Section) -> Result<Params> {
     if !(0.0..=10.0).contains(&params.etendue_deg) {
         return refused("etendue_deg", params.etendue_deg, "0 to 10 degrees");
     }
-    if !(1..=6).contains(&params.rings) {
-        return refused("rings", params.rings as f64, "1 to 6");
+    match params.rings {
+        Some(rings) if !(1..=6).contains(&rings) => {
+            return refused("rings", rings as f64, "1 to 6");
+        }
+        Some(rings) if params.etendue_deg == 0.0 => {
+            let accepted =
+                "no such key, or rings of modes that have an angle: `etendue_deg` above 0";
+            return refused("rings", rings as f64, accepted);
+        }
+        _ => {}
     }
     Ok(params)
 }
@@ -366,8 +375,9 @@ fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
     if beam.tilt == 0.0 {
         return modes;
     }
-    let count = 1 + 3 * params.rings * (params.rings + 1);
-    for ring in 1..=params.rings {
+    let rings = params.rings.unwrap_or(2);
+    let count = 1 + 3 * rings * (rings + 1);
+    for ring in 1..=rings {
         let (inner, outer) = (1 + 3 * ring * (ring - 1), 1 + 3 * ring * (ring + 1));
         // Where half of the ring's area lies within
         let share = 0.5 * (inner + outer) as f64 / count as f64;

@@ -108,21 +108,21 @@ pub(super) struct Resample<T> {
 impl<T: Number> Resample<T> {
     /// `computed` and `last`: samples along u, before and after.
     pub(super) fn new(sampling: &Sampling, computed: Places, last: Places) -> Self {
-        let across = sampling.across.closer.as_ref().map(|(_, _, taps)| {
+        let across = sampling.across.closer.as_ref().map(|(_, taps)| {
             let at = |i: usize| (last.from + i as f64 * last.step - computed.from) / computed.step;
             let places: Vec<f64> = (0..last.count).map(at).collect();
             Step::new(taps, computed.count, &places, |slot| slot as usize)
         });
-        let depths = sampling.along.count;
-        let along = sampling.along.closer.as_ref().map(|(step, count, taps)| {
-            let at = |k: usize| (k as f64 + 0.5) * step / sampling.along.step - 0.5;
-            let places: Vec<f64> = (0..*count).map(at).collect();
-            Step::new(taps, depths, &places, mirrored)
+        let depths = sampling.along.computed;
+        let along = sampling.along.closer.as_ref().map(|(closer, taps)| {
+            let at = |k: usize| depths.place(closer.at(k));
+            let places: Vec<f64> = (0..closer.count).map(at).collect();
+            Step::new(taps, depths.count, &places, mirrored)
         });
         Resample {
             across,
             along,
-            depths,
+            depths: depths.count,
             width: last.count,
         }
     }

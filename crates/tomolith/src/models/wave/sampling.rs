@@ -2,12 +2,12 @@
 //!
 //! Distances of samples along and across the light follow from the [`Taps`] that interpolate them, for light that fills the band evenly: the fewest that
 //! keep to the errors asked for. Where that saves time, fields are interpolated from those at fewer depths ([`between`](super::between)), closer samples
-//! from those that are computed, and voxels from few of them. The depths lie at (k + ½) steps, their mirror images on the other side of the
-//! focal plane. Errors that have nothing to do with each other add up as squares: [`WINDOW`]² + [`FIELDS`]² + [`LIGHT`]² ≤ 1.
+//! from those that are computed, and voxels from few of them. Errors that have nothing to do with each other add up as squares: [`WINDOW`]² + [`FIELDS`]² + [`LIGHT`]² ≤ 1.
 
 use super::Settings;
 use super::beam::Spreading;
-use super::taps::{OVERHANG, Signal, Taps};
+use super::lattice::Lattice;
+use super::taps::{Ends, Signal, Taps};
 use super::window::{Side, operations, smooth, wide};
 use crate::units::concise;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -50,32 +50,25 @@ const ROW_COST: f64 = 1.2;
 /// Samples that light is computed at, and those that voxels are interpolated from.
 #[derive(Clone, Debug)]
 pub(super) struct Ladder {
-    /// Distance of the samples that are computed, mm.
-    pub(super) step: f64,
-    /// Their number.
-    pub(super) count: usize,
-    /// Closer samples, interpolated from those: their distance, mm, number and weights.
-    pub(super) closer: Option<(f64, usize, Taps)>,
+    /// Those that are computed.
+    pub(super) computed: Lattice,
+    /// Closer samples, interpolated from those, with their weights.
+    pub(super) closer: Option<(Lattice, Taps)>,
     /// Interpolation of voxels from the last of them.
     pub(super) taps: Taps,
 }
 
 impl Ladder {
-    /// Distance and number of the samples that voxels are interpolated from.
-    pub(super) fn last(&self) -> (f64, usize) {
-        self.closer
-            .as_ref()
-            .map_or((self.step, self.count), |(step, count, _)| (*step, *count))
+    /// The samples that voxels are interpolated from.
+    pub(super) fn last(&self) -> Lattice {
+        (self.closer.as_ref()).map_or(self.computed, |(closer, _)| *closer)
     }
 }
 
 /// Depths at which fields are transformed; those at closer depths are interpolated from them.
 #[derive(Clone, Debug)]
 pub(super) struct Fields {
-    /// Their distance, mm; they lie at (k + ½) of it.
-    pub(super) step: f64,
-    /// Their number.
-    pub(super) count: usize,
+    pub(super) depths: Lattice,
     /// What they are turned back by before, 1/mm.
     pub(super) middle: f64,
     /// Interpolation of fields from them.
@@ -85,99 +78,87 @@ pub(super) struct Fields {
 /// A way to sample fields.
 #[derive(Clone, Copy, Debug)]
 struct FieldRung {
-    step: f64,
-    count: usize,
+    depths: Lattice,
     taps: usize,
     middle: f64,
 }
 
-/// Steps, numbers and taps that are weighed against each other.
+/// Samples and taps that are weighed against each other.
 #[derive(Clone, Copy, Debug)]
 struct Rungs {
-    step: f64,
-    count: usize,
+    computed: Lattice,
     taps: usize,
-    closer: Option<(f64, usize, usize)>,
+    closer: Option<(Lattice, usize)>,
     /// Those of fields.
     fields: Option<FieldRung>,
 }
 
 impl Rungs {
-    /// Taps that a voxel is interpolated from.
-    fn last_taps(&self) -> usize {
-        self.closer.map_or(self.taps, |(_, _, taps)| taps)
+    fn new(computed: Lattice, taps: usize, closer: Option<(Lattice, usize)>) -> Self {
+        Rungs {
+            computed,
+            taps,
+            closer,
+            fields: None,
+        }
     }
 
-    fn last_count(&self) -> usize {
-        self.closer.map_or(self.count, |(_, count, _)| count)
+    /// Samples and taps that a voxel is interpolated from.
+    fn last(&self) -> (usize, usize) {
+        (self.closer).map_or((self.computed.count, self.taps), |(closer, taps)| {
+            (closer.count, taps)
+        })
     }
 
     /// Depths that are transformed.
     fn transformed(&self) -> usize {
-        self.fields.map_or(self.count, |fields| fields.count)
+        (self.fields).map_or(self.computed.count, |fields| fields.depths.count)
     }
 
-    fn built(&self, signal: &Signal, has_end: bool) -> Ladder {
-        let end = |count: usize| has_end.then_some(count as i64 - 1);
-        let from_computed = Taps::new(self.taps, signal, self.step, end(self.count));
+    fn built(&self, signal: &Signal) -> Ladder {
+        let from_computed = Taps::new(self.taps, signal, &self.computed);
         let (closer, taps) = match self.closer {
             None => (None, from_computed),
-            Some((step, count, taps)) => (
-                Some((step, count, from_computed)),
-                Taps::new(taps, signal, step, end(count)),
+            Some((closer, taps)) => (
+                Some((closer, from_computed)),
+                Taps::new(taps, signal, &closer),
             ),
         };
         Ladder {
-            step: self.step,
-            count: self.count,
+            computed: self.computed,
             closer,
             taps,
         }
     }
 }
 
-/// The fewest depths (k + ½) steps, up to the deepest voxel, that hold light with such an error; their distance.
-fn fewest(taps: usize, signal: &Signal, deepest: f64, error: f64) -> (f64, usize) {
-    let step = |count: usize| deepest / (count as f64 - 0.5 + OVERHANG);
-    let holds = |count: usize| Taps::error_in_disc(taps, signal, step(count), count) <= error;
-    let mut enough = taps / 2;
-    while !holds(enough) && (enough as f64) < MOST_SAMPLES {
-        enough *= 2;
-    }
-    let mut short = enough / 2;
-    while enough - short.max(taps / 2 - 1) > 1 {
-        let middle = usize::midpoint(enough, short.max(taps / 2 - 1));
-        if holds(middle) {
-            enough = middle;
-        } else {
-            short = middle;
-        }
-    }
-    (step(enough), enough)
-}
-
 /// Pixels along an edge of the window at most, and depths times pixels of the window: what a frame is computed at.
 const MOST_PIXELS: usize = 16384;
 const MOST_SAMPLES: f64 = 2e10;
 
-/// All ways to sample the depths.
-fn ways_along(beam: &dyn Spreading, deepest: f64, error: f64) -> Vec<Rungs> {
+/// All ways to sample the depths between these two.
+fn ways_along(beam: &dyn Spreading, depths: [f64; 2], error: f64) -> Vec<Rungs> {
     let signal = beam.along();
-    let mut ways = ways_from_light(&signal, deepest, error * DEPTHS);
-    let closer = ways_from_light(&signal, deepest, error * LIGHT);
+    let mut ways = ways_from_light(&signal, depths, error * DEPTHS);
+    let closer = ways_from_light(&signal, depths, error * LIGHT);
     for taps in FIELD_TAPS {
         let middles = MIDDLES.iter().map(|share| share * beam.depth_band());
         let of_middle = |middle| {
-            let (step, count) = fewest(taps, &beam.field(middle)?, deepest, error * FIELDS);
+            let signal = beam.field(middle)?;
+            let depths = Lattice::fewest(taps, &signal, depths, (error * FIELDS, MOST_SAMPLES));
             Some(FieldRung {
-                step,
-                count,
+                depths,
                 taps,
                 middle,
             })
         };
-        if let Some(fields) = middles.filter_map(of_middle).min_by_key(|way| way.count) {
-            let own = closer.iter().filter(|way| way.count > fields.count);
+        let fewest = middles
+            .filter_map(of_middle)
+            .min_by_key(|way| way.depths.count);
+        if let Some(fields) = fewest {
+            let own = closer
+                .iter()
+                .filter(|way| way.computed.count > fields.depths.count);
             ways.extend(own.map(|way| Rungs {
                 fields: Some(fields),
                 ..*way
@@ -188,29 +169,18 @@ fn ways_along(beam: &dyn Spreading, deepest: f64, error: f64) -> Vec<Rungs> {
 }
 
 /// All ways to sample the depths of light.
-fn ways_from_light(signal: &Signal, deepest: f64, error: f64) -> Vec<Rungs> {
+fn ways_from_light(signal: &Signal, depths: [f64; 2], error: f64) -> Vec<Rungs> {
+    let fewest =
+        |taps: usize, error: f64| Lattice::fewest(taps, signal, depths, (error, MOST_SAMPLES));
+    let half = error * FRAC_1_SQRT_2;
+    let close = CLOSE_TAPS.map(|taps| (fewest(taps, half), taps));
     let mut ways = Vec::new();
-    let close = CLOSE_TAPS.map(|taps| (taps, fewest(taps, signal, deepest, error * FRAC_1_SQRT_2)));
     for taps in TAPS {
-        let (step, count) = fewest(taps, signal, deepest, error);
-        let rungs = Rungs {
-            step,
-            count,
-            taps,
-            closer: None,
-            fields: None,
-        };
-        ways.push(rungs);
-        let (step, count) = fewest(taps, signal, deepest, error * FRAC_1_SQRT_2);
-        for (close_taps, (close_step, close_count)) in close {
-            if close_count > count && close_taps < taps {
-                ways.push(Rungs {
-                    step,
-                    count,
-                    taps,
-                    closer: Some((close_step, close_count, close_taps)),
-                    fields: None,
-                });
+        ways.push(Rungs::new(fewest(taps, error), taps, None));
+        let computed = fewest(taps, half);
+        for (closer, close_taps) in close {
+            if closer.count > computed.count && close_taps < taps {
+                ways.push(Rungs::new(computed, taps, Some((closer, close_taps))));
             }
         }
     }
@@ -224,32 +194,24 @@ fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f6
         let step = Taps::widest(taps, signal, error, most);
         smooth((window / step - 1e-6).ceil() as usize)
     };
+    let of = |step: f64, count: usize| Lattice {
+        start: 0.0,
+        step,
+        count,
+        ends: Ends::More,
+    };
+    let half = error * FRAC_1_SQRT_2;
+    let close = CLOSE_TAPS.map(|taps| (Taps::widest(taps, signal, half, most), taps));
     let mut ways = Vec::new();
-    let close = CLOSE_TAPS.map(|taps| {
-        let step = Taps::widest(taps, signal, error * FRAC_1_SQRT_2, most);
-        (taps, step)
-    });
     for taps in TAPS {
         let count = computed(taps, error);
-        ways.push(Rungs {
-            step: window / count as f64,
-            count,
-            taps,
-            closer: None,
-            fields: None,
-        });
-        let count = computed(taps, error * FRAC_1_SQRT_2);
-        let step = window / count as f64;
-        for (close_taps, close_step) in close {
-            if close_step < step && close_taps < taps {
-                let close_count = (part / close_step).ceil() as usize + close_taps + 1;
-                ways.push(Rungs {
-                    step,
-                    count,
-                    taps,
-                    closer: Some((close_step, close_count, close_taps)),
-                    fields: None,
-                });
+        ways.push(Rungs::new(of(window / count as f64, count), taps, None));
+        let count = computed(taps, half);
+        let own = of(window / count as f64, count);
+        for (step, close_taps) in close {
+            if step < own.step && close_taps < taps {
+                let closer = of(step, (part / step).ceil() as usize + close_taps + 1);
+                ways.push(Rungs::new(own, taps, Some((closer, close_taps))));
             }
         }
     }
@@ -259,8 +221,8 @@ fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f6
 /// What a sampling has to serve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Needs {
-    /// Largest distance of a voxel from the focal plane, mm.
-    pub(super) deepest: f64,
+    /// Smallest and largest distance of a voxel from the focal plane, mm.
+    pub(super) depths: [f64; 2],
     /// Columns of voxels, and voxels of a column.
     pub(super) voxels: [usize; 2],
     /// Samples of a window along z.
@@ -268,10 +230,9 @@ pub(super) struct Needs {
 }
 
 impl Sampling {
-    /// Distance, mm, and number of the depths that are transformed, on one side of the focal plane.
-    pub(super) fn transformed(&self) -> (f64, usize) {
-        let own = self.fields.as_ref().map(|own| (own.step, own.count));
-        own.unwrap_or((self.along.step, self.along.count))
+    /// Depths that are transformed, on one side of the focal plane.
+    pub(super) fn transformed(&self) -> Lattice {
+        (self.fields.as_ref()).map_or(self.along.computed, |own| own.depths)
     }
 
     /// The quickest sampling with the errors that the settings allow; what is too much of it.
@@ -282,7 +243,7 @@ impl Sampling {
         settings: &Settings,
     ) -> Result<Self, String> {
         let lost = settings.relative_error * WINDOW;
-        let wide = [0, 1].map(|i| wide(beam, i, sides[i], needs.deepest, lost));
+        let wide = [0, 1].map(|i| wide(beam, i, sides[i], needs.depths, lost));
         if wide.iter().any(|n| *n > MOST_PIXELS as f64) {
             let [u, z] = wide.map(concise);
             return Err(format!("light needs a window of {u} × {z} pixels"));
@@ -302,7 +263,7 @@ impl Sampling {
         let [low, high] = sides[0].voxels_at(0.0);
         let part = high - low;
         let ways = ways_across(&across, [width, part], band[0], settings.rotation_error);
-        let ways_along = ways_along(beam, needs.deepest, settings.relative_error);
+        let ways_along = ways_along(beam, needs.depths, settings.relative_error);
         let pairs = ways_along
             .iter()
             .flat_map(|a| ways.iter().map(move |b| (a, b)));
@@ -310,21 +271,18 @@ impl Sampling {
         let (a, b) = pairs
             .min_by(|a, b| cost(a).total_cmp(&cost(b)))
             .unwrap_or((&ways_along[0], &ways[0]));
-        let samples = padded.iter().fold(a.count as f64, |all, n| all * *n as f64);
+        let depths = a.transformed();
+        let samples = padded.iter().fold(depths as f64, |all, n| all * *n as f64);
         if samples > MOST_SAMPLES {
             let [u, z] = padded;
-            return Err(format!(
-                "light needs {} depths of {u} × {z} pixels",
-                a.count
-            ));
+            return Err(format!("light needs {depths} depths of {u} × {z} pixels"));
         }
         let fields = a.fields.and_then(|own| {
             let signal = beam.field(own.middle)?;
             Some(Fields {
-                step: own.step,
-                count: own.count,
+                depths: own.depths,
                 middle: own.middle,
-                taps: Taps::new(own.taps, &signal, own.step, Some(own.count as i64 - 1)),
+                taps: Taps::new(own.taps, &signal, &own.depths),
             })
         });
         Ok(Sampling {
@@ -332,8 +290,8 @@ impl Sampling {
             guard,
             band,
             fields,
-            along: a.built(&along, true),
-            across: b.built(&across, false),
+            along: a.built(&along),
+            across: b.built(&across),
         })
     }
 }
@@ -348,22 +306,24 @@ fn cost(
     needs: &Needs,
 ) -> f64 {
     let [columns, heights] = needs.voxels;
-    let high = needs.high * padded_z as f64;
-    let of_depth =
-        (2 * band + 1) as f64 * operations(high) + heights as f64 * operations(across.count as f64);
-    let computed = part / across.step;
-    let width =
-        computed.max(across.last_count() as f64 * f64::from(u8::from(across.closer.is_some())));
-    let mut rows = (columns * along.last_taps() * across.last_taps()) as f64;
+    let lateral = across.computed.count as f64;
+    let of_depth = (2 * band + 1) as f64 * operations(needs.high * padded_z as f64)
+        + heights as f64 * operations(lateral);
+    let computed = part / across.computed.step;
+    let ((last_depths, taps_along), (last, taps_across)) = (along.last(), across.last());
+    let depths = along.computed.count as f64;
+    let mut width = computed;
+    let mut rows = (columns * taps_along * taps_across) as f64;
     if across.closer.is_some() {
-        rows += (along.count * across.last_count() * across.taps) as f64;
+        width = width.max(last as f64);
+        rows += depths * last as f64 * across.taps as f64;
     }
     if along.closer.is_some() {
-        rows += along.last_count() as f64 * width * along.taps as f64;
+        rows += last_depths as f64 * width * along.taps as f64;
     }
     if let Some(fields) = along.fields {
         // Complex; one dose, and a pullback that needs the fields again
-        rows += 3.0 * along.count as f64 * computed * fields.taps as f64;
+        rows += 3.0 * depths * computed * fields.taps as f64;
     }
     3.0 * along.transformed() as f64 * of_depth + 2.0 * ROW_COST * rows * heights as f64
 }

@@ -103,24 +103,27 @@ fn collect<T: Number>(line: &[Complex<T>], band: usize, to: &mut [Complex<T>]) {
 /// Lateral samples that voxels are interpolated from, and the indices of those that are computed, counted from the first pixel.
 fn lateral(sampling: &Sampling, u: &Side) -> (Places, Range<i64>) {
     let own = &sampling.across;
-    let index = |mm: f64| (mm - u.from) / own.step;
+    let index = |mm: f64| (mm - u.from) / own.computed.step;
     let half = own.taps.taps as i64 / 2;
     let [low, high] = u.voxels_at(0.0);
-    let Some((step, count, taps)) = &own.closer else {
+    let Some((closer, taps)) = &own.closer else {
         let samples = index(low).floor() as i64 - half..index(high).ceil() as i64 + half + 1;
         let last = Places {
-            from: u.from + samples.start as f64 * own.step,
-            step: own.step,
+            from: u.from + samples.start as f64 * own.computed.step,
+            step: own.computed.step,
             count: (samples.end - samples.start) as usize,
         };
         return (last, samples);
     };
     let last = Places {
-        from: low - half as f64 * step,
-        step: *step,
-        count: *count,
+        from: low - half as f64 * closer.step,
+        step: closer.step,
+        count: closer.count,
     };
-    let (end, half) = (last.from + *count as f64 * step, taps.taps as i64 / 2);
+    let (end, half) = (
+        last.from + closer.count as f64 * closer.step,
+        taps.taps as i64 / 2,
+    );
     let samples = index(last.from).floor() as i64 - half..index(end).ceil() as i64 + half + 1;
     (last, samples)
 }
@@ -163,7 +166,7 @@ impl<T: Number> Windows<T> {
             (forward, n.map(|n| plans.plan_fft_inverse(n)))
         };
         let (forward, inverse) = both(sampling.padded);
-        let (fine_forward, fine_inverse) = both([sampling.across.count, fine_z]);
+        let (fine_forward, fine_inverse) = both([sampling.across.computed.count, fine_z]);
         Windows {
             pixels: [u.pixels, z.pixels],
             window,
@@ -192,7 +195,7 @@ impl<T: Number> Windows<T> {
     }
 
     pub(super) fn computed(&self) -> Places {
-        let step = self.sampling.across.step;
+        let step = self.sampling.across.computed.step;
         Places {
             from: self.from + self.samples.start as f64 * step,
             step,
@@ -205,7 +208,7 @@ impl<T: Number> Windows<T> {
         let [mu, mz] = self.sampling.padded;
         let longest = mu
             .max(mz)
-            .max(self.sampling.across.count)
+            .max(self.sampling.across.computed.count)
             .max(self.heights.2);
         let plans = [
             &self.forward,
@@ -316,7 +319,7 @@ impl<T: Number> Windows<T> {
     pub(super) fn field(&self, from: &[Complex<T>], parts: Parts<'_, T>) {
         let [nu, _] = self.counts();
         let [bu, bz] = self.sampling.band;
-        let (fine, (start, stride, high)) = (self.sampling.across.count, self.heights);
+        let (fine, (start, stride, high)) = (self.sampling.across.computed.count, self.heights);
         let Parts {
             mixed,
             lines,
@@ -365,7 +368,7 @@ impl<T: Number> Windows<T> {
     pub(super) fn field_back(&self, onto: &mut [Complex<T>], parts: Parts<'_, T>) {
         let [nu, _] = self.counts();
         let [bu, bz] = self.sampling.band;
-        let (fine, (start, stride, high)) = (self.sampling.across.count, self.heights);
+        let (fine, (start, stride, high)) = (self.sampling.across.computed.count, self.heights);
         let Parts {
             mixed,
             lines,
@@ -450,7 +453,7 @@ impl<T: Number> Windows<T> {
         let [nu, nz] = self.counts();
         [
             of(mz, self.pixels[0]) + of(mu, nz),
-            of(self.heights.2, nu) + of(self.sampling.across.count, self.voxels),
+            of(self.heights.2, nu) + of(self.sampling.across.computed.count, self.voxels),
         ]
     }
 }

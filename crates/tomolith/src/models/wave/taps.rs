@@ -15,6 +15,7 @@
 //! # Source
 //! Wiener's interpolation of a stationary process (any text on optimal linear estimation); moments of Gaussian noise for |χ|².
 
+use super::lattice::Lattice;
 use std::f64::consts::TAU;
 
 /// Rows of a table: linear between them, weights are right to (π·B/512)²/8 < 5·10⁻⁶ for B cycles a sample.
@@ -117,6 +118,17 @@ fn gathered(lines: impl Iterator<Item = (f64, f64)> + Clone) -> Vec<(f64, f64)> 
         .collect()
 }
 
+/// What lies beyond the first and the last sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ends {
+    /// More samples, on both sides.
+    More,
+    /// Mirror images before the first, none behind the last.
+    Mirrored,
+    /// None.
+    Both,
+}
+
 /// Interpolation from a few samples.
 #[derive(Clone, Debug)]
 pub(super) struct Taps {
@@ -124,8 +136,9 @@ pub(super) struct Taps {
     pub(super) taps: usize,
     /// `ROWS + 1` rows of weights for samples around a place; then for those that lie 1, 2 … samples lower, at the end of all samples.
     tables: Vec<Vec<f32>>,
-    /// Index of the last sample; none if there are always enough.
-    last: Option<i64>,
+    ends: Ends,
+    /// Index of the last sample.
+    last: i64,
 }
 
 /// Correlations of samples `step` apart, at multiples of a step over `rows`.
@@ -186,11 +199,12 @@ fn first_of(taps: usize, lower: usize) -> i64 {
 }
 
 impl Taps {
-    /// The best weights for a signal; `last`: index of the last sample.
+    /// The best weights for a signal.
     #[expect(clippy::cast_possible_truncation, reason = "a table of f32")]
-    pub(super) fn new(taps: usize, signal: &Signal, step: f64, last: Option<i64>) -> Self {
-        let table = Table::new(signal, step, taps, ROWS);
-        let lower = if last.is_some() { taps / 2 } else { 0 };
+    pub(super) fn new(taps: usize, signal: &Signal, lattice: &Lattice) -> Self {
+        let table = Table::new(signal, lattice.step, taps, ROWS);
+        let ends = lattice.ends;
+        let lower = if ends == Ends::More { 0 } else { taps / 2 };
         let of = |lower: usize| {
             let rows = (0..=ROWS).map(|row| table.weights(taps, first_of(taps, lower), row).0);
             rows.flatten().map(|w| w as f32).collect()
@@ -198,7 +212,8 @@ impl Taps {
         Taps {
             taps,
             tables: (0..=lower).map(of).collect(),
-            last,
+            ends,
+            last: lattice.count as i64 - 1,
         }
     }
 
@@ -225,18 +240,23 @@ impl Taps {
         low
     }
 
-    /// The same error for `count` samples at (k + ½) steps and their mirror images, over the depths of a disc whose radius lies [`OVERHANG`]
-    /// steps behind the last one. At least `taps`/2 samples.
-    pub(super) fn error_in_disc(taps: usize, signal: &Signal, step: f64, count: usize) -> f64 {
-        let table = Table::new(signal, step, taps, FEW_ROWS);
-        let radius = count as f64 - 0.5 + OVERHANG;
+    /// The same error for depths of a disc, which ends [`OVERHANG`] steps behind the last one. At least `taps`/2 samples, `taps` without images.
+    pub(super) fn error_in_disc(taps: usize, signal: &Signal, lattice: &Lattice) -> f64 {
+        let table = Table::new(signal, lattice.step, taps, FEW_ROWS);
+        // From the middle of the disc: the focal plane, or that of all samples
+        let last = if lattice.ends == Ends::Both {
+            0.5 * (lattice.count as f64 - 1.0)
+        } else {
+            lattice.count as f64 - 0.5
+        };
+        let radius = last + OVERHANG;
         // ∫ 2·√(1 − x²) dx
         let below = |x: f64| {
             let x = (x / radius).min(1.0);
             x * (1.0 - x * x).sqrt() + x.asin()
         };
         let all = below(radius);
-        let from = |lower: usize| (count as f64 - 0.5 + lower as f64 - (taps / 2) as f64).max(0.0);
+        let from = |lower: usize| (last + lower as f64 - (taps / 2) as f64).max(0.0);
         let mut square = mean_square(&table, taps, 0) * below(from(1)) / all;
         for lower in 1..=taps / 2 {
             let share = (below(from(lower + 1)) - below(from(lower))) / all;
@@ -247,12 +267,24 @@ impl Taps {
 
     /// The first of the samples for a place (in samples), and their weights, written over `weights`.
     pub(super) fn at(&self, place: f64, weights: &mut Vec<f64>) -> i64 {
+        if self.ends == Ends::Both && place < 0.5 * self.last as f64 {
+            // The same seen from the other end
+            let first = self.from_below(self.last as f64 - place, weights);
+            weights.reverse();
+            return self.last - (first + self.taps as i64 - 1);
+        }
+        self.from_below(place, weights)
+    }
+
+    fn from_below(&self, place: f64, weights: &mut Vec<f64>) -> i64 {
         let below = place.floor();
         let usual = below as i64 + first_of(self.taps, 0);
-        let lower = self.last.map_or(0, |last| {
-            let highest = usual + self.taps as i64 - 1;
-            (highest - last).clamp(0, self.taps as i64 / 2)
-        });
+        let highest = usual + self.taps as i64 - 1;
+        let lower = if self.ends == Ends::More {
+            0
+        } else {
+            (highest - self.last).clamp(0, self.taps as i64 / 2)
+        };
         let table = &self.tables[lower as usize];
         let row = (place - below) * ROWS as f64;
         let index = (row as usize).min(ROWS - 1);
@@ -317,18 +349,43 @@ mod tests {
         Signal::of_light(lines)
     }
 
+    fn lattice(step: f64, count: usize, ends: Ends) -> Lattice {
+        Lattice {
+            start: 0.0,
+            step,
+            count,
+            ends,
+        }
+    }
+
+    #[test]
+    fn without_images_both_ends_are_alike() {
+        let found = Taps::new(6, &even(0.3), &lattice(1.0, 9, Ends::Both));
+        let (mut low, mut high) = (Vec::new(), Vec::new());
+        for i in 0..100 {
+            let place = f64::from(i) / 100.0 * 3.9 - 0.25;
+            let first = found.at(place, &mut low);
+            let other = found.at(8.0 - place, &mut high);
+            high.reverse();
+            assert!(
+                first >= 0 && first + other + 5 == 8 && low == high,
+                "{place}"
+            );
+        }
+    }
+
     #[test]
     fn a_constant_stays_one_and_a_wave_within_the_band_is_met() {
         for (taps, band) in [(2, 0.05), (4, 0.2), (6, 0.25), (8, 0.3)] {
-            for last in [None, Some(8)] {
+            for ends in [Ends::More, Ends::Mirrored, Ends::Both] {
                 let signal = even(band);
-                let found = Taps::new(taps, &signal, 1.0, last);
+                let found = Taps::new(taps, &signal, &lattice(1.0, 9, ends));
                 let mut weights = Vec::new();
                 let (mut worst, mut square) = (0.0f64, 0.0);
                 for i in 0..1000 {
                     let place = 7.0 + f64::from(i) / 999.0 * 0.999;
                     let first = found.at(place, &mut weights);
-                    assert!(last.is_none_or(|last| first + taps as i64 - 1 <= last));
+                    assert!(ends == Ends::More || first + taps as i64 - 1 <= 8);
                     let sum: f64 = weights.iter().sum();
                     worst = worst.max((sum - 1.0).abs());
                     // Half way up the band
@@ -340,7 +397,7 @@ mod tests {
                 }
                 assert!(worst < 5e-7, "{taps}: {worst}");
                 // A sine of power 1/2 half way up the band errs no more than noise of power 1 that fills it
-                let lower = if last.is_some() { taps / 2 - 1 } else { 0 };
+                let lower = if ends == Ends::More { 0 } else { taps / 2 - 1 };
                 let table = Table::new(&signal, 1.0, taps, FEW_ROWS);
                 let expected = mean_square(&table, taps, lower).sqrt();
                 assert!(
@@ -386,19 +443,15 @@ mod tests {
         let signal = even(0.5);
         let of = |count: usize, taps: usize| {
             let step = 1.0 / (count as f64 - 0.5 + OVERHANG);
-            Taps::error_in_disc(taps, &signal, step, count)
+            Taps::error_in_disc(taps, &signal, &lattice(step, count, Ends::Mirrored))
         };
         assert!(of(3, 2) > 10.0 * of(3, 4));
         assert!(of(3, 4) > 2.0 * of(3, 6));
         assert!(of(3, 4) > 2.0 * of(4, 4));
         // And what it says is what waves of random phases leave, at the places of the disc
         let (count, taps) = (4, 4);
-        let found = Taps::new(
-            taps,
-            &signal,
-            1.0 / (count as f64 - 0.25),
-            Some(count as i64 - 1),
-        );
+        let depths = lattice(1.0 / (count as f64 - 0.25), count, Ends::Mirrored);
+        let found = Taps::new(taps, &signal, &depths);
         let (mut square, mut weight, mut weights) = (0.0, 0.0, Vec::new());
         for i in 0..200 {
             let x = (f64::from(i) + 0.5) / 200.0;

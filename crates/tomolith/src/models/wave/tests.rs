@@ -218,7 +218,7 @@ fn gradient_is_the_transpose_of_the_derivative_in_f64() {
             numerical_aperture: Some(0.22),
             focus_mm: 1e-3,
             etendue_deg: 2.0,
-            rings: 1,
+            rings: Some(1),
             ..Params::default()
         },
         Params {
@@ -254,7 +254,7 @@ fn the_model_of_a_job_is_an_exact_pair_in_f32() {
         Params::default(),
         Params {
             etendue_deg: 1.0,
-            rings: 1,
+            rings: Some(1),
             numerical_aperture: Some(0.2),
             ..Params::default()
         },
@@ -336,8 +336,7 @@ fn a_gaussian_beam_widens_as_its_closed_form() {
                 let expected = (-2.0 * z * z / (waist * waist * spread)).exp() / spread;
                 let found = found[iz * 121 + ix];
                 assert!(
-                    // Errors of 1e-4 over all depths are larger at the last of them
-                    (found / expected - 1.0).abs() < 3e-4,
+                    (found / expected - 1.0).abs() < 2e-4,
                     "{focus} {ix}: {found} {expected}"
                 );
             }

@@ -116,7 +116,7 @@ impl Turn {
         let subs = frame * self.sub_angles..(frame + 1) * self.sub_angles;
         let turns: Vec<(f64, f64)> = self.azimuths[subs].iter().map(|a| a.sin_cos()).collect();
         let share = 1.0 / self.sub_angles as f64;
-        let (depths, _) = sampling.along.last();
+        let depths = sampling.along.last();
         for iy in ys {
             for ix in xs.clone() {
                 let column = iy * self.x.len() + ix;
@@ -129,7 +129,7 @@ impl Turn {
                     let depth = -(self.x[ix] * cos + self.y[iy] * sin);
                     let u = self.y[iy] * cos - self.x[ix] * sin;
                     let weight = share * self.uptake.dose(depth, u);
-                    let place = (depth - self.focus).abs() / depths - 0.5;
+                    let place = depths.place((depth - self.focus).abs());
                     let k0 = sampling.along.taps.at(place, &mut entries.along);
                     let place = (u - self.lateral.from) / self.lateral.step;
                     let j0 = sampling.across.taps.at(place, &mut entries.across);

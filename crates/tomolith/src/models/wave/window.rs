@@ -70,15 +70,23 @@ impl Side {
 /// Depths at which a window is tried.
 const DEPTHS: i32 = 32;
 
-/// Pixels of a window along one side, those of the guard included, that loses and repeats `error` of the light; `deepest`: of the voxels, mm.
-pub(super) fn wide(beam: &dyn Spreading, i: usize, side: &Side, deepest: f64, error: f64) -> f64 {
+/// Pixels of a window along one side, those of the guard included, that loses and repeats `error` of the light; `depths`: of the nearest and
+/// the deepest voxel, mm.
+pub(super) fn wide(
+    beam: &dyn Spreading,
+    i: usize,
+    side: &Side,
+    [nearest, deepest]: [f64; 2],
+    error: f64,
+) -> f64 {
     let slopes = beam.slopes(i);
     let at = |depth: f64| {
         let reach = side.reach(depth);
         // Not the middle of the band either: its end would ring
         narrowest(&slopes, (side, depth), error).max(reach + beam.spreads(i, depth))
     };
-    let depths = (1..=DEPTHS).map(|k| deepest * f64::from(k) / f64::from(DEPTHS));
+    let share = |k: i32| f64::from(k) / f64::from(DEPTHS);
+    let depths = (1..=DEPTHS).map(|k| nearest + (deepest - nearest) * share(k));
     (depths.map(at).fold(side.span(), f64::max) + beam.rings(i)) / side.pitch
 }
 

@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::field::{Bounds, Field, HostField};
 use crate::grid::Volume;
 use crate::kind::{Kind, Section};
-use crate::models::{DoseLayout, DoseModel, Run};
+use crate::models::{DoseLayout, DoseModel, Quantity, Run};
 use crate::response::Response;
 use crate::target::{Target, label};
 use rayon::prelude::*;
@@ -136,9 +136,24 @@ impl StartInput<'_> {
             .for_each(|(dose, &wanted)| *dose = if wanted > 0.0 { *dose } else { 0.0 });
         let (both, square) = (dose.dot(wanted), dose.dot(&dose));
         if both > 0.0 && square > 0.0 {
-            x.scale((both / square) as f32);
+            let factor = both / square;
+            let quantity = self.model.patterns()[0].quantity;
+            x.scale(if quantity == Quantity::Amplitude {
+                factor.sqrt()
+            } else {
+                factor
+            } as f32);
         }
         self.bounded(x)
+    }
+
+    /// Scales patterns that another model made, so that this one's dose is the wanted one as well as a factor can make it.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn scaled_anew(&self, x: HostField, run: &Run) -> Result<HostField> {
+        let wanted = self.wanted_dose()?;
+        self.scaled(x, &wanted, run)
     }
 
     /// Brings patterns into the bounds.
