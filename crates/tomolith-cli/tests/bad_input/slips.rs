@@ -50,7 +50,7 @@ pub(super) const WRONG: &[Wrong] = &[
         &[
             "model.wave.numerical_aperture",
             "spots wider than the image of 2.4 mm",
-            "at least 0.00008",
+            "at least 8.4375e-5",
         ],
     ),
     (

@@ -247,17 +247,16 @@ impl<T: Number> Coherent<T> {
                     );
                     continue;
                 };
+                let ready = between.ready(next, depth);
                 for scratch in &mut scratches {
-                    (scratch.fields).take(depth, between.taps(), &mut scratch.field);
+                    between.keep(depth, &scratch.field, &mut scratch.kept);
+                    between.forth(ready.clone(), scratch.field.len(), &mut scratch.kept);
                 }
-                while between.is_ready(next, depth) {
-                    for scratch in &mut scratches {
-                        between.forth(next, &mut scratch.fields);
-                    }
-                    let fields = scratches.each_ref().map(|s| s.fields.between.as_slice());
-                    see(next, mode, fields);
-                    next += 1;
+                for (i, index) in ready.clone().enumerate() {
+                    let fields = scratches.each_ref().map(|s| s.kept.now[i].as_slice());
+                    see(index, mode, fields);
                 }
+                next = ready.end;
             }
         }
     }
@@ -285,19 +284,19 @@ impl<T: Number> Coherent<T> {
                     self.send((wave, depth), scratch, &mut back);
                     continue;
                 };
-                let (taps, field) = (between.taps(), scratch.field.len());
-                (scratch.fields).take(depth, taps, &mut scratch.field);
-                scratch.fields.clear_asked(depth, taps, field);
-                while between.is_ready(next, depth) {
-                    between.forth(next, &mut scratch.fields);
-                    cotangent(next, mode, &mut scratch.fields.between);
-                    between.back(next, &mut scratch.fields);
-                    next += 1;
+                between.keep(depth, &scratch.field, &mut scratch.kept);
+                let (ready, len) = (between.ready(next, depth), scratch.field.len());
+                between.forth(ready.clone(), len, &mut scratch.kept);
+                for (index, field) in ready.clone().zip(&mut scratch.kept.now) {
+                    cotangent(index, mode, field);
                 }
-                while back.sent <= depth && between.is_done(back.sent, next) {
-                    scratch.field.clear();
-                    (scratch.field).extend_from_slice(scratch.fields.asked(back.sent));
-                    self.send((wave, back.sent), scratch, &mut back);
+                next = ready.end;
+                between.send(ready, &mut scratch.kept);
+                let done = between.done(back.sent, next);
+                between.back(done.clone(), len, &mut scratch.kept);
+                for (i, depth) in done.enumerate() {
+                    std::mem::swap(&mut scratch.field, &mut scratch.kept.now[i]);
+                    self.send((wave, depth), scratch, &mut back);
                 }
             }
         }

@@ -57,8 +57,8 @@ pub(super) struct Scratch<T: Number> {
     /// Lateral samples × voxels along z.
     pub(super) field: Vec<Complex<T>>,
     rest: Vec<Complex<T>>,
-    /// Fields at the depths that are transformed, and those between them.
-    pub(super) fields: Kept<T>,
+    /// Fields at the last depths, and those between them.
+    pub(super) kept: Kept<T>,
     /// Light at all depths and lateral samples that are computed.
     pub(super) computed: Vec<T>,
     /// The same at closer lateral samples.
@@ -227,7 +227,7 @@ impl<T: Number> Windows<T> {
             lines: vec![zero(); TOGETHER * longest],
             field: vec![zero(); self.width() * self.voxels],
             rest: vec![zero(); rest.unwrap_or(0)],
-            fields: Kept::default(),
+            kept: Kept::default(),
             computed: Vec::new(),
             between: Vec::new(),
             samples: Vec::new(),

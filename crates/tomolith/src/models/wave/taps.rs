@@ -269,14 +269,14 @@ impl Taps {
     pub(super) fn at(&self, place: f64, weights: &mut Vec<f64>) -> i64 {
         if self.ends == Ends::Both && place < 0.5 * self.last as f64 {
             // The same seen from the other end
-            let first = self.from_below(self.last as f64 - place, weights);
+            let first = self.seen_from_below(self.last as f64 - place, weights);
             weights.reverse();
             return self.last - (first + self.taps as i64 - 1);
         }
-        self.from_below(place, weights)
+        self.seen_from_below(place, weights)
     }
 
-    fn from_below(&self, place: f64, weights: &mut Vec<f64>) -> i64 {
+    fn seen_from_below(&self, place: f64, weights: &mut Vec<f64>) -> i64 {
         let below = place.floor();
         let usual = below as i64 + first_of(self.taps, 0);
         let highest = usual + self.taps as i64 - 1;
