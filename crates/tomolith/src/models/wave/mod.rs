@@ -97,7 +97,7 @@ use lights::{Lights, heights_of};
 use number::Number;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 /// Where the resin begins to absorb.
@@ -278,8 +278,26 @@ pub(super) fn must_fit(
                 exact(grid.pitch_mm)
             ));
         }
+        warnings.extend(half_a_turn(i, light, params.focus_mm));
     }
     Ok(warnings)
+}
+
+/// What to say of half a turn where the other half would not bring the same light.
+fn half_a_turn(which: usize, light: &Light, focus_mm: f64) -> Option<String> {
+    let arc = light.pixels.frame_arc.abs() * light.pixels.frames() as f64;
+    let attenuation = light.resin.uptake().attenuation_per_mm;
+    let why = match (focus_mm == 0.0, attenuation == 0.0) {
+        (true, true) => return None,
+        (false, _) => format!("its focal plane lies {} mm off the axis", exact(focus_mm)),
+        (true, false) => format!("the resin takes {} per mm of it", exact(attenuation)),
+    };
+    ((arc - PI).abs() < 1e-6).then(|| {
+        format!(
+            "light[{which}]: half a turn lights the part from one side, and from the other it would not be the same, for {why}: \
+             light.angles.arc_deg = 360 lights it from all sides"
+        )
+    })
 }
 
 /// A light of the wave model, of either kind of number.

@@ -494,6 +494,25 @@ fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
 }
 
 #[test]
+fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
+    let said = |resin: Resin, focus_mm: f64, arc: f64| {
+        let mut light = light(8);
+        light.resin = resin;
+        light.pixels.frame_arc = arc / 8.0;
+        let params = Params {
+            focus_mm,
+            ..Params::default()
+        };
+        must_fit(&[light], &params, &grid()).unwrap().join("; ")
+    };
+    let (clear, absorbing) = (Resin::pure_radon(1.5), Resin::absorbing(1.5, 20.0));
+    assert_eq!(said(clear.clone(), 0.0, PI), "");
+    assert_eq!(said(absorbing.clone(), 0.0, 2.0 * PI), "");
+    assert!(said(absorbing, 0.0, PI).contains("takes 20 per mm"));
+    assert!(said(clear, 0.01, PI).contains("0.01 mm off the axis"));
+}
+
+#[test]
 fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
     let refused = |light: Light, params: &Params, grid: VolumeGrid| match Wave::new(
         &VIAL,
