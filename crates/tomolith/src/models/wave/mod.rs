@@ -97,7 +97,7 @@ use lights::{Lights, heights_of};
 use number::Number;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::Range;
 
 /// Where the resin begins to absorb.
@@ -332,7 +332,7 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
             return Err(Error::config(
                 "model.wave.numerical_aperture",
                 format!("found {na} in a resin of index {index}"),
-                format!("below {index}"),
+                format!("below {}", concise(index.min(most * SQRT_2))),
             ));
         }
         let edge = |i: usize, count: usize| light.pixels.pitch_mm[i] * count as f64;
@@ -348,7 +348,7 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
                 format!("at least {}", concise(least)),
             ));
         }
-        if na > most * std::f64::consts::SQRT_2 {
+        if na > most * SQRT_2 {
             return Err(Error::config(
                 "model.wave.numerical_aperture",
                 format!(
