@@ -506,8 +506,8 @@ fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
         must_fit(&[light], &params, &grid()).unwrap().join("; ")
     };
     let (clear, absorbing) = (Resin::pure_radon(1.5), Resin::absorbing(1.5, 20.0));
-    assert_eq!(said(clear.clone(), 0.0, PI), "");
-    assert_eq!(said(absorbing.clone(), 0.0, 2.0 * PI), "");
+    assert_eq!(said(clear, 0.0, PI), "");
+    assert_eq!(said(absorbing, 0.0, 2.0 * PI), "");
     assert!(said(absorbing, 0.0, PI).contains("takes 20 per mm"));
     assert!(said(clear, 0.01, PI).contains("0.01 mm off the axis"));
 }
