@@ -74,11 +74,14 @@ impl Beam {
     /// Frequencies of the pattern and the power that passes of each, in the widest mode, as parts of white noise of power 1.
     fn power(&self) -> impl Iterator<Item = ([f64; 2], f64)> + Clone {
         let mode = self.widest_mode();
-        let count = over_the_band().count().pow(2) as f64;
+        // A small aperture leaves little of the pixels' band
+        let range = [0, 1].map(|side| self.highest(side));
+        let area = range[0] * range[1] / (self.nyquist[0] * self.nyquist[1]);
+        let share = area / over_the_band().count().pow(2) as f64;
         over_the_band().flat_map(move |z| {
             over_the_band().map(move |u| {
-                let f = [u * self.nyquist[0], z * self.nyquist[1]];
-                (f, self.passes(f, mode).powi(2) / count)
+                let f = [u * range[0], z * range[1]];
+                (f, self.passes(f, mode).powi(2) * share)
             })
         })
     }

@@ -494,6 +494,25 @@ fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
 }
 
 #[test]
+fn a_hundredth_of_the_pixels_aperture_still_gives_light() {
+    let pixels = PatternGrid::full_turn(1, 0.0, 100, 100, 2e-3);
+    let light = Light::new(pixels, Resin::pure_radon(1.5));
+    let params = Params {
+        numerical_aperture: Some(1.05e-3),
+        ..Params::default()
+    };
+    let grid = VolumeGrid::centered([2, 6, 6], 2e-3);
+    let model = precise(&light, &params, settings(1e-2), grid);
+    let dose = dose_of(&model, &vec![1.0; 100 * 100]);
+    // Spots as wide as the image: dimmer than the pattern, and alike all over the voxels
+    let (low, high) = dose
+        .iter()
+        .filter(|d| **d > 0.0)
+        .fold((f64::INFINITY, 0.0f64), |(l, h), &d| (l.min(d), h.max(d)));
+    assert!(low > 0.01 && high < 1.0 && high / low < 1.1, "{low} {high}");
+}
+
+#[test]
 fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
     let said = |resin: Resin, focus_mm: f64, arc: f64| {
         let mut light = light(8);
