@@ -111,7 +111,13 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
     prepare(given.manner)?;
     let job = read(&given.job, None)?;
     let cancel = cancel_on_ctrl_c();
-    let plan = job::check(&job, &cancel)?;
+    // Its answer is one line of JSON
+    let mut screen = if given.manner.json {
+        Screen::silent()
+    } else {
+        Screen::new(given.manner)
+    };
+    let plan = job::check(&job, &mut screen, &cancel)?;
     if given.manner.json {
         say(&serde_json::to_string(&plan).unwrap_or_default());
     } else if !given.manner.quiet {

@@ -46,6 +46,14 @@ impl Screen {
         }
     }
 
+    /// Nothing but what is said elsewhere.
+    pub(crate) fn silent() -> Self {
+        Screen {
+            style: Style::Quiet,
+            start: Instant::now(),
+        }
+    }
+
     /// The end of the command.
     pub(crate) fn finish(&mut self, summary: &Summary) {
         self.clear();

@@ -162,7 +162,7 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
                 format!("{key}.{word}")
             },
             "the key is missing",
-            "a value (see `tomolith kinds` and `tomolith schema`)",
+            "a value (`tomolith kinds` shows an example, docs/job.md its range)",
         );
     }
     let (found, accepted) = match message.split_once(", expected ") {

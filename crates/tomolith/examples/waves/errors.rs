@@ -1,6 +1,6 @@
 //! What sampling costs in accuracy.
 
-use super::twin::{Savings, Twin};
+use super::twin::{Gather, Savings, Twin};
 use super::{EDGES, random_pixels, sampling_of, savings_of, tight_window};
 use tomolith::Error;
 use tomolith::field::Field;
@@ -11,20 +11,29 @@ use tomolith::models::{DoseModel, Run};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 
-/// One frame from azimuth 0 onto n² pixels, and n³ voxels whose slices are `off` voxels beside the planes of the twin.
-fn single(n: usize, pitch: f64, params: &Params, off: f64) -> Result<Wave, Error> {
+/// Dose of one frame of a pattern from an azimuth, in a vial with room to spare: the model, and its dose at `[z, y, x]`.
+fn frame(
+    grid: VolumeGrid,
+    (x, pitch, azimuth): (&[f64], f64, f64),
+    params: &Params,
+) -> Result<(Wave, impl Fn([usize; 3]) -> f64), Error> {
+    let n = x.len().isqrt();
     let light = Light::new(
-        PatternGrid::full_turn(1, 0.0, n, n, pitch),
+        PatternGrid::full_turn(1, azimuth, n, n, pitch),
         Resin::pure_radon(1.5),
     );
     let vial = IndexMatched {
         radius_mm: pitch * n as f64,
     };
-    let grid = VolumeGrid {
-        center_mm: [off * pitch, 0.0, 0.0],
-        ..VolumeGrid::centered([n, n, n], pitch)
-    };
-    Wave::new(&vial, vec![light], params, grid)
+    let model = Wave::new(&vial, vec![light], params, grid)?;
+    let mut field = model.new_patterns()?;
+    let values: Vec<f32> = x.iter().map(|&v| v as f32).collect();
+    field.copy_from_host(&values);
+    let mut dose = model.new_dose()?;
+    model.dose(&field, &mut dose, &Run::new())?;
+    let layout = model.outputs()[0].clone();
+    let at = move |[z, y, x]: [usize; 3]| f64::from(dose.as_slice()[layout.index(z, y, x)]);
+    Ok((model, at))
 }
 
 /// |ψ|² `[x][u][z]` at some depths of n³ voxels, `off` voxels beside their planes.
@@ -36,19 +45,20 @@ fn light_of_twin(n: usize, pitch: f64, savings: Savings, x: &[f64], off: f64) ->
         .collect()
 }
 
-/// The same by the model: light from +x, so depth falls with x.
-fn light_of_model(model: &Wave, n: usize, x: &[f64]) -> Result<Vec<Vec<f64>>, Error> {
-    let mut field = model.new_patterns()?;
-    let values: Vec<f32> = x.iter().map(|&v| v as f32).collect();
-    field.copy_from_host(&values);
-    let mut dose = model.new_dose()?;
-    model.dose(&field, &mut dose, &Run::new())?;
-    let layout = &model.outputs()[0];
-    let at = |k: usize, i: usize| f64::from(dose.as_slice()[layout.index(i % n, i / n, n - 1 - k)]);
-    let planes = (0..n).step_by(5);
-    Ok(planes
-        .map(|k| (0..n * n).map(|i| at(k, i)).collect())
-        .collect())
+/// The same by the model, which is described: light from +x, so depth falls with x.
+fn light_of_model(
+    n: usize,
+    pitch: f64,
+    (params, off): (&Params, f64),
+    x: &[f64],
+) -> Result<(String, Vec<Vec<f64>>), Error> {
+    let grid = VolumeGrid {
+        center_mm: [off * pitch, 0.0, 0.0],
+        ..VolumeGrid::centered([n, n, n], pitch)
+    };
+    let (model, at) = frame(grid, (x, pitch, 0.0), params)?;
+    let plane = |k: usize| (0..n * n).map(|i| at([i % n, i / n, n - 1 - k])).collect();
+    Ok((sampling_of(&model), (0..n).step_by(5).map(plane).collect()))
 }
 
 /// Relative L2, and the largest difference over the largest value.
@@ -109,9 +119,8 @@ pub(super) fn errors() -> Result<(), Error> {
             let mut found = Vec::new();
             let mut described = String::new();
             for off in [0.0, 0.5] {
-                let model = single(n, pitch, &params, off)?;
-                described = sampling_of(&model);
-                let light = light_of_model(&model, n, &x)?;
+                let light;
+                (described, light) = light_of_model(n, pitch, (&params, off), &x)?;
                 found.push(distance(&light, &light_of_twin(n, pitch, wide, &x, off)));
             }
             let [on, between] = [found[0], found[1]];
@@ -138,14 +147,25 @@ pub(super) fn savings(sizes: &[usize]) -> Result<(), Error> {
                 soft_edge: 0.25,
                 ..savings
             };
-            let twin = Twin::<f64>::new(n, pitch, soft(Savings::NONE)).light(&x);
+            let published = Twin::<f64>::new(n, pitch, soft(Savings::NONE));
+            let twin = published.light(&x);
             let show = |name: &str, light: Vec<f64>| {
                 let [l2, largest] = distance(&[light], std::slice::from_ref(&twin));
                 println!("| {n} | {edge} | {name} | {l2:.1e} | {largest:.1e} |");
             };
-            for (name, savings) in savings_of(n, pitch).into_iter().skip(1) {
+            let of_light = |(_, savings): &(_, Savings)| savings.gather != Gather::Planes;
+            let alone = savings_of(n, pitch).into_iter().skip(1);
+            for (name, savings) in alone.filter(of_light) {
                 show(name, Twin::<f64>::new(n, pitch, soft(savings)).light(&x));
             }
+            // What voxels read is the same, after the rotation
+            let gather = soft(Savings {
+                gather: Gather::Planes,
+                ..Savings::NONE
+            });
+            let dose = Twin::<f64>::new(n, pitch, gather).dose(&x, 0.4);
+            let [l2, largest] = distance(&[dose], &[published.dose(&x, 0.4)]);
+            println!("| {n} | {edge} | gather, dose of a frame | {l2:.1e} | {largest:.1e} |");
             for (name, whole_phase) in [("f32", false), ("f32, whole phase", true)] {
                 let savings = Savings {
                     whole_phase,
@@ -222,21 +242,6 @@ fn turned(
     params: &Params,
     (x, finer): (&[f64], usize),
 ) -> Result<Vec<f64>, Error> {
-    let n = x.len().isqrt();
-    let light = Light::new(
-        PatternGrid::full_turn(1, 0.4, n, n, pitch),
-        Resin::pure_radon(1.5),
-    );
-    let vial = IndexMatched {
-        radius_mm: pitch * n as f64,
-    };
-    let model = Wave::new(&vial, vec![light], params, grid.clone())?;
-    let mut field = model.new_patterns()?;
-    let values: Vec<f32> = x.iter().map(|&v| v as f32).collect();
-    field.copy_from_host(&values);
-    let mut dose = model.new_dose()?;
-    model.dose(&field, &mut dose, &Run::new())?;
-    let layout = &model.outputs()[0];
-    let at = |[z, y, x]: [usize; 3]| f64::from(dose.as_slice()[layout.index(z, y, x)]);
+    let (_, at) = frame(grid.clone(), (x, pitch, 0.4), params)?;
     Ok(places(grid, finer).map(at).collect())
 }

@@ -19,7 +19,7 @@ use tomolith::models::wave::{Params, Wave};
 use tomolith::models::{DoseModel, Run};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
-use twin::{Savings, Twin, WAVENUMBER};
+use twin::{Gather, Savings, Twin, WAVENUMBER};
 
 /// Random amplitudes of single pixels, 0 or 1: the worst case of the notes.
 fn random_pixels(len: usize) -> Vec<f64> {
@@ -54,25 +54,30 @@ fn savings_of(n: usize, pitch: f64) -> Vec<(&'static str, Savings)> {
         mirror: true,
         ..none
     };
+    let gather = |gather| Savings { gather, ..none };
+    let basis = Savings {
+        nodes,
+        ..gather(Gather::Basis)
+    };
+    let all = Savings {
+        one_transform: true,
+        mirror: true,
+        window,
+        ..basis
+    };
     vec![
         ("as the published code", none),
         ("one transform", one_transform),
         ("mirror", mirror),
         ("tight window", Savings { window, ..none }),
         ("Chebyshev depths", Savings { nodes, ..none }),
-        (
-            "all of these",
-            Savings {
-                one_transform: true,
-                window,
-                nodes,
-                ..none
-            },
-        ),
+        ("gather", gather(Gather::Planes)),
+        ("Chebyshev depths as a basis", basis),
+        ("all of these", all),
     ]
 }
 
-/// Seconds per gradient of one frame, on one thread.
+/// Seconds per gradient of one frame, on one thread; in brackets what of them the turning takes.
 fn times(sizes: &[usize]) -> Result<(), Error> {
     let names: Vec<&str> = savings_of(64, 1.0).iter().map(|(name, _)| *name).collect();
     println!(
@@ -86,35 +91,38 @@ fn times(sizes: &[usize]) -> Result<(), Error> {
             let pitch = edge / n as f64;
             let x: Vec<f32> = random_pixels(n * n).iter().map(|&v| v as f32).collect();
             let cotangent = tomolith::check::model::noise(5, n * n * n);
-            let twins: Vec<f64> = (savings_of(n, pitch).into_iter())
+            let twins: Vec<[f64; 2]> = (savings_of(n, pitch).into_iter())
                 .map(|(_, savings)| {
-                    let twin = Twin::<f32>::new(n, pitch, savings).with_kernels();
-                    twin.gradient(&x, &cotangent, 0.4)
+                    Twin::<f32>::new(n, pitch, savings).gradient(&x, &cotangent, 0.4)
                 })
                 .collect();
             let (ours, _) = pool.install(|| ours(n, pitch))?;
-            let shown: Vec<String> = twins.iter().map(|s| format!("{s:.3}")).collect();
+            let shown = |[all, turning]: &[f64; 2]| format!("{all:.3} ({turning:.3})");
+            let shown: Vec<String> = twins.iter().map(shown).collect();
             println!(
                 "| {n} | {edge} | {} | {ours:.4} | {:.0} |",
                 shown.join(" | "),
-                twins[0] / ours
+                twins[0][0] / ours
             );
         }
     }
     Ok(())
 }
 
-/// Seconds per frame of the model's dose and pullback, of a few frames, and operations of its Fourier transforms.
-fn ours(n: usize, pitch: f64) -> Result<(f64, Wave), Error> {
-    let frames = if n > 300 { 4 } else { 8 };
-    let light = Light::new(
-        PatternGrid::full_turn(frames, 0.4, n, n, pitch),
-        Resin::pure_radon(1.5),
-    );
+/// Some frames of n² pixels around n³ voxels of the same size, in a vial that holds them.
+fn scene(n: usize, pitch: f64, frames: usize) -> (IndexMatched, Light, VolumeGrid) {
+    let pixels = PatternGrid::full_turn(frames, 0.4, n, n, pitch);
     let vial = IndexMatched {
         radius_mm: 0.5 * pitch * n as f64,
     };
     let grid = VolumeGrid::centered([n, n, n], pitch);
+    (vial, Light::new(pixels, Resin::pure_radon(1.5)), grid)
+}
+
+/// Seconds per frame of the model's dose and pullback, of a few frames, and operations of its Fourier transforms.
+fn ours(n: usize, pitch: f64) -> Result<(f64, Wave), Error> {
+    let frames = if n > 300 { 4 } else { 8 };
+    let (vial, light, grid) = scene(n, pitch, frames);
     let model = Wave::new(&vial, vec![light], &Params::default(), grid)?;
     let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
     x.fill(1.0);
@@ -175,15 +183,7 @@ fn work() -> Result<(), Error> {
             numerical_aperture: aperture,
             ..Params::default()
         };
-        let pitch = edge / n as f64;
-        let light = Light::new(
-            PatternGrid::full_turn(1, 0.0, n, n, pitch),
-            Resin::pure_radon(1.5),
-        );
-        let vial = IndexMatched {
-            radius_mm: 0.5 * edge,
-        };
-        let grid = VolumeGrid::centered([n, n, n], pitch);
+        let (vial, light, grid) = scene(n, edge / n as f64, 1);
         let model = Wave::new(&vial, vec![light], &params, grid)?;
         let ours = frames * model.operations();
         println!(
@@ -205,14 +205,7 @@ fn limit() -> Result<(), Error> {
     let n = 64;
     for edge in [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0] {
         let pitch = edge / n as f64;
-        let light = Light::new(
-            PatternGrid::full_turn(60, 0.1, n, n, pitch),
-            Resin::pure_radon(1.5),
-        );
-        let vial = IndexMatched {
-            radius_mm: 0.5 * edge,
-        };
-        let grid = VolumeGrid::centered([n, n, n], pitch);
+        let (vial, light, grid) = scene(n, pitch, 60);
         let rays = Parallel::new(&vial, vec![light.clone()], grid.clone())?;
         let waves = Wave::new(&vial, vec![light], &Params::default(), grid.clone())?;
         // Random blocks of four by four pixels, lit or dark

@@ -5,12 +5,24 @@
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftNum, FftPlanner};
+use std::cell::OnceCell;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use std::time::Instant;
 
 /// 1/λ in resin of index 1.5 at 405 nm, 1/mm.
 pub(super) const WAVENUMBER: f64 = 1.5 / 405e-6;
+
+/// How light in the frame of the projector becomes the dose of voxels that have turned.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Gather {
+    /// A volume of all planes, turned into another one, which is added: as published.
+    Volumes,
+    /// Voxels read planes, and none of these volumes is made.
+    Planes,
+    /// One pass over the voxels for each depth that is computed, weighted with its polynomial at the voxel's own depth.
+    Basis,
+}
 
 /// What is different from the published algorithm.
 #[derive(Clone, Copy)]
@@ -23,6 +35,7 @@ pub(super) struct Savings {
     pub(super) window: f64,
     /// Light at so many Chebyshev nodes of the depth, and polynomials between them, instead of all planes.
     pub(super) nodes: Option<usize>,
+    pub(super) gather: Gather,
     /// Part of the band over which it fades.
     pub(super) soft_edge: f64,
     /// Phases as 2π·x·w in f32, instead of 2π·x·(w − 1/λ) in f64.
@@ -36,6 +49,7 @@ impl Savings {
         mirror: false,
         window: 2.0,
         nodes: None,
+        gather: Gather::Volumes,
         soft_edge: 0.0,
         whole_phase: false,
     };
@@ -49,8 +63,8 @@ pub(super) struct Twin<T: FftNum> {
     savings: Savings,
     forward: Arc<dyn Fft<T>>,
     inverse: Arc<dyn Fft<T>>,
-    /// H·W of every depth, as the published program keeps them; none where few depths are asked for.
-    kernels: Vec<Vec<Complex<T>>>,
+    /// H·W of every depth that is computed, as the published program keeps them.
+    kernels: OnceCell<Vec<Vec<Complex<T>>>>,
 }
 
 impl<T: FftNum> Twin<T> {
@@ -74,13 +88,13 @@ impl<T: FftNum> Twin<T> {
             savings,
             forward: plans.plan_fft_forward(window),
             inverse: plans.plan_fft_inverse(window),
-            kernels: Vec::new(),
+            kernels: OnceCell::new(),
         }
     }
 
-    pub(super) fn with_kernels(mut self) -> Self {
-        self.kernels = self.depths().iter().map(|&d| self.kernel(d)).collect();
-        self
+    fn kernels(&self) -> &[Vec<Complex<T>>] {
+        let of_all = || self.depths().iter().map(|&d| self.kernel(d)).collect();
+        self.kernels.get_or_init(of_all)
     }
 
     fn of(value: f64) -> T {
@@ -195,14 +209,7 @@ impl<T: FftNum> Twin<T> {
 
     /// |ψ|² `[k][u][z]` of all planes, of which few may be computed.
     pub(super) fn light(&self, x: &[T]) -> Vec<T> {
-        let mut spectrum = self.padded(x);
-        self.transform(&self.forward, &mut spectrum);
-        let spectrum = self.savings.one_transform.then_some(spectrum.as_slice());
-        let light = |&depth: &f64| {
-            let field = self.field(x, spectrum, &self.kernel(depth));
-            self.cropped(&field, |v| v.norm_sqr())
-        };
-        self.spread(&self.depths().iter().map(light).collect::<Vec<_>>())
+        self.spread(&self.computed(x, self.spectrum(x).as_deref()))
     }
 
     /// Depth of plane k.
@@ -212,23 +219,41 @@ impl<T: FftNum> Twin<T> {
 
     /// Depths that are computed.
     fn depths(&self) -> Vec<f64> {
-        match (self.savings.nodes, self.savings.mirror) {
-            (Some(count), _) => (0..count)
-                .map(|i| -self.depth(0) * chebyshev(count, i).0)
-                .collect(),
-            (None, true) => (self.n / 2..self.n).map(|k| self.depth(k)).collect(),
-            (None, false) => (0..self.n).map(|k| self.depth(k)).collect(),
-        }
+        let (all, first) = match self.savings.nodes {
+            Some(count) => (count, 0),
+            None if self.savings.mirror => (self.n, self.n / 2),
+            None => (self.n, 0),
+        };
+        let depth = |i: usize| match self.savings.nodes {
+            Some(count) => -self.depth(0) * chebyshev(count, i).0,
+            None => self.depth(i),
+        };
+        let own = first..if self.savings.nodes.is_some() && self.savings.mirror {
+            all.div_ceil(2)
+        } else {
+            all
+        };
+        own.map(depth).collect()
+    }
+
+    /// Which of the depths that are computed light at a place along the depth is made of, in planes from the first, and their weights.
+    fn nodes_at(&self, place: f64) -> Option<impl Iterator<Item = (usize, T)>> {
+        let count = self.savings.nodes?;
+        let (middle, is_mirrored) = ((self.n as f64 - 1.0) / 2.0, self.savings.mirror);
+        let own = move |node: usize| match is_mirrored {
+            true => node.min(count - 1 - node),
+            false => node,
+        };
+        let parts = barycentric(count, place / middle - 1.0);
+        Some(parts.map(move |(node, weight)| (own(node), Self::of(weight))))
     }
 
     /// What plane k is made of: depths that are computed, and weights.
     fn parts(&self, k: usize) -> Vec<(usize, T)> {
-        match (self.savings.nodes, self.savings.mirror) {
-            (Some(count), _) => barycentric(count, self.depth(k) / -self.depth(0))
-                .map(|(node, weight)| (node, Self::of(weight)))
-                .collect(),
-            (None, true) => vec![(k.max(self.n - 1 - k) - self.n / 2, T::one())],
-            (None, false) => vec![(k, T::one())],
+        match self.nodes_at(k as f64) {
+            Some(parts) => parts.collect(),
+            None if self.savings.mirror => vec![(k.max(self.n - 1 - k) - self.n / 2, T::one())],
+            None => vec![(k, T::one())],
         }
     }
 
@@ -260,57 +285,160 @@ impl<T: FftNum> Twin<T> {
         light
     }
 
-    /// Planes and columns about a place in the frame of the light, x along it and y across, in voxels from the axis; and their weights.
-    pub(super) fn neighbours(
-        &self,
-        [x, y]: [f64; 2],
-        (sin, cos): (f64, f64),
-    ) -> [(usize, usize, f64); 4] {
-        let n = self.n;
-        let middle = (n as f64 - 1.0) / 2.0;
-        let (d, u) = (middle - (x * cos + y * sin), middle + y * cos - x * sin);
-        let (k, j) = (d.floor(), u.floor());
-        let (a, b) = (d - k, u - j);
-        let inside = |i: f64| (0.0..n as f64).contains(&i);
-        [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(dk, dj)| {
-            let weight = (dk * a + (1.0 - dk) * (1.0 - a)) * (dj * b + (1.0 - dj) * (1.0 - b));
-            if inside(k + dk) && inside(j + dj) {
-                ((k + dk) as usize, (j + dj) as usize, weight)
+    /// Where a place in the frame of the light, x along it and y across, in voxels from the axis, lies among planes and columns.
+    fn place(&self, [x, y]: [f64; 2], (sin, cos): (f64, f64)) -> [f64; 2] {
+        let middle = (self.n as f64 - 1.0) / 2.0;
+        [middle - (x * cos + y * sin), middle + y * cos - x * sin]
+    }
+
+    /// Planes and columns about that place, and their weights.
+    pub(super) fn neighbours(&self, at: [f64; 2], turn: (f64, f64)) -> [(usize, usize, f64); 4] {
+        let [d, u] = self.place(at, turn);
+        let (planes, columns) = (self.pair(d), self.pair(u));
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(a, b)| {
+            let ((k, of_plane), (j, of_column)) = (planes[a], columns[b]);
+            (k, j, of_plane * of_column)
+        })
+    }
+
+    /// Both indices about a place, and their weights, 0 outside.
+    fn pair(&self, place: f64) -> [(usize, f64); 2] {
+        let (first, off) = (place.floor(), place - place.floor());
+        [(first, 1.0 - off), (first + 1.0, off)].map(|(i, weight)| {
+            let is_inside = (0.0..self.n as f64).contains(&i);
+            if is_inside {
+                (i as usize, weight)
             } else {
-                (0, 0, 0.0)
+                (0, 0.0)
             }
         })
     }
 
-    /// One frame's dose and pullback of a cotangent `[y][x][z]`; what they take, s.
-    pub(super) fn gradient(&self, x: &[T], cotangent: &[T], azimuth: f64) -> f64 {
-        let begin = Instant::now();
+    /// Depth, column and weight of everything that column `place` of voxels reads, of the depths that are computed.
+    fn entries(&self, place: usize, turn: (f64, f64)) -> Vec<(usize, usize, T)> {
+        let middle = (self.n as f64 - 1.0) / 2.0;
+        let at = [place % self.n, place / self.n].map(|i| i as f64 - middle);
+        let nodes = match self.savings.gather {
+            Gather::Basis => self.nodes_at(self.place(at, turn)[0]),
+            Gather::Planes | Gather::Volumes => None,
+        };
+        let Some(nodes) = nodes else {
+            let read = |(k, j, weight): (usize, usize, f64)| {
+                let parts = self.parts(k).into_iter();
+                parts.map(move |(node, part)| (node, j, Self::of(weight) * part))
+            };
+            return (self.neighbours(at, turn).into_iter())
+                .flat_map(read)
+                .collect();
+        };
+        let columns = self.pair(self.place(at, turn)[1]);
+        nodes
+            .flat_map(|(node, part)| columns.map(|(j, of)| (node, j, Self::of(of) * part)))
+            .collect()
+    }
+
+    /// dose `[y][x][z]` += light of the depths that are computed
+    fn add_dose(&self, light: &[Vec<T>], turn: (f64, f64), dose: &mut [T]) {
         let n = self.n;
-        let turn = azimuth.sin_cos();
-        let mut spectrum = self.padded(x);
-        self.transform(&self.forward, &mut spectrum);
-        let spectrum = self.savings.one_transform.then_some(spectrum.as_slice());
-        let light: Vec<Vec<T>> = (self.kernels.iter())
-            .map(|kernel| self.cropped(&self.field(x, spectrum, kernel), |v| v.norm_sqr()))
-            .collect();
-        let volume = self.spread(&light);
-        let mut dose = vec![T::zero(); n * n * n];
-        let mut asked = vec![T::zero(); n * n * n];
+        if self.savings.gather == Gather::Volumes {
+            let volume = self.spread(light);
+            let mut turned = vec![T::zero(); n * n * n];
+            self.rotate(turn, |own, at, weight| {
+                for z in 0..n {
+                    turned[own + z] = turned[own + z] + weight * volume[at + z];
+                }
+            });
+            for (to, from) in dose.iter_mut().zip(turned) {
+                *to = *to + from;
+            }
+            return;
+        }
+        for (place, dose) in dose.chunks_exact_mut(n).enumerate() {
+            for (node, j, weight) in self.entries(place, turn) {
+                let from = &light[node][j * n..][..n];
+                for (to, &from) in dose.iter_mut().zip(from) {
+                    *to = *to + weight * from;
+                }
+            }
+        }
+    }
+
+    /// What a cotangent `[y][x][z]` asks of the light of the depths that are computed.
+    fn ask(&self, cotangent: &[T], depths: usize, turn: (f64, f64)) -> Vec<Vec<T>> {
+        let n = self.n;
+        if self.savings.gather == Gather::Volumes {
+            let mut asked = vec![T::zero(); n * n * n];
+            self.rotate(turn, |own, at, weight| {
+                for z in 0..n {
+                    asked[at + z] = asked[at + z] + weight * cotangent[own + z];
+                }
+            });
+            return self.gathered(&asked, depths);
+        }
+        let mut asked = vec![vec![T::zero(); n * n]; depths];
+        for (place, cotangent) in cotangent.chunks_exact(n).enumerate() {
+            for (node, j, weight) in self.entries(place, turn) {
+                let to = &mut asked[node][j * n..][..n];
+                for (to, &from) in to.iter_mut().zip(cotangent) {
+                    *to = *to + weight * from;
+                }
+            }
+        }
+        asked
+    }
+
+    /// All voxel columns of a volume that has turned, those of the planes that each is made of, and their weights.
+    fn rotate(&self, turn: (f64, f64), mut take: impl FnMut(usize, usize, T)) {
+        let n = self.n;
         let middle = (n as f64 - 1.0) / 2.0;
         for place in 0..n * n {
             let at = [place % n, place / n].map(|i| i as f64 - middle);
             for (k, j, weight) in self.neighbours(at, turn) {
-                let weight = Self::of(weight);
-                for z in 0..n {
-                    let (at, own) = ((k * n + j) * n + z, place * n + z);
-                    dose[own] = dose[own] + weight * volume[at];
-                    asked[at] = asked[at] + weight * cotangent[own];
-                }
+                take(place * n, (k * n + j) * n, Self::of(weight));
             }
         }
-        let sum = self.pull_back(x, spectrum, &self.gathered(&asked, light.len()));
+    }
+
+    /// The spectrum of a pattern, where one is enough.
+    fn spectrum(&self, x: &[T]) -> Option<Vec<Complex<T>>> {
+        self.savings.one_transform.then(|| {
+            let mut spectrum = self.padded(x);
+            self.transform(&self.forward, &mut spectrum);
+            spectrum
+        })
+    }
+
+    /// |ψ|² at the depths that are computed.
+    fn computed(&self, x: &[T], spectrum: Option<&[Complex<T>]>) -> Vec<Vec<T>> {
+        let kernels = self.kernels().iter();
+        kernels
+            .map(|kernel| self.cropped(&self.field(x, spectrum, kernel), |v| v.norm_sqr()))
+            .collect()
+    }
+
+    /// One frame's dose `[y][x][z]`.
+    pub(super) fn dose(&self, x: &[T], azimuth: f64) -> Vec<T> {
+        let light = self.computed(x, self.spectrum(x).as_deref());
+        let mut dose = vec![T::zero(); self.n.pow(3)];
+        self.add_dose(&light, azimuth.sin_cos(), &mut dose);
+        dose
+    }
+
+    /// One frame's dose and pullback of a cotangent `[y][x][z]`; what they take in all, and what of it their turning, s.
+    pub(super) fn gradient(&self, x: &[T], cotangent: &[T], azimuth: f64) -> [f64; 2] {
+        let mut dose = vec![T::zero(); self.n.pow(3)];
+        self.kernels();
+        let begin = Instant::now();
+        let turn = azimuth.sin_cos();
+        let spectrum = self.spectrum(x);
+        let light = self.computed(x, spectrum.as_deref());
+        let lit = Instant::now();
+        self.add_dose(&light, turn, &mut dose);
+        let asked = self.ask(cotangent, light.len(), turn);
+        let turning = lit.elapsed().as_secs_f64();
+        let sum = self.pull_back(x, spectrum.as_deref(), &asked);
         std::hint::black_box((dose, self.cropped(&sum, |v| v.re)));
-        begin.elapsed().as_secs_f64()
+        [begin.elapsed().as_secs_f64(), turning]
     }
 
     /// What the light of the depths that are computed asks of the pixels.
@@ -322,7 +450,7 @@ impl<T: FftNum> Twin<T> {
     ) -> Vec<Complex<T>> {
         let (n, first) = (self.n, (self.window - self.n) / 2);
         let mut sum = vec![Complex::new(T::zero(), T::zero()); self.window * self.window];
-        for (kernel, asked) in self.kernels.iter().zip(asked) {
+        for (kernel, asked) in self.kernels().iter().zip(asked) {
             let mut field = self.field(x, spectrum, kernel);
             let values = self.cropped(&field, |v| v);
             field.fill(Complex::new(T::zero(), T::zero()));

@@ -26,6 +26,24 @@ pub(super) struct Coarse {
     pub(super) note: String,
 }
 
+/// What to say of levels that are too small to be made.
+pub(super) fn left_out(scene: &Scene) -> Option<String> {
+    let asked = scene.spec.coarse.as_ref()?.levels;
+    let made = (1..=asked).filter(|level| has(scene, 1 << level)).count();
+    (made < asked).then(|| {
+        format!(
+            "coarse.levels = {asked}: {made} of them have {LEAST} voxels along an edge and {LEAST} frames, and no other is made"
+        )
+    })
+}
+
+/// Whether a level is large enough.
+fn has(scene: &Scene, factor: usize) -> bool {
+    let frames = |light: &Light| light.pixels.frames().div_ceil(factor);
+    coarser_grid(&scene.grid, factor).shape[1] >= LEAST
+        && (scene.optics.lights.iter()).all(|light| frames(light) >= LEAST)
+}
+
 /// Solves the coarser levels of a job; None when it asks for none, or is too small for any.
 ///
 /// # Errors
@@ -38,6 +56,9 @@ pub(super) fn solve(scene: &Scene, run: &Run) -> Result<Option<Coarse>> {
     let mut done = Vec::new();
     for level in (1..=coarse.levels).rev() {
         let factor = 1 << level;
+        if !has(scene, factor) {
+            continue;
+        }
         let grid = coarser_grid(&scene.grid, factor);
         let lights: Vec<Light> = scene
             .optics
@@ -45,10 +66,6 @@ pub(super) fn solve(scene: &Scene, run: &Run) -> Result<Option<Coarse>> {
             .iter()
             .map(|light| coarser_light(light, factor))
             .collect();
-        let frames = lights.iter().map(|light| light.pixels.frames()).min();
-        if grid.shape[1] < LEAST || frames.is_none_or(|frames| frames < LEAST) {
-            continue;
-        }
         let (patterns, counters) = solve_level(scene, &grid, lights, found.as_ref(), run)?;
         done.push(format!(
             "{:?} voxels: {} calls in {:.1} s",

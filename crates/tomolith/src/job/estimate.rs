@@ -81,6 +81,8 @@ pub(crate) struct Extent {
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
+    /// Memory of frames at work, MB: in the optimisation, and in the evaluation.
+    pub(crate) working_mb: [f64; 2],
 }
 
 impl Extent {
@@ -124,6 +126,7 @@ impl Extent {
             keeps_walks: false,
             glows: optics.setup().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
+            working_mb: [0.0; 2],
         }
     }
 
@@ -164,8 +167,8 @@ impl Extent {
         (self.columns * row_of(self.grid.shape[0] * factor) * 4) as f64
     }
 
-    /// Memory of the optimisation, MB: of the voxels and of the pixels.
-    pub(crate) fn optimisation(&self) -> [f64; 2] {
+    /// Memory of the optimisation, MB: of the voxels, of the pixels, of frames at work.
+    pub(crate) fn optimisation(&self) -> [f64; 3] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
         let per_voxel =
@@ -173,17 +176,19 @@ impl Extent {
         [
             self.lanes(1) * per_voxel / 1e6,
             (self.scratch(1) + self.walks() + patterns) / 1e6,
+            self.working_mb[0],
         ]
     }
 
-    /// Memory of the evaluation, MB: of the voxels and of the pixels.
-    pub(crate) fn evaluation(&self) -> [f64; 2] {
+    /// Memory of the evaluation, MB: of the voxels, of the pixels, of frames at work.
+    pub(crate) fn evaluation(&self) -> [f64; 3] {
         let patterns = self.pixels as f64 * BYTES_PER_PIXEL;
         [
             (self.lanes(self.refine) * (BYTES_PER_FINE_VOXEL + self.glow())
                 + self.faces() * BYTES_PER_FACE)
                 / 1e6,
             (self.scratch(self.refine) + patterns) / 1e6 + self.canvas_mb(),
+            self.working_mb[1],
         ]
     }
 
@@ -216,8 +221,8 @@ impl Extent {
 }
 
 /// Memory of a stage with what every run needs, MB.
-pub(crate) fn whole_mb(parts: [f64; 2]) -> u64 {
-    (BASE_MB + parts[0] + parts[1]) as u64
+pub(crate) fn whole_mb(parts: [f64; 3]) -> u64 {
+    (BASE_MB + parts.iter().sum::<f64>()) as u64
 }
 
 /// What a job asks for.
@@ -321,6 +326,7 @@ mod tests {
             keeps_walks: false,
             glows: false,
             stacked: 0,
+            working_mb: [0.0; 2],
         }
     }
 
@@ -411,12 +417,12 @@ mod tests {
     fn memory_is_that_of_the_arrays() {
         let extent = extent();
         let lanes = row_of(10) as f64 * 100.0;
-        let [voxels, pixels] = extent.optimisation();
+        let [voxels, pixels, _] = extent.optimisation();
         assert!((voxels - lanes * 21.0 / 1e6).abs() < 1e-12);
         let scratch = 600.0 * row_of(10) as f64 * 4.0;
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
-        assert_eq!(whole_mb([300.0, 4.5]), 354);
+        assert_eq!(whole_mb([300.0, 4.5, 1.0]), 355);
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
             keeps_walks: true,

@@ -11,7 +11,7 @@ use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
-use crate::models::{Run, matrix, planner};
+use crate::models::{Choice, Run, matrix, planner};
 use crate::response::RESPONSES;
 use serde::Serialize;
 use serde_json::Value;
@@ -187,6 +187,7 @@ pub fn matrix(
     };
     stage(progress, "reading the job");
     let scene = Scene::new(job)?;
+    must_be_linear(&scene).map_err(|e| job.locate(e))?;
     let lights = scene.optics.lights.clone();
     let plan = planner::plan(
         &scene.optics.model,
@@ -196,7 +197,18 @@ pub fn matrix(
         None,
         cancel,
     )?;
-    let needed_mb = (plan.model.updates() as f64 * BYTES_PER_ENTRY / 1e6) as u64;
+    let entries = if matches!(scene.optics.model, Choice::Spread(_)) {
+        let (voxels, pixels) = (scene.grid.len() as f64, scene.extent.pixels as f64);
+        let text = format!(
+            "light that spreads reaches every voxel from every pixel: {:.2e} entries",
+            voxels * pixels
+        );
+        progress.event(&Event::Note { text });
+        voxels * pixels
+    } else {
+        plan.model.updates() as f64
+    };
+    let needed_mb = (entries * BYTES_PER_ENTRY / 1e6) as u64;
     require(
         "grid.pitch_mm",
         "memory for the matrix",
@@ -208,6 +220,18 @@ pub fn matrix(
     stage(progress, "lighting every pixel");
     let tell = &mut |done| progress.event(&Event::Part { done });
     matrix::export(plan.model.as_ref(), path, cancel, tell)
+}
+
+/// Refuses models that no matrix stands for.
+fn must_be_linear(scene: &Scene) -> Result<()> {
+    if scene.optics.model.is_linear() {
+        return Ok(());
+    }
+    Err(Error::config(
+        "model.wave",
+        "the dose is not linear in the patterns, and a matrix is",
+        "another model, or none; [model.spread] is the linear relative of waves",
+    ))
 }
 
 /// Draws calibration frames for the machine of a job (each light has its own folder, when there are several).

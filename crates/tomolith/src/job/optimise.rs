@@ -652,6 +652,7 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::Job;
 
     #[test]
     fn every_file_that_a_job_names_is_looked_into() {
@@ -698,6 +699,97 @@ mod tests {
         assert_eq!(idle(&history(&[0.0, 0.0]), None), None);
         let said = idle(&history(&[2.0, 2.0, 2.5]), Some(4)).unwrap();
         assert!(said.contains("bounds.bits = 4"), "{said}");
+    }
+
+    /// A job whose light spreads: its voxels, its models, and where it begins.
+    fn started(model: &str) -> (Voxels, planner::Plan, HostField) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.02 }}
+            grid = {{ pitch_mm = 0.001 }}
+            resin = {{ refractive_index = 1.5, pure_radon = true }}
+            vial = {{ index_matched = {{ radius_mm = 0.02 }} }}
+            light = [{{ wavelength_nm = 405, pixels = [36, 24], angles = 24,
+                projector = {{ collimated = {{ pixel_pitch_mm = 0.001 }} }} }}]
+            model = {model}
+            objective = {{ threshold = {{ lower = 0.7, upper = 0.9 }} }}
+            optimizer = {{ lbfgs = {{}} }}
+            stop = {{ iterations = 1 }}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let job = Job::read(&file, &[]).unwrap();
+        let scene = Scene::new(&job).unwrap();
+        let voxels = scene.voxels(&scene.grid).unwrap();
+        let plan = planner::plan(
+            &scene.optics.model,
+            scene.setup(),
+            scene.optics.lights.clone(),
+            scene.grid.clone(),
+            Some(&voxels.wanted()),
+            &Run::new(),
+        )
+        .unwrap();
+        let models = (plan.model.as_ref(), plan.straight.as_deref());
+        let start = scene.start().unwrap();
+        let x = starting_patterns(&scene, &voxels, models, start.as_ref(), &Run::new()).unwrap();
+        (voxels, plan, x)
+    }
+
+    /// Dose of a model at the voxels of the part.
+    fn in_part(
+        model: &dyn DoseModel<Field = HostField>,
+        x: &HostField,
+        voxels: &Voxels,
+    ) -> Vec<f64> {
+        let mut dose = model.new_dose().unwrap();
+        model.dose(x, &mut dose, &Run::new()).unwrap();
+        let dose = model.outputs()[0].volume_of(dose.as_slice());
+        let all = dose.values.iter().zip(&voxels.labels.values);
+        let own = all.filter(|(_, label)| **label == crate::target::label::PART);
+        own.map(|(dose, _)| f64::from(*dose)).collect()
+    }
+
+    /// Σd / Σd²: 1 where no other factor brings doses nearer to 1.
+    fn factor(doses: &[f64]) -> f64 {
+        doses.iter().sum::<f64>() / doses.iter().map(|d| d * d).sum::<f64>()
+    }
+
+    #[test]
+    fn a_start_of_waves_brings_the_dose_that_is_wanted_whatever_the_pupil_takes() {
+        for model in ["{ wave = {} }", "{ wave = { numerical_aperture = 0.02 } }"] {
+            let (voxels, plan, x) = started(model);
+            let found = factor(&in_part(plan.model.as_ref(), &x, &voxels));
+            assert!((found - 1.0).abs() < 1e-5, "{model}: {found}");
+            let mut energies = x.clone();
+            for value in energies.as_mut_slice() {
+                *value *= *value;
+            }
+            let straight = plan.straight.as_deref().unwrap();
+            let rays = factor(&in_part(straight, &energies, &voxels));
+            let off = (rays - 1.0).abs();
+            // What fades of the pixels' band is little; a narrow pupil takes more
+            assert!(
+                if model.contains("aperture") {
+                    off > 0.1
+                } else {
+                    off < 0.1
+                },
+                "{rays}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
+        let (voxels, plan, x) = started("{ spread = { half_angle_deg = 0.5 } }");
+        let straight = plan.straight.as_deref().unwrap();
+        let [own, rays] = [plan.model.as_ref(), straight].map(|m| factor(&in_part(m, &x, &voxels)));
+        assert!((rays - 1.0).abs() < 1e-5, "{rays}");
+        // Roots of energies would be off by several times
+        assert!((own - 1.0).abs() < 0.1, "{own}");
     }
 
     #[test]

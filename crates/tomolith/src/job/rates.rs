@@ -31,8 +31,9 @@ const TRIAL_UPDATES: usize = 50_000_000;
 const TRIAL_FRAMES: usize = 8;
 /// Groups of neighbouring frames at least: one and the opposite one.
 const TRIAL_GROUPS: usize = 2;
-/// Seconds above which the least number of frames is enough to time.
+/// Seconds above which the least number of frames is enough to time, and above which a call is timed once.
 const TRIAL_S: f64 = 0.3;
+const LONG_S: f64 = 1.0;
 /// How many times more frames the second of the timed calls has, where these take long and where not.
 const SOME_MORE: usize = 2;
 const MANY_MORE: usize = 4;
@@ -170,7 +171,11 @@ fn by_optimiser(
         let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
         Ok((calls, plan))
     };
-    let least = TRIAL_GROUPS * TRIAL_FRAMES;
+    let least = if choice.joins_frames() {
+        TRIAL_GROUPS * TRIAL_FRAMES
+    } else {
+        rayon::current_num_threads()
+    };
     let frames = TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
     let (mut few, _) = trial(least)?;
     let mut times = SOME_MORE;
@@ -224,8 +229,13 @@ fn computed(choice: &Choice) -> Choice {
 /// The job's lights with about so many of their frames.
 fn some_frames(scene: &Scene, frames: usize) -> Vec<Light> {
     let mut lights = scene.optics.lights_turning(1);
+    let together = if scene.optics.model.joins_frames() {
+        TRIAL_FRAMES
+    } else {
+        1
+    };
     for light in &mut lights {
-        let chosen = in_groups(light.pixels.frames(), frames);
+        let chosen = in_groups(light.pixels.frames(), (frames, together));
         let azimuths = &mut light.pixels.azimuths;
         *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
         light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
@@ -233,16 +243,16 @@ fn some_frames(scene: &Scene, frames: usize) -> Vec<Light> {
     lights
 }
 
-/// About so many of `frames` frames: evenly spaced groups of neighbours.
-fn in_groups(frames: usize, wanted: usize) -> Vec<usize> {
+/// About so many of `frames` frames: evenly spaced groups of so many neighbours.
+fn in_groups(frames: usize, (wanted, together): (usize, usize)) -> Vec<usize> {
     if wanted >= frames {
         return (0..frames).collect();
     }
-    let groups = wanted.div_ceil(TRIAL_FRAMES);
+    let groups = wanted.div_ceil(together);
     let mut chosen: Vec<usize> = (0..groups)
         .flat_map(|group| {
             let first = group * frames / groups;
-            first..(first + TRIAL_FRAMES).min(frames)
+            first..(first + together).min(frames)
         })
         .collect();
     chosen.dedup();
@@ -282,12 +292,18 @@ impl Calls {
             let (seconds, done) = timed(|| model.dose(&x, &mut dose, run));
             done?;
             dose_s = dose_s.min(seconds);
+            if seconds > LONG_S {
+                break;
+            }
         }
         let mut adjoint_s: Option<f64> = None;
         for cotangent in cotangent.iter().cycle().take(2) {
             let (seconds, done) = timed(|| model.pullback(&x, cotangent, &mut gradient, run));
             done?;
             adjoint_s = Some(adjoint_s.map_or(seconds, |least| least.min(seconds)));
+            if seconds > LONG_S {
+                break;
+            }
         }
         let first_s = (first - dose_s).max(0.0);
         Ok(Calls {
@@ -430,11 +446,16 @@ mod tests {
 
     #[test]
     fn frames_of_a_trial_are_neighbours_all_around() {
-        assert_eq!(in_groups(5, 16), [0, 1, 2, 3, 4]);
-        let chosen = in_groups(400, 16);
+        assert_eq!(in_groups(5, (16, 8)), [0, 1, 2, 3, 4]);
+        let chosen = in_groups(400, (16, 8));
         let expected: Vec<usize> = (0..8).chain(200..208).collect();
         assert_eq!(chosen, expected);
-        assert!(in_groups(17, 16).windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(in_groups(400, (2, 1)), [0, 200]);
+        assert!(
+            in_groups(17, (16, 8))
+                .windows(2)
+                .all(|pair| pair[0] < pair[1])
+        );
     }
 
     #[test]

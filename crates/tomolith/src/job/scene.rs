@@ -8,13 +8,13 @@ use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, light};
+use super::{cells, coarse, light};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
-use crate::kind::Section;
+use crate::kind::{Kind, Section};
 use crate::models::Choice;
 use crate::models::cells::Cells;
 use crate::models::planner::Setup;
@@ -23,7 +23,7 @@ use crate::objective::emphasis::{Common, Ground};
 use crate::objective::penalty::{PENALTIES, Penalties};
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
-use crate::optimize::{Needs, OPTIMIZERS, Optimizer};
+use crate::optimize::{BuildOptimizer, Needs, OPTIMIZERS, Optimizer};
 use crate::report;
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{
@@ -133,6 +133,10 @@ impl Scene {
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
+            working_mb: [
+                setup.working_mb(&optics.model, &optics.lights, &grid)?,
+                judged_mb(&optics, &grid, spec.evaluate.refine)?,
+            ],
             ..plain
         };
         let mut scene = Scene {
@@ -156,6 +160,7 @@ impl Scene {
         };
         let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
         scene.warnings.extend(notes.cloned());
+        scene.warnings.extend(coarse::left_out(&scene));
         scene.bound_by_time()?;
         if scene.spec.resin.pure_radon
             && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
@@ -218,6 +223,7 @@ impl Scene {
         let asked = self.extent.refine;
         while !fits(self.extent.evaluation_mb()) && self.extent.refine > 1 {
             self.extent.refine -= 1;
+            self.extent.working_mb[1] = judged_mb(&self.optics, &self.grid, self.extent.refine)?;
         }
         if self.extent.refine < asked {
             let refine = self.extent.refine;
@@ -225,11 +231,16 @@ impl Scene {
                 "memory is short: the evaluation's grid is {refine} times as fine, not {asked}"
             ));
         }
-        for (what, [voxels_mb, pixels_mb]) in [
+        for (what, parts) in [
             ("memory for the optimisation", self.extent.optimisation()),
             ("memory for the evaluation", self.extent.evaluation()),
         ] {
-            let (key, accepted) = if voxels_mb >= pixels_mb {
+            let [voxels_mb, pixels_mb, frames_mb] = parts;
+            let (key, accepted) = if frames_mb > voxels_mb.max(pixels_mb) {
+                let accepted =
+                    "fewer pixels or voxels, larger errors asked of the model, fewer --threads";
+                ("model".to_owned(), accepted)
+            } else if voxels_mb >= pixels_mb {
                 let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
                 (grid_key(&self.spec), accepted)
             } else if what.ends_with("evaluation") && 2.0 * self.extent.canvas_mb() > pixels_mb {
@@ -240,7 +251,7 @@ impl Scene {
                 let accepted = "fewer pixels or angles (light.pixels, light.angles)";
                 (pixels_key(&self.spec), accepted)
             };
-            let needed_mb = estimate::whole_mb([voxels_mb, pixels_mb]);
+            let needed_mb = estimate::whole_mb(parts);
             require(&key, what, needed_mb, free, accepted)?;
         }
         Ok(())
@@ -666,7 +677,6 @@ struct Are {
 /// Refuses what an optimiser cannot have beside it, with the key of the other.
 fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
     let method = format!("optimizer.{}", needs.name);
-    let not_convex = "an objective and a response that are not convex together";
     for (reason, is_there, key, other) in [
         (
             needs.continuous,
@@ -680,8 +690,6 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
             "penalties[0]",
             "penalties",
         ),
-        (needs.convex, !is.convex, method.as_str(), not_convex),
-        (needs.linear, !is.linear, method.as_str(), "waves"),
     ] {
         if let Some(reason) = reason.filter(|_| is_there) {
             return Err(Error::config(
@@ -691,7 +699,40 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
             ));
         }
     }
+    let not_convex = "an objective and a response that are not convex together";
+    let convex = |needs: &Needs| needs.convex;
+    let linear = |needs: &Needs| needs.linear;
+    let cases: [(Reason, bool, &str); 2] = [
+        (convex, !is.convex, not_convex),
+        (linear, !is.linear, "waves"),
+    ];
+    for (need, is_there, other) in cases {
+        if let Some(reason) = need(needs).filter(|_| is_there) {
+            return Err(Error::config(
+                method,
+                format!("does not go with {other}: {reason}"),
+                methods_without(need),
+            ));
+        }
+    }
     Ok(())
+}
+
+/// Why a method needs something.
+type Reason = fn(&Needs) -> Option<&'static str>;
+
+/// The optimisers that do not need it.
+fn methods_without(need: Reason) -> String {
+    let needs = |row: &Kind<BuildOptimizer>| {
+        let example: toml::Table = row.example.parse().ok()?;
+        let value = serde_json::to_value(example.get("optimizer")?.get(row.name)?).ok()?;
+        Some((row.build)(&Section::new("optimizer", value)).ok()?.needs())
+    };
+    let names = OPTIMIZERS.iter().filter_map(|row| {
+        let without = need(&needs(row)?).is_none();
+        without.then_some(row.name)
+    });
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// Refuses goals that count part and void for a target that has none, and the other way round.
@@ -724,6 +765,13 @@ fn counted_as(spec: &JobSpec, grey: bool) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Memory of the frames that are judged at a time, MB.
+fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
+    let grid = grid.refined(refine);
+    let choice = optics.model_for(refine, &grid);
+    optics.setup().working_mb(&choice, &optics.lights, &grid)
 }
 
 /// The grid of a job: given, or round the target and cut by the resin.

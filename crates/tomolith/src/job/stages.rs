@@ -216,8 +216,14 @@ fn parts_of(seconds: f64, optimised: &Optimised) -> Option<[Timing; 5]> {
 ///
 /// # Errors
 /// As [`run`], for input that cannot be used.
-pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
+pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
+    let mut stage = |name: &str| {
+        let name = name.to_owned();
+        progress.event(&Event::Stage { name });
+    };
+    stage("reading the job");
     let scene = Scene::new(job)?;
+    stage("sampling the target");
     let begin = Instant::now();
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
     let sampling_s = begin.elapsed().as_secs_f64();
@@ -229,6 +235,7 @@ pub fn check(job: &Job, cancel: &Run) -> Result<Plan> {
             .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
             .map_err(|e| job.locate(e))?,
     );
+    stage("timing a few frames on this machine");
     let rates = rates::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
     let work = Work {
         extent: &scene.extent,

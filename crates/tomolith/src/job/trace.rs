@@ -66,12 +66,11 @@ fn must_be_rays(scene: &Scene) -> Result<()> {
         Choice::Spread(_) => "spread",
         _ => return Ok(()),
     };
-    Err(Error::Unsupported {
-        what: "trace".to_owned(),
-        reason: format!(
-            "it follows rays, and light of [model.{model}] is none; `--set 'model={{rays={{}}}}'` follows those that the same projector would send"
-        ),
-    })
+    Err(Error::config(
+        format!("model.{model}"),
+        "`tomolith trace` follows rays, and this light is none",
+        "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
+    ))
 }
 
 /// Traces pixels of a job by the `rays` model, or the `scatter` model where the resin scatters, and gives the dose of all of them at a value of 1.
@@ -80,7 +79,7 @@ fn must_be_rays(scene: &Scene) -> Result<()> {
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
     let scene = Scene::new(job)?;
-    must_be_rays(&scene)?;
+    must_be_rays(&scene).map_err(|e| job.locate(e))?;
     let lights = scene.optics.lights.clone();
     for pixel in pixels {
         let grid = lights.get(pixel.light).map(|light| &light.pixels);

@@ -53,6 +53,12 @@ impl Choice {
     pub fn is_linear(&self) -> bool {
         !matches!(self, Choice::Wave(_))
     }
+
+    /// Whether its kernel takes neighbouring frames together, so that a few of them say nothing of what many take.
+    #[must_use]
+    pub fn joins_frames(&self) -> bool {
+        !matches!(self, Choice::Wave(_) | Choice::Spread(_))
+    }
 }
 
 /// Reads the parameters of a model from its section.

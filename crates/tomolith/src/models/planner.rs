@@ -92,6 +92,23 @@ impl Setup<'_> {
         }
     }
 
+    /// Memory that frames at work take beside patterns and doses, MB: where each is computed at many depths; 0 where that is little.
+    ///
+    /// # Errors
+    /// As [`plan`].
+    pub fn working_mb(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> Result<f64> {
+        let bytes = match self.way(choice, lights, grid)? {
+            Way::Optical(Optical::Wave(params)) => {
+                wave::working_bytes(self.vial, lights, params, grid, self.asked_often)?
+            }
+            Way::Optical(Optical::Spread(params)) => {
+                spread::working_bytes(self.vial, lights, params, grid)?
+            }
+            _ => 0,
+        };
+        Ok(bytes as f64 / 1e6)
+    }
+
     fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
         let refused =
             |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
@@ -429,6 +446,17 @@ mod tests {
     }
 
     /// The reason, or the key of a refusal.
+    /// Optics around the vial of these tests, of a model that is asked often.
+    fn setup<'a>(optics: &'a [Optics], solid: Option<&'a Arc<dyn Shape>>) -> Setup<'a> {
+        Setup {
+            vial: &VIAL,
+            optics,
+            solid,
+            asked_often: true,
+            dose_factor: 1.0,
+        }
+    }
+
     fn planned(choice: &Choice, setup: Setup<'_>, light: Light) -> String {
         let grid = VolumeGrid::centered([6, 8, 8], 0.1);
         match plan(choice, setup, vec![light], grid, None, &Run::new()) {
@@ -455,13 +483,6 @@ mod tests {
         };
         let ball: Arc<dyn Shape> =
             Arc::new(Phantom::build(&section, &placement, "target").unwrap());
-        let setup = |optics, solid| Setup {
-            vial: &VIAL,
-            optics,
-            solid,
-            asked_often: true,
-            dose_factor: 1.0,
-        };
         let [parallel, rays] = [
             Choice::Parallel(crate::models::parallel::Params::default()),
             Choice::Rays(rays::Params::default()),
@@ -510,13 +531,7 @@ mod tests {
                 ..spread::Params::default()
             }),
         ] {
-            let setup = Setup {
-                vial: &VIAL,
-                optics: &optics,
-                solid: None,
-                asked_often: true,
-                dose_factor: 1.0,
-            };
+            let setup = setup(&optics, None);
             let plan = plan(
                 &choice,
                 setup,
@@ -557,13 +572,7 @@ mod tests {
             if cone {
                 optics[0].motion.tilt_rad = 0.05;
             }
-            let setup = Setup {
-                vial: &VIAL,
-                optics: &optics,
-                solid: None,
-                asked_often: true,
-                dose_factor: 1.0,
-            };
+            let setup = setup(&optics, None);
             let lights = vec![light];
             let wanted = Some(&wanted);
             let plan = plan(choice, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
@@ -599,13 +608,7 @@ mod tests {
             per_mm: 0.3,
             phase: Arc::new(Rayleigh {}),
         });
-        let setup = Setup {
-            vial: &VIAL,
-            optics: &optics,
-            solid: None,
-            asked_often: true,
-            dose_factor: 1.0,
-        };
+        let setup = setup(&optics, None);
         let mapped = |total: f32| {
             let map = AbsorptionMap::new([1, 1, 2], 1.0, vec![0.2, 0.1], vec![total; 2]);
             let mut light = milk.clone();

@@ -121,6 +121,16 @@ pub(super) struct Kept<T> {
     pub(super) now: Vec<Vec<Complex<T>>>,
 }
 
+#[cfg(test)]
+impl<T> Kept<T> {
+    /// Of all arrays.
+    pub(super) fn bytes(&self) -> usize {
+        let now: usize = self.now.iter().map(Vec::capacity).sum();
+        let rings = self.fields.numbers.capacity() + self.sent.numbers.capacity();
+        (2 * now + rings) * std::mem::size_of::<T>()
+    }
+}
+
 impl<T: Number> Between<T> {
     /// None where fields are transformed at all depths that are wanted.
     pub(super) fn new(sampling: &Sampling) -> Option<Self> {

@@ -1,6 +1,7 @@
 //! Dose and pullback of one light.
 
 use super::coherent::Coherent;
+use super::memory::frames_together;
 use super::number::Number;
 use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
@@ -11,9 +12,6 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 use std::ops::Range;
 use std::sync::Mutex;
-
-/// Samples of frames that lie in memory together, in bytes: about a volume of 256³.
-const TOGETHER: usize = 64 << 20;
 
 /// Lanes of a row that are gathered at a time.
 const LANES_AT_ONCE: usize = 256;
@@ -94,6 +92,13 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         self.way.windows().sampling.along.computed.count * self.way.windows().width() * self.row
     }
 
+    /// Bytes of the scratches that were needed so far.
+    #[cfg(test)]
+    pub(super) fn kept_bytes(&self) -> usize {
+        let pool = self.pool.lock().unwrap();
+        pool.iter().map(Scratch::bytes).sum()
+    }
+
     fn with_scratch<R>(&self, work: impl FnOnce(&mut Scratch<T>) -> R) -> R {
         let lock = || {
             self.pool
@@ -164,7 +169,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
     ) -> Result<()> {
         let size = self.samples();
         let bytes = N * size * std::mem::size_of::<T>();
-        let together = (TOGETHER / bytes.max(1)).clamp(rayon::current_num_threads(), 16);
+        let together = frames_together(bytes, rayon::current_num_threads());
         let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
         for frames in frames.chunks(together) {
             if run.is_cancelled() {

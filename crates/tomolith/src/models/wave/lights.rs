@@ -158,26 +158,36 @@ impl<W: Way<f32>> Lights<W> {
     }
 }
 
-/// A light whose samples turn with an index-matched vial.
-pub(super) fn turning<T: Number, W: Way<T>>(
-    vial: &dyn Vial,
+/// Columns of voxels in the resin.
+struct Lit {
+    in_resin: Vec<bool>,
+    /// Distance of the farthest from the axis, mm.
+    radius: f64,
+}
+
+impl Lit {
+    fn new(vial: &dyn Vial, grid: &VolumeGrid) -> Self {
+        let [_, ny, nx] = grid.shape;
+        let place = |i: usize| [grid.x(i % nx), grid.y(i / nx)];
+        let in_resin: Vec<bool> = (0..nx * ny)
+            .map(|i| vial.in_resin([place(i)[0], place(i)[1], 0.0]))
+            .collect();
+        let lit = (0..nx * ny).filter(|&i| in_resin[i]).map(place);
+        let radius = lit.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        Lit { in_resin, radius }
+    }
+}
+
+/// The transforms that a light needs for the voxels in the resin.
+fn windows_of<T: Number>(
     (light, beam): (&Light, &dyn Spreading),
-    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
-    layout: &DoseLayout,
-    first_frame: usize,
-    way: impl FnOnce(Windows<T>) -> W,
-) -> Result<WaveLight<T, W>> {
-    let grid = &layout.grid;
-    let pixels = &light.pixels;
+    lit: &Lit,
+    (focus_mm, settings): (f64, &Settings),
+    grid: &VolumeGrid,
+) -> Result<Windows<T>> {
+    let (pixels, radius) = (&light.pixels, lit.radius);
     let heights = heights_of(pixels.pitch_mm[1], grid)?;
-    let [nz, ny, nx] = grid.shape;
-    let in_resin: Vec<bool> = (0..nx * ny)
-        .map(|i| vial.in_resin([grid.x(i % nx), grid.y(i / nx), 0.0]))
-        .collect();
-    let lit = (0..nx * ny).filter(|&i| in_resin[i]);
-    let radius = lit
-        .map(|i| grid.x(i % nx).hypot(grid.y(i / nx)))
-        .fold(0.0, f64::max);
+    let nz = grid.shape[0];
     let u = Side {
         pitch: pixels.pitch_mm[0],
         pixels: pixels.columns,
@@ -198,7 +208,7 @@ pub(super) fn turning<T: Number, W: Way<T>>(
             (focus_mm.abs() - radius).max(0.0),
             (radius + focus_mm.abs()).max(u.pitch),
         ],
-        voxels: [in_resin.iter().filter(|lit| **lit).count(), nz],
+        voxels: [lit.in_resin.iter().filter(|lit| **lit).count(), nz],
         high: heights.finer as f64,
     };
     let sampling = Sampling::new(beam, [&u, &z], &needs, settings).map_err(|found| {
@@ -211,6 +221,42 @@ pub(super) fn turning<T: Number, W: Way<T>>(
             "a focal plane nearer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
         )
     })?;
+    Ok(Windows::new(sampling, [&u, &z], (heights, nz)))
+}
+
+/// Bytes of frames of a light at work, `doses` at a time, beside patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
+/// so many depths.
+///
+/// # Errors
+/// As [`turning`].
+pub(super) fn working_bytes(
+    vial: &dyn Vial,
+    of: (&Light, &dyn Spreading),
+    focus: (f64, &Settings),
+    grid: &VolumeGrid,
+    (doses, kernels): (usize, impl Fn(usize) -> usize),
+) -> Result<usize> {
+    let windows = windows_of::<f32>(of, &Lit::new(vial, grid), focus, grid)?;
+    let threads = rayon::current_num_threads();
+    let depths = windows.sampling.transformed().count;
+    let layout = DoseLayout::new("dose", grid.clone(), 0);
+    let more = (doses - 1) * layout.len() * std::mem::size_of::<f32>();
+    Ok(more + windows.working_bytes(layout.row, (threads, doses), kernels(depths)))
+}
+
+/// A light whose samples turn with an index-matched vial.
+pub(super) fn turning<T: Number, W: Way<T>>(
+    vial: &dyn Vial,
+    (light, beam): (&Light, &dyn Spreading),
+    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
+    layout: &DoseLayout,
+    first_frame: usize,
+    way: impl FnOnce(Windows<T>) -> W,
+) -> Result<WaveLight<T, W>> {
+    let grid = &layout.grid;
+    let [_, ny, nx] = grid.shape;
+    let lit = Lit::new(vial, grid);
+    let windows = windows_of((light, beam), &lit, (focus_mm, settings), grid)?;
     let resin = light.resin.uptake();
     let wall = match vial.resin_wall() {
         Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
@@ -220,13 +266,12 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         active: resin.active_per_mm,
         attenuation: resin.attenuation_per_mm,
         wall,
-        entrance: -radius,
+        entrance: -lit.radius,
     };
-    let windows = Windows::new(sampling, [&u, &z], (heights, nz));
     let turn = Turn::new(
-        (pixels, light.sub_angles),
+        (&light.pixels, light.sub_angles),
         grid,
-        in_resin,
+        lit.in_resin,
         (uptake, focus_mm),
         windows.last,
     );

@@ -69,6 +69,7 @@ mod cones;
 mod lattice;
 mod light;
 mod lights;
+mod memory;
 mod number;
 mod resample;
 mod sampling;
@@ -95,6 +96,7 @@ use light::WaveLight;
 pub use lights::beyond;
 use lights::{Lights, heights_of};
 use number::Number;
+use sampling::FIELDS_COST;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2, TAU};
@@ -147,6 +149,17 @@ impl Default for Params {
             entrance: Entrance::Wall,
             etendue_deg: 0.0,
             rings: None,
+        }
+    }
+}
+
+impl Params {
+    fn settings(&self) -> Settings {
+        Settings {
+            model: "model.wave",
+            relative_error: self.relative_error,
+            rotation_error: self.rotation_error,
+            fields_cost: FIELDS_COST,
         }
     }
 }
@@ -211,6 +224,8 @@ struct Settings {
     model: &'static str,
     relative_error: f64,
     rotation_error: f64,
+    /// How much longer a frame takes with interpolated fields than their operations say.
+    fields_cost: f64,
 }
 
 /// See the [module page](self).
@@ -228,11 +243,7 @@ impl Wave {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        let settings = Settings {
-            model: "model.wave",
-            relative_error: params.relative_error,
-            rotation_error: params.rotation_error,
-        };
+        let settings = params.settings();
         let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
             light_of(
                 vial,
@@ -254,6 +265,30 @@ impl Wave {
     pub fn operations(&self) -> f64 {
         self.0.operations()
     }
+}
+
+/// Bytes that frames at work take beside patterns and a dose, in an optimisation or in one dose.
+///
+/// # Errors
+/// As [`Wave::new`].
+pub(super) fn working_bytes(
+    vial: &dyn Vial,
+    lights: &[Light],
+    params: &Params,
+    grid: &VolumeGrid,
+    is_optimised: bool,
+) -> Result<usize> {
+    // Along a line two at a time
+    let doses = if is_optimised { 2 } else { 1 };
+    let settings = params.settings();
+    let of_light = |(i, light): (usize, &Light)| {
+        let beam = beam_of(i, light, params)?;
+        // H of every mode, and where it begins
+        let kernels = 2 * modes_of(&beam, params).len();
+        let focus = (params.focus_mm, &settings);
+        lights::working_bytes(vial, (light, &beam), focus, grid, (doses, |_| kernels))
+    };
+    lights.iter().enumerate().map(of_light).sum()
 }
 
 /// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; what is said of those that do not.

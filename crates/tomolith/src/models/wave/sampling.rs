@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Shares of the error asked for: of the window, and of the depths; where fields are interpolated, of those and of light between them.
 const WINDOW: f64 = 0.3;
-const DEPTHS: f64 = 0.95;
+const PLANES: f64 = 0.95;
 const FIELDS: f64 = 0.85;
 const LIGHT: f64 = 0.42;
 
@@ -49,7 +49,7 @@ const ROW_COST: f64 = 1.2;
 
 /// How much longer a frame takes with interpolated fields than their operations say: fields come from far memory. Measured at 0.1 and 1 mm, 256 to
 /// 550 pixels across: 1.1 to 1.4 times.
-const FIELDS_COST: f64 = 1.25;
+pub(super) const FIELDS_COST: f64 = 1.25;
 
 /// Samples that light is computed at, and those that voxels are interpolated from.
 #[derive(Clone, Debug)]
@@ -143,7 +143,7 @@ const MOST_SAMPLES: f64 = 2e10;
 /// All ways to sample the depths between these two.
 fn ways_along(beam: &dyn Spreading, depths: [f64; 2], error: f64) -> Vec<Rungs> {
     let signal = beam.along();
-    let mut ways = ways_from_light(&signal, depths, error * DEPTHS);
+    let mut ways = ways_from_light(&signal, depths, error * PLANES);
     let closer = ways_from_light(&signal, depths, error * LIGHT);
     for taps in FIELD_TAPS {
         let middles = MIDDLES.iter().map(|share| share * beam.depth_band());
@@ -271,7 +271,10 @@ impl Sampling {
         let pairs = ways_along
             .iter()
             .flat_map(|a| ways.iter().map(move |b| (a, b)));
-        let cost = |(a, b): &(&Rungs, &Rungs)| cost(a, b, part, band[0], padded[1], needs);
+        let cost = |(a, b): &(&Rungs, &Rungs)| {
+            let handicap = a.fields.map_or(1.0, |_| settings.fields_cost);
+            handicap * cost(a, b, part, band[0], padded[1], needs)
+        };
         let (a, b) = pairs
             .min_by(|a, b| cost(a).total_cmp(&cost(b)))
             .unwrap_or((&ways_along[0], &ways[0]));
@@ -329,7 +332,5 @@ fn cost(
         // Complex; one dose, and a pullback that needs the fields again
         rows += 3.0 * depths * computed * fields.taps as f64;
     }
-    let handicap = along.fields.map_or(1.0, |_| FIELDS_COST);
-    handicap
-        * (3.0 * along.transformed() as f64 * of_depth + 2.0 * ROW_COST * rows * heights as f64)
+    3.0 * along.transformed() as f64 * of_depth + 2.0 * ROW_COST * rows * heights as f64
 }

@@ -67,6 +67,27 @@ pub(super) struct Scratch<T: Number> {
     pub(super) samples: Vec<T>,
 }
 
+#[cfg(test)]
+impl<T: Number> Scratch<T> {
+    /// Of all arrays.
+    pub(super) fn bytes(&self) -> usize {
+        let fields = [
+            &self.spectrum,
+            &self.here,
+            &self.power,
+            &self.sum,
+            &self.mixed,
+            &self.lines,
+            &self.field,
+            &self.rest,
+        ];
+        let complex: usize = fields.iter().map(|all| all.capacity()).sum();
+        let real = [&self.computed, &self.between, &self.samples];
+        let real: usize = real.iter().map(|all| all.capacity()).sum();
+        (2 * complex + real) * std::mem::size_of::<T>() + self.kept.bytes()
+    }
+}
+
 pub(super) fn zero<T: Number>() -> Complex<T> {
     Complex::new(T::zero(), T::zero())
 }
@@ -223,7 +244,7 @@ impl<T: Number> Windows<T> {
             here: vec![zero(); nu * nz],
             power: Vec::new(),
             sum: Vec::new(),
-            mixed: vec![zero(); (nu * self.voxels).max(mu * nz)],
+            mixed: vec![zero(); self.mixed()],
             lines: vec![zero(); TOGETHER * longest],
             field: vec![zero(); self.width() * self.voxels],
             rest: vec![zero(); rest.unwrap_or(0)],
@@ -232,6 +253,12 @@ impl<T: Number> Windows<T> {
             between: Vec::new(),
             samples: Vec::new(),
         }
+    }
+
+    /// Numbers between the two directions of a transform: frequencies along u × heights of voxels, or frequencies along z × pixels.
+    pub(super) fn mixed(&self) -> usize {
+        let [nu, nz] = self.counts();
+        (nu * self.voxels).max(self.sampling.padded[0] * nz)
     }
 
     /// `scratch.spectrum` = the spectrum of an image, given column by column from low z to high z.

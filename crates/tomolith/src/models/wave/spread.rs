@@ -51,7 +51,8 @@
 //! ```
 
 use super::cones::{Cone, Cones};
-use super::lights::{Lights, heights_of, turning};
+use super::lights::{Lights, heights_of, turning, working_bytes as working_bytes_of};
+use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
@@ -90,6 +91,24 @@ impl Default for Params {
             entrance: Entrance::Wall,
             relative_error: 1e-3,
             rotation_error: 0.03,
+        }
+    }
+}
+
+impl Params {
+    fn settings(&self) -> Settings {
+        Settings {
+            model: "model.spread",
+            relative_error: self.relative_error,
+            rotation_error: self.rotation_error,
+            fields_cost: FIELDS_COST,
+        }
+    }
+
+    fn cone(&self, light: &Light) -> Cone {
+        Cone {
+            slope: self.half_angle_deg.to_radians().tan(),
+            pitch: light.pixels.pitch_mm,
         }
     }
 }
@@ -152,6 +171,26 @@ pub(in crate::models) fn must_fit(lights: &[Light], grid: &VolumeGrid) -> Result
         .try_for_each(|light| heights_of(light.pixels.pitch_mm[1], grid).map(drop))
 }
 
+/// Bytes that frames at work take beside patterns and doses.
+///
+/// # Errors
+/// As [`Spread::new`].
+pub(in crate::models) fn working_bytes(
+    vial: &dyn Vial,
+    lights: &[Light],
+    params: &Params,
+    grid: &VolumeGrid,
+) -> Result<usize> {
+    let settings = params.settings();
+    let of_light = |light: &Light| {
+        let (cone, focus) = (params.cone(light), (params.focus_mm, &settings));
+        // A real number for every frequency and depth
+        let kernels = |depths: usize| depths.div_ceil(2);
+        working_bytes_of(vial, (light, &cone), focus, grid, (1, kernels))
+    };
+    lights.iter().map(of_light).sum()
+}
+
 impl Spread {
     /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
     ///
@@ -163,17 +202,10 @@ impl Spread {
         params: &Params,
         grid: VolumeGrid,
     ) -> Result<Self> {
-        let settings = Settings {
-            model: "model.spread",
-            relative_error: params.relative_error,
-            rotation_error: params.rotation_error,
-        };
+        let settings = params.settings();
         let place = ((params.entrance, params.focus_mm), &settings);
         let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
-            let cone = Cone {
-                slope: params.half_angle_deg.to_radians().tan(),
-                pitch: light.pixels.pitch_mm,
-            };
+            let cone = params.cone(light);
             let way = |windows| Cones::new(windows, &cone);
             turning(vial, (light, &cone), place, layout, first_frame, way)
         };

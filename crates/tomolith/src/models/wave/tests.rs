@@ -39,6 +39,7 @@ fn settings(error: f64) -> Settings {
         model: "model.wave",
         relative_error: error,
         rotation_error: error,
+        fields_cost: FIELDS_COST,
     }
 }
 
@@ -210,6 +211,105 @@ fn dose_is_the_direct_sum_over_frequencies() {
     }
 }
 
+/// 3 × 2 × 64 voxels of 0.8 µm along one frame's light: long enough for fields between depths, which `settings` takes wherever they are.
+fn interpolating(
+    settings: Settings,
+) -> (
+    Light,
+    (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout),
+) {
+    let mut light = light(1);
+    light.pixels.azimuths = vec![0.0];
+    light.resin = Resin::pure_radon(1.5);
+    let grid = VolumeGrid {
+        center_mm: [0.5e-3, 0.0, 0.0],
+        ..VolumeGrid::centered([3, 2, 64], 0.8e-3)
+    };
+    let eager = Settings {
+        fields_cost: 1e-3,
+        ..settings
+    };
+    let model = precise(&light, &Params::default(), eager, grid);
+    (light, model)
+}
+
+#[test]
+fn light_of_interpolated_fields_is_the_direct_sum() {
+    let (light, model) = interpolating(settings(1e-4));
+    let sampling = &model.0.way.windows().sampling;
+    let fields = sampling.fields.as_ref().map(|own| own.depths.count);
+    assert!(fields.is_some_and(|count| count < sampling.along.computed.count));
+    let x = amplitudes(7, model.1.len());
+    let dose = dose_of(&model, &x);
+    let direct = Direct::new(&light, 0, &x, (sampling.padded, None));
+    let grid = &model.2.grid;
+    let (mut error, mut square) = (0.0, 0.0);
+    for ix in 0..64 {
+        let expected = direct.intensity([-grid.x(ix), grid.y(1), grid.z(1)]);
+        error += (dose[model.2.index(1, 1, ix)] - expected).powi(2);
+        square += expected * expected;
+    }
+    // As where no fields are interpolated
+    let error = (error / square).sqrt();
+    assert!(error < 3e-4, "{error}");
+}
+
+#[test]
+fn the_gradient_of_interpolated_fields_is_exact() {
+    let (_, model) = interpolating(settings(1e-2));
+    assert!(model.0.way.windows().sampling.fields.is_some());
+    let error = derivative_error(&model);
+    assert!(error < 1e-12, "{error}");
+}
+
+/// The pullback against the central difference, which is exact for a quadratic whatever the step, relative to the doses.
+fn derivative_error(model: &(WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout)) -> f64 {
+    let (built, pixels, layout) = model;
+    let (x, d) = (amplitudes(1, pixels.len()), amplitudes(2, pixels.len()));
+    let cotangent = amplitudes(3, layout.len());
+    let at = |s: f64| {
+        let place: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + s * d).collect();
+        let dose = dose_of(model, &place);
+        dose.iter().zip(&cotangent).map(|(a, b)| a * b).sum::<f64>()
+    };
+    let (more, less) = (at(1.0), at(-1.0));
+    let mut grad = vec![0.0; pixels.len()];
+    built
+        .pull_back(pixels, &x, &cotangent, &mut grad, &Run::new())
+        .unwrap();
+    let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
+    (slope - 0.5 * (more - less)).abs() / (more.abs() + less.abs())
+}
+
+#[test]
+fn what_frames_at_work_take_is_what_is_reckoned() {
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    for model in [
+        precise(&light(2), &Params::default(), settings(1e-3), grid()),
+        interpolating(settings(1e-3)).1,
+    ] {
+        let (built, pixels, layout) = &model;
+        let x = amplitudes(1, pixels.len());
+        let kept = one_thread.as_ref().unwrap().install(|| {
+            let run = Run::new();
+            let mut doses = [vec![0.0; layout.len()], vec![0.0; layout.len()]];
+            let doses = doses.each_mut().map(Vec::as_mut_slice);
+            built.add_along(pixels, [&x, &x], doses, &run).unwrap();
+            let cotangent = vec![1.0; layout.len()];
+            let mut grad = vec![0.0; pixels.len()];
+            built
+                .pull_back(pixels, &x, &cotangent, &mut grad, &run)
+                .unwrap();
+            built.kept_bytes()
+        });
+        let windows = built.way.windows();
+        // Kernels and samples that are gathered together are not the scratches'
+        let reckoned = windows.of_frame(layout.row, 2);
+        let ratio = reckoned as f64 / kept as f64;
+        assert!((0.8..2.0).contains(&ratio), "{reckoned} {kept}");
+    }
+}
+
 #[test]
 fn gradient_is_the_transpose_of_the_derivative_in_f64() {
     for params in [
@@ -227,24 +327,8 @@ fn gradient_is_the_transpose_of_the_derivative_in_f64() {
         },
     ] {
         let model = precise(&light(3), &params, settings(1e-2), grid());
-        let (built, pixels, layout) = &model;
-        let (x, d) = (amplitudes(1, pixels.len()), amplitudes(2, pixels.len()));
-        let cotangent = amplitudes(3, layout.len());
-        let at = |s: f64| {
-            let place: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + s * d).collect();
-            let dose = dose_of(&model, &place);
-            dose.iter().zip(&cotangent).map(|(a, b)| a * b).sum::<f64>()
-        };
-        // F is quadratic, so the central difference is its derivative whatever the step
-        let (more, less) = (at(1.0), at(-1.0));
-        let mut grad = vec![0.0; pixels.len()];
-        built
-            .pull_back(pixels, &x, &cotangent, &mut grad, &Run::new())
-            .unwrap();
-        let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
-        let size = more.abs() + less.abs();
-        let error = (slope - 0.5 * (more - less)).abs() / size;
-        assert!(error < 1e-12, "{params:?}: {slope} {error}");
+        let error = derivative_error(&model);
+        assert!(error < 1e-12, "{params:?}: {error}");
     }
 }
 
