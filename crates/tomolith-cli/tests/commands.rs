@@ -464,8 +464,33 @@ fn light_that_is_no_ray_is_not_traced() {
             "trace job.toml --pixel 0,16,8 --set vial={{index_matched={{radius_mm=3.0}}}} --set model={{{model}={{}}}}"
         );
         let said = bench.expect(2, &line);
-        assert!(said.contains(&format!("[model.{model}]")), "{said}");
+        assert!(said.contains(&format!("model.{model}:")), "{said}");
+        assert!(said.contains("model={rays={}}"), "{said}");
     }
+}
+
+#[test]
+fn waves_have_no_matrix_and_light_that_spreads_says_how_large_its_is() {
+    let bench = Bench::new();
+    let job = "job.toml --output m.npz --set vial={index_matched={radius_mm=3.0}}";
+    let said = bench.expect(2, &format!("export-matrix {job} --set model={{wave={{}}}}"));
+    assert!(
+        said.contains("not linear in the patterns") && said.contains("[model.spread]"),
+        "{said}"
+    );
+    assert!(!bench.path("m.npz").exists());
+    let small = "--set grid.shape=[4,4,2] --set light.pixels=[32,16] --set light.angles=3";
+    let line = format!("export-matrix {job} {small} --set model={{spread={{}}}}");
+    let said = bench.expect(0, &line);
+    // 32 voxels, 1536 pixels
+    assert!(said.contains("4.92e4 entries"), "{said}");
+}
+
+#[test]
+fn levels_that_are_too_small_to_be_made_are_told() {
+    let bench = Bench::new();
+    let said = bench.expect(0, "check job.toml --set coarse.levels=5");
+    assert!(said.contains("coarse.levels = 5"), "{said}");
 }
 
 #[test]

@@ -57,7 +57,10 @@ pub(super) const WRONG: &[Wrong] = &[
         "[vial.cylinder]\ninner_radius_mm = 3.0\nouter_radius_mm = 3.5\nrefractive_index = 1.5",
         "[model.wave]\n[optimizer.fista]\n[vial.index_matched]\nradius_mm = 3.0",
         "[optimizer.fista]",
-        &["optimizer.fista with waves"],
+        &[
+            "does not go with waves",
+            "accepted: lbfgs, gradient, adam, pm, bclp",
+        ],
     ),
     // Names
     (
@@ -386,7 +389,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[optimizer.fista]\n[response.logistic]\n[stop]",
         "[optimizer",
-        &["optimizer.fista", "not convex together", "one of the two"],
+        &["optimizer.fista", "not convex together", "accepted: lbfgs"],
     ),
     (
         "[stop]",

@@ -43,13 +43,11 @@ fn settings(error: f64) -> Settings {
     }
 }
 
+/// A light in f64, and the layouts of its patterns and of its dose.
+type Precise = (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout);
+
 /// A light in f64, with the layout of its patterns and of its dose.
-fn precise(
-    light: &Light,
-    params: &Params,
-    settings: Settings,
-    grid: VolumeGrid,
-) -> (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout) {
+fn precise(light: &Light, params: &Params, settings: Settings, grid: VolumeGrid) -> Precise {
     let layout = DoseLayout::new("dose", grid, 0);
     let vial = if light.resin.pure_radon { WIDE } else { VIAL };
     let built = light_of(&vial, light, (params, &settings), &layout, (0, 0)).unwrap();
@@ -60,10 +58,7 @@ fn amplitudes(seed: u64, len: usize) -> Vec<f64> {
     noise(seed, len).iter().map(|&v| f64::from(v)).collect()
 }
 
-fn dose_of(
-    (built, pixels, layout): &(WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout),
-    x: &[f64],
-) -> Vec<f64> {
+fn dose_of((built, pixels, layout): &Precise, x: &[f64]) -> Vec<f64> {
     let mut dose = vec![0.0; layout.len()];
     let frames = 0..pixels.grid.frames();
     built
@@ -212,12 +207,7 @@ fn dose_is_the_direct_sum_over_frequencies() {
 }
 
 /// 3 × 2 × 64 voxels of 0.8 µm along one frame's light: long enough for fields between depths, which `settings` takes wherever they are.
-fn interpolating(
-    settings: Settings,
-) -> (
-    Light,
-    (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout),
-) {
+fn interpolating(settings: Settings) -> (Light, Precise) {
     let mut light = light(1);
     light.pixels.azimuths = vec![0.0];
     light.resin = Resin::pure_radon(1.5);
@@ -263,7 +253,7 @@ fn the_gradient_of_interpolated_fields_is_exact() {
 }
 
 /// The pullback against the central difference, which is exact for a quadratic whatever the step, relative to the doses.
-fn derivative_error(model: &(WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout)) -> f64 {
+fn derivative_error(model: &Precise) -> f64 {
     let (built, pixels, layout) = model;
     let (x, d) = (amplitudes(1, pixels.len()), amplitudes(2, pixels.len()));
     let cotangent = amplitudes(3, layout.len());
