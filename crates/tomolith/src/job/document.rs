@@ -159,7 +159,14 @@ impl Document {
         }
         let value = match self.override_value(text.trim()) {
             Ok(value) => value,
-            Err(found) => return refuse(&found),
+            Err(Misread::Lines) => return refuse("more than one line"),
+            Err(Misread::Value { found, accepted }) => {
+                return Err(Error::config(
+                    format!("--set {assignment}"),
+                    found,
+                    accepted,
+                ));
+            }
         };
         match insert(&mut self.root, &steps, value, "") {
             Ok(path) => {
@@ -368,19 +375,28 @@ impl Document {
     }
 
     /// The value of an override: TOML when it is some, text otherwise.
-    fn override_value(&self, text: &str) -> Result<Value, String> {
-        let Ok(document) = Document::toml("--set", format!("value = {text}")) else {
-            // NaN and infinity are TOML, but no value of a job
-            return match toml::de::DeValue::parse(text) {
-                Ok(_) => Err(format!("`{text}` is no value of a job")),
-                Err(_) => Ok(Value::String(text.to_owned())),
-            };
+    fn override_value(&self, text: &str) -> Result<Value, Misread> {
+        let document = match Document::toml("--set", format!("value = {text}")) {
+            Ok(document) => document,
+            // NaN and dates are TOML, but no value of a job
+            Err(Error::Config {
+                found, accepted, ..
+            }) if toml::de::DeValue::parse(text).is_ok() => {
+                return Err(Misread::Value { found, accepted });
+            }
+            Err(_) => return Ok(Value::String(text.to_owned())),
         };
         match document.root {
             Value::Object(mut map) if map.len() == 1 => Ok(map.remove("value").unwrap_or_default()),
-            _ => Err("more than one line".to_owned()),
+            _ => Err(Misread::Lines),
         }
     }
+}
+
+/// Why an override has no value.
+enum Misread {
+    Lines,
+    Value { found: String, accepted: String },
 }
 
 /// `a`, `b` → `a.b`

@@ -25,6 +25,7 @@ pub mod import;
 mod judge;
 pub mod kinds;
 mod light;
+mod named;
 mod noise;
 mod optimise;
 pub mod outcome;

@@ -5,6 +5,9 @@ use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
+use super::named::{
+    asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
+};
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
@@ -14,18 +17,16 @@ use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
-use crate::kind::{Kind, Section};
-use crate::models::Choice;
-use crate::models::cells::Cells;
+use crate::kind::Section;
 use crate::models::planner::Setup;
 use crate::models::{DoseLayout, PatternLayout};
-use crate::objective::emphasis::{Common, Ground};
-use crate::objective::penalty::{PENALTIES, Penalties};
-use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
+use crate::objective::emphasis::Common;
+use crate::objective::penalty::Penalties;
+use crate::objective::{ObjectiveInput, Sum};
+use crate::optimize::Optimizer;
 use crate::optimize::start::{STARTS, Start};
-use crate::optimize::{BuildOptimizer, Needs, OPTIMIZERS, Optimizer};
 use crate::report;
-use crate::response::{RESPONSES, Response, dose_for};
+use crate::response::{Response, dose_for};
 use crate::target::{
     self, Resolution, Role, Shape, Target, default_grid, label, label_columns, label_voxels,
 };
@@ -492,23 +493,6 @@ pub(super) fn at_section(path: &str, error: Error) -> Error {
     }
 }
 
-fn response(section: Section) -> Result<Arc<dyn Response>> {
-    let (kind, inner) = section.kind(RESPONSES)?;
-    Ok(Arc::from((kind.build)(&inner)?))
-}
-
-fn optimizer(spec: &JobSpec) -> Result<Box<dyn Optimizer<HostField>>> {
-    let section = Section::new("optimizer", spec.optimizer.clone());
-    let (kind, inner) = section.kind(OPTIMIZERS)?;
-    (kind.build)(&inner)
-}
-
-fn start(spec: &JobSpec) -> Result<Box<dyn Start>> {
-    let section = Section::new("start", spec.start.clone());
-    let (kind, inner) = section.kind(STARTS)?;
-    (kind.build)(&inner)
-}
-
 /// Says which key named the file that could not be read.
 fn at_target(spec: &JobSpec, error: Error) -> Error {
     let key = match (&spec.target.mesh, &spec.target.stack) {
@@ -530,241 +514,6 @@ fn at_target(spec: &JobSpec, error: Error) -> Error {
         }
         other => other,
     }
-}
-
-/// The sum of a job's objectives; `base` is where files begin, `on_grid` whether fields of voxels fit the input's grid.
-fn objectives(
-    spec: &JobSpec,
-    input: &ObjectiveInput<'_>,
-    base: &Path,
-    on_grid: bool,
-) -> Result<Sum<HostField>> {
-    let mut parts: Vec<(f64, Box<dyn Objective<HostField>>)> = Vec::new();
-    for section in spec.objectives()? {
-        let path = section.path.clone();
-        let (common, section) = Common::split(section)?;
-        let mut input = input.clone();
-        if let Some(own) = &common.response {
-            let own = Section::new(format!("{path}.response"), own.clone());
-            input.response = response(own.based(base))?;
-        }
-        let (kind, inner) = section.kind(OBJECTIVES)?;
-        let mut objective = (kind.build)(&inner, &input).map_err(|e| at_section(&inner.path, e))?;
-        let ObjectiveInput {
-            layout,
-            labels,
-            target,
-            ..
-        } = input;
-        let ground = Ground {
-            layout,
-            labels,
-            target,
-            base,
-        };
-        let (weight, knows_tolerance) = (common.weight, common.knows_tolerance());
-        let common = if on_grid {
-            common
-        } else {
-            common.without_fields()
-        };
-        let emphasis = common.emphasis(&ground).map_err(|e| e.under(&path))?;
-        objective.emphasise(&emphasis)?;
-        if on_grid || knows_tolerance {
-            objective
-                .must_be_reached()
-                .map_err(|e| e.under(&inner.path))?;
-        }
-        parts.push((weight, objective));
-    }
-    Sum::new(parts)
-}
-
-/// The sum of a job's penalties.
-fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-    let mut parts = Vec::new();
-    for (i, value) in spec.penalties.iter().enumerate() {
-        let mut section = Section::new(format!("penalties[{i}]"), value.clone());
-        let weight = section
-            .value
-            .as_object_mut()
-            .and_then(|map| map.remove("weight"));
-        let weight = weight.as_ref().and_then(Value::as_f64).ok_or_else(|| {
-            Error::config(
-                format!("penalties[{i}].weight"),
-                weight.map_or("the key is missing".to_owned(), |w| format!("found {w}")),
-                "a number, 0 or more",
-            )
-        })?;
-        let (kind, inner) = section.kind(PENALTIES)?;
-        parts.push((weight, (kind.build)(&inner, lights)?));
-    }
-    Penalties::new(parts)
-}
-
-/// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path) -> Result<()> {
-    let grid = VolumeGrid::centered([4, 4, 4], 0.1);
-    let mut layout = DoseLayout::new("dose", grid.clone(), 0);
-    if cells::key(spec)?.is_some() {
-        let halves = Volume::filled(grid.clone(), 0.5);
-        let cells = Cells::new(&layout, &halves);
-        layout = layout.with_cells(Arc::new(cells));
-    }
-    let target = Target {
-        name: String::new(),
-        // Part and void, so that the bands of both are tried
-        inside: Volume {
-            values: (0..grid.len()).map(|i| (i % 2) as f32).collect(),
-            grid,
-        },
-        grey,
-    };
-    let labels = label_voxels(&target, |_| true);
-    let response = response(Section::new("response", spec.response.clone()).based(base))?;
-    let objective = objectives(
-        spec,
-        &ObjectiveInput {
-            layout: &layout,
-            labels: &labels,
-            target: &target,
-            response: response.clone(),
-        },
-        base,
-        false,
-    )?;
-    solid_at(spec, response.as_ref())?;
-    penalties(spec, &[])?;
-    let is = Are {
-        linear: model.is_linear(),
-        convex: objective.is_convex(),
-    };
-    fit_together(spec, &optimizer(spec)?.needs(), is)?;
-    start(spec)?;
-    // Of a grey target the values are not known yet
-    if asks_for_doses(spec)? && !grey {
-        dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
-    }
-    Ok(())
-}
-
-/// Whether the start asks for the doses with which the material responds as the target wants.
-fn asks_for_doses(spec: &JobSpec) -> Result<bool> {
-    let (kind, _) = Section::new("start", spec.start.clone()).kind(STARTS)?;
-    Ok(!["zero", "patterns"].contains(&kind.name))
-}
-
-/// Refuses a threshold at which no dose makes the resin solid, or every one.
-fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
-    let [low, high] = response.range();
-    match spec.evaluate.threshold {
-        Some(threshold) if threshold <= low || threshold >= high => Err(Error::config(
-            "evaluate.threshold",
-            format!("found {threshold}, but the response goes from {low} to {high}"),
-            "a response between these two",
-        )),
-        _ => Ok(()),
-    }
-}
-
-/// What a job's model and objective are.
-#[derive(Clone, Copy)]
-struct Are {
-    linear: bool,
-    convex: bool,
-}
-
-/// Refuses what an optimiser cannot have beside it, with the key of the other.
-fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
-    let method = format!("optimizer.{}", needs.name);
-    for (reason, is_there, key, other) in [
-        (
-            needs.continuous,
-            spec.bounds.bits.is_some(),
-            "bounds.bits",
-            "rounding in every step",
-        ),
-        (
-            needs.unpenalised,
-            !spec.penalties.is_empty(),
-            "penalties[0]",
-            "penalties",
-        ),
-    ] {
-        if let Some(reason) = reason.filter(|_| is_there) {
-            return Err(Error::config(
-                key,
-                format!("{method} with {other}: {reason}"),
-                "only one of the two",
-            ));
-        }
-    }
-    let not_convex = "an objective and a response that are not convex together";
-    let convex = |needs: &Needs| needs.convex;
-    let linear = |needs: &Needs| needs.linear;
-    let cases: [(Reason, bool, &str); 2] = [
-        (convex, !is.convex, not_convex),
-        (linear, !is.linear, "waves"),
-    ];
-    for (need, is_there, other) in cases {
-        if let Some(reason) = need(needs).filter(|_| is_there) {
-            return Err(Error::config(
-                method,
-                format!("does not go with {other}: {reason}"),
-                methods_without(need),
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// Why a method needs something.
-type Reason = fn(&Needs) -> Option<&'static str>;
-
-/// The optimisers that do not need it.
-fn methods_without(need: Reason) -> String {
-    let needs = |row: &Kind<BuildOptimizer>| {
-        let example: toml::Table = row.example.parse().ok()?;
-        let value = serde_json::to_value(example.get("optimizer")?.get(row.name)?).ok()?;
-        Some((row.build)(&Section::new("optimizer", value)).ok()?.needs())
-    };
-    let names = OPTIMIZERS.iter().filter_map(|row| {
-        let without = need(&needs(row)?).is_none();
-        without.then_some(row.name)
-    });
-    names.collect::<Vec<_>>().join(", ")
-}
-
-/// Refuses goals that count part and void for a target that has none, and the other way round.
-fn counted_as(spec: &JobSpec, grey: bool) -> Result<()> {
-    let (stop, evaluate) = (&spec.stop, &spec.evaluate);
-    let of_part = "counts part and void, but the values of a grey target are to be reproduced";
-    let of_grey = "counts voxels in the bands of a grey target, but this one has part and void";
-    for (key, is_there, found, accepted) in [
-        (
-            "stop.iou",
-            grey && stop.iou.is_some(),
-            of_part,
-            "stop.loss (bclp: 0 when every voxel is in its band) or stop.change",
-        ),
-        (
-            "evaluate.require_iou",
-            grey && evaluate.require_iou.is_some(),
-            of_part,
-            "evaluate.require_in_band, the share of voxels in their bands",
-        ),
-        (
-            "evaluate.require_in_band",
-            !grey && evaluate.require_in_band.is_some(),
-            of_grey,
-            "evaluate.require_iou",
-        ),
-    ] {
-        if is_there {
-            return Err(Error::config(key, found, accepted));
-        }
-    }
-    Ok(())
 }
 
 /// Memory of the frames that are judged at a time, MB.
