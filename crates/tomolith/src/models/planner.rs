@@ -2,7 +2,7 @@
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
 //! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
-//! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
+//! [`orders`] in light of any direction where resin and vial are the same at all heights and no body is in the way, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::dimmed::Dimmed;
@@ -18,7 +18,6 @@ use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
-use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
 use crate::target::Shape;
 use std::borrow::Cow;
@@ -51,6 +50,9 @@ pub struct Setup<'a> {
     pub dose_factor: f64,
 }
 
+/// Why whole voxels are not enough.
+const CUT: &str = "the target's surface cuts voxels into cells";
+
 /// How light becomes dose: what was asked for, or the cheapest that is exact.
 enum Way<'a> {
     Stored(&'a matrix::Params),
@@ -72,7 +74,12 @@ impl Setup<'_> {
     #[must_use]
     pub fn keeps_walks(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> bool {
         let way = || self.way(choice, lights, grid);
-        self.asked_often && matches!(way(), Ok(Way::Optical(Optical::Rays(_))))
+        self.asked_often
+            && match way() {
+                Ok(Way::Optical(Optical::Rays(_))) => true,
+                Ok(Way::Optical(Optical::Orders(_))) => self.beyond_straight(lights).is_some(),
+                _ => false,
+            }
     }
 
     /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
@@ -171,11 +178,6 @@ impl Setup<'_> {
         }
     }
 
-    /// What scatters each light.
-    fn scattering(&self) -> Vec<Option<Scattering>> {
-        self.optics.iter().map(|o| o.scattering.clone()).collect()
-    }
-
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
     pub fn beyond_parallel(&self, lights: &[Light]) -> Option<&'static str> {
@@ -189,8 +191,10 @@ impl Setup<'_> {
     /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
     #[must_use]
     pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
-        self.beyond_straight(lights)
-            .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
+        match self.solid {
+            Some(_) => Some(CUT),
+            None => orders::beyond(self.vial, lights, self.optics, grid),
+        }
     }
 
     /// Why [`Wave`] does not cover it; None when it does.
@@ -202,19 +206,14 @@ impl Setup<'_> {
 
     /// Why [`Parallel`] does not cover its straight light.
     fn beyond_straight(&self, lights: &[Light]) -> Option<&'static str> {
-        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
         if !self.vial.is_invariant() {
             Some("the vial changes along z")
-        } else if any(&|o| !o.projector.is_collimated()) {
-            Some("light is not collimated")
-        } else if any(&|o| o.motion.tilt_rad != 0.0) {
-            Some("light is not normal to the axis")
-        } else if any(&|o| !o.motion.is_symmetric()) {
-            Some("the vial does not turn about its own axis")
-        } else if any(&|o| !o.obstacles.is_empty()) {
+        } else if let Some(reason) = self.optics.iter().find_map(Optics::beyond_level) {
+            Some(reason)
+        } else if self.optics.iter().any(|o| !o.obstacles.is_empty()) {
             Some("bodies stand in the light")
         } else if self.solid.is_some() {
-            Some("the target's surface cuts voxels into cells")
+            Some(CUT)
         } else {
             lights
                 .iter()
@@ -306,8 +305,11 @@ fn straight(
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     match way {
-        Optical::Orders(_) | Optical::Wave(_) | Optical::Spread(_) => {
+        Optical::Wave(_) | Optical::Spread(_) => {
             Ok(Box::new(Parallel::new(setup.vial, lights, grid)?))
+        }
+        Optical::Orders(params) => {
+            orders::unscattered(setup.vial, lights, setup.optics, params, grid)
         }
         Optical::Scatter(params) => {
             let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
@@ -398,9 +400,12 @@ fn optical(
     match way {
         Optical::Scatter(params) => scatter(params),
         Optical::Orders(params) => {
-            let scattering = setup.scattering();
-            let model = orders::model(setup.vial, lights, &scattering, params, grid)?;
-            Ok(Box::new(model))
+            let model = orders::model(setup.vial, lights, setup.optics, params, grid)?;
+            Ok(Box::new(if setup.asked_often {
+                model.keeping()
+            } else {
+                model
+            }))
         }
         Optical::Rays(params) => rays(params),
         Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),

@@ -2,12 +2,16 @@ use super::*;
 use crate::check;
 use crate::check::model::noise;
 use crate::grid::{PatternGrid, Patterns, Volume};
-use crate::models::rays::Optics;
 use crate::models::{DoseModel, scatter};
-use crate::optics::phase::Phase;
+use crate::optics::motion::Motion;
 use crate::optics::phase::henyey_greenstein::HenyeyGreenstein;
 use crate::optics::phase::isotropic::Isotropic;
 use crate::optics::phase::rayleigh::Rayleigh;
+use crate::optics::phase::{Phase, Scattering};
+use crate::optics::projector::Projector;
+use crate::optics::projector::diverging::Diverging;
+use crate::optics::projector::lens::Lens;
+use crate::optics::projector::telecentric::Telecentric;
 use crate::optics::resin::Resin;
 use crate::optics::vial::cylinder::Cylinder;
 use crate::optics::vial::double_tube::DoubleTube;
@@ -24,11 +28,40 @@ fn light(frames: usize, rows: usize, columns: usize, pitch: f64, scattering: f64
     light
 }
 
-fn of(phase: impl Phase + 'static, per_mm: f64) -> Option<Scattering> {
-    Some(Scattering {
-        per_mm,
-        phase: Arc::new(phase),
-    })
+/// Collimated light in a resin that scatters.
+fn of(phase: impl Phase + 'static, per_mm: f64) -> Optics {
+    Optics {
+        scattering: Some(Scattering {
+            per_mm,
+            phase: Arc::new(phase),
+        }),
+        ..clear()
+    }
+}
+
+/// Collimated light in a resin that does not.
+fn clear() -> Optics {
+    Optics::collimated(0.125)
+}
+
+/// The same from cones of this sine of the half angle in air, in focus 0.5 mm before the axis.
+fn telecentric(optics: &Optics, sine: f64) -> Optics {
+    from(
+        optics,
+        Telecentric {
+            pixel_pitch_mm: [0.125; 2],
+            aperture_radius_mm: 40.0 * sine,
+            working_distance_mm: 40.0,
+            focus_mm: 0.5,
+        },
+    )
+}
+
+fn from(optics: &Optics, projector: impl Projector + 'static) -> Optics {
+    Optics {
+        projector: Arc::new(projector),
+        ..optics.clone()
+    }
 }
 
 fn dose(model: &dyn DoseModel<Field = HostField>, x: &[f32]) -> Volume<f32> {
@@ -62,11 +95,15 @@ fn every_vial_and_phase_is_an_exact_pair() {
         ] {
             let grid = VolumeGrid::centered([9, 14, 13], 0.3);
             let params = Params { cell_mm: Some(0.4) };
-            let lights = vec![light(5, 7, 11, 0.3, 0.2), light(3, 7, 11, 0.3, 0.0)];
-            let model = model(vial, lights, &[scattering.clone(), None], &params, grid).unwrap();
-            let found = check::model::model(&model, 3)
-                .unwrap_or_else(|e| panic!("{vial:?} {scattering:?}: {e}"));
-            assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            let cone = telecentric(&scattering, 0.2);
+            for [scatters, clear] in [[scattering, clear()], [cone.clone(), clear()]] {
+                let lights = vec![light(5, 7, 11, 0.3, 0.2), light(3, 7, 11, 0.3, 0.0)];
+                let both = [scatters, clear];
+                let model = model(vial, lights, &both, &params, grid.clone()).unwrap();
+                let found = check::model::model(&model, 3)
+                    .unwrap_or_else(|e| panic!("{vial:?} {both:?}: {e}"));
+                assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            }
         }
     }
 }
@@ -154,6 +191,14 @@ fn difference(a: &Volume<f32>, b: &Volume<f32>) -> (f64, f64) {
     ((squares / count).sqrt() / mean, most / mean)
 }
 
+/// A lens of f/3 that images onto the axis.
+const LENS: Lens = Lens {
+    pixel_pitch_mm: [0.125; 2],
+    aperture_radius_mm: 5.0,
+    distance_mm: 30.0,
+    focus_distance_mm: 30.0,
+};
+
 #[test]
 fn it_agrees_with_random_paths_in_every_vial_and_phase() {
     let vials: [&dyn Vial; 3] = [
@@ -171,40 +216,87 @@ fn it_agrees_with_random_paths_in_every_vial_and_phase() {
     ];
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     for vial in vials {
-        for (scattering, allowed) in [
-            (of(Rayleigh {}, 0.3), 0.01),
+        let rayleigh = of(Rayleigh {}, 0.3);
+        let leaning = Motion {
+            tilt_rad: 0.15,
+            offset_mm: [0.3, -0.2],
+            ..Motion::default()
+        };
+        for (optics, allowed) in [
+            (rayleigh.clone(), 0.01),
             (of(Isotropic {}, 0.3), 0.01),
             (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.01),
+            (telecentric(&rayleigh, 0.1), 0.01),
+            (telecentric(&rayleigh, 0.3), 0.01),
+            (
+                telecentric(&of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.1),
+                0.01,
+            ),
+            (from(&rayleigh, Diverging::new([0.125; 2], 30.0)), 0.01),
+            (from(&rayleigh, LENS), 0.01),
+            (
+                Optics {
+                    motion: leaning,
+                    ..rayleigh.clone()
+                },
+                0.01,
+            ),
         ] {
+            let optics = [optics];
             let light = light(24, 8, 32, 0.125, 0.3);
             // Two bars of light
             let x: Vec<f32> = (0..24 * 32 * 8)
                 .map(|i| if (i / 8) % 16 < 8 { 1.0 } else { 0.0 })
                 .collect();
-            let mut optics = Optics::collimated(0.125);
-            optics.scattering = scattering.clone();
             let params = scatter::Params {
                 paths_per_pixel: 256,
                 smooth: 2,
                 ..Default::default()
             };
-            let lights = [light.clone()];
-            let paths = scatter::model(vial, &lights, &[optics], &params, grid.clone()).unwrap();
+            let lights = [light];
+            let paths = scatter::model(vial, &lights, &optics, &params, grid.clone()).unwrap();
             let own = Params::default();
-            let orders = model(
-                vial,
-                vec![light],
-                std::slice::from_ref(&scattering),
-                &own,
-                grid.clone(),
-            );
-            let orders = orders.unwrap();
+            let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
             let (rms, most) = difference(&dose(&paths, &x), &dose(&orders, &x));
+            println!("{vial:?} {:?} {rms} {most}", optics[0]);
             assert!(
                 rms < allowed && most < 3.0 * allowed,
-                "{vial:?} {scattering:?}: {rms} {most}"
+                "{vial:?} {optics:?}: {rms} {most}"
             );
         }
+    }
+}
+
+#[test]
+fn cones_without_an_opening_are_collimated_light() {
+    let grid = VolumeGrid::centered([16, 32, 32], 0.125);
+    let glass = Cylinder {
+        inner_radius_mm: 2.8,
+        outer_radius_mm: 3.0,
+        refractive_index: 1.55,
+    };
+    for scattering in [of(Rayleigh {}, 0.3), of(HenyeyGreenstein { g: 0.4 }, 0.3)] {
+        let x: Vec<f32> = noise(5, 24 * 32 * 8).iter().map(|v| v.abs()).collect();
+        let doses = |optics: &Optics, rays: usize| {
+            let params = Params {
+                rays_per_pixel: Some(rays),
+                ..Params::default()
+            };
+            let light = || vec![light(24, 8, 32, 0.125, 0.3)];
+            let one = std::slice::from_ref(optics);
+            let whole = model(&glass, light(), one, &params, grid.clone()).unwrap();
+            let straight = unscattered(&glass, light(), one, &params, grid.clone()).unwrap();
+            let (mut whole, straight) = (dose(&whole, &x), dose(straight.as_ref(), &x));
+            let scattered = whole.values.iter_mut().zip(&straight.values);
+            scattered.for_each(|(whole, straight)| *whole -= straight);
+            whole
+        };
+        let expected = doses(&scattering, 1);
+        // An opening too small to see, with rays that are sampled as in any cone
+        let few = difference(&doses(&telecentric(&scattering, 1e-6), 4), &expected);
+        let many = difference(&doses(&telecentric(&scattering, 1e-6), 64), &expected);
+        println!("{few:?} {many:?}");
+        assert!(few.0 < 2e-3 && many.0 < 2e-4, "{few:?} {many:?}");
     }
 }
 
