@@ -420,7 +420,8 @@ mod tests {
     use crate::grid::PatternGrid;
     use crate::kind::Section;
     use crate::optics::motion::Motion;
-    use crate::optics::phase::rayleigh::Rayleigh;
+    use crate::optics::phase::henyey_greenstein::HenyeyGreenstein;
+    use crate::optics::phase::{Phase, Scattering, rayleigh::Rayleigh};
     use crate::optics::resin::Resin;
     use crate::optics::vial::index_matched::IndexMatched;
     use crate::target::Placement;
@@ -549,17 +550,14 @@ mod tests {
         let grid = VolumeGrid::centered([6, 8, 8], 0.15);
         let mut wanted = Volume::filled(grid.clone(), 0u8);
         wanted.values[grid.index(3, 4, 4)] = 1;
-        let pixels = |choice: &Choice, scatters: bool, cone: bool| {
+        let pixels = |phase: Option<Arc<dyn Phase>>, leaning: bool| {
             let mut optics = [Optics::collimated(0.1)];
             let mut light = light();
-            if scatters {
+            if let Some(phase) = phase {
                 light.resin.attenuation_per_mm = 0.5;
-                optics[0].scattering = Some(Scattering {
-                    per_mm: 0.3,
-                    phase: Arc::new(Rayleigh {}),
-                });
+                optics[0].scattering = Some(Scattering { per_mm: 0.3, phase });
             }
-            if cone {
+            if leaning {
                 optics[0].motion.tilt_rad = 0.05;
             }
             let setup = Setup {
@@ -571,26 +569,31 @@ mod tests {
             };
             let lights = vec![light];
             let wanted = Some(&wanted);
-            let plan = plan(choice, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
+            let any = Choice::Cheapest;
+            let plan = plan(&any, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
             (plan.model.patterns()[0].len(), plan.reason)
         };
-        let any = Choice::Cheapest;
-        let (level, _) = pixels(&any, false, false);
-        let (orders, reason) = pixels(&any, true, false);
+        let rayleigh = || Some(Arc::new(Rayleigh {}) as Arc<dyn Phase>);
+        let (level, _) = pixels(None, false);
+        let (orders, reason) = pixels(rayleigh(), false);
         assert!(
             orders == level && reason.starts_with("orders"),
             "{orders} {level} {reason}"
         );
-        let (leaning, _) = pixels(&any, false, true);
-        let (paths, reason) = pixels(&any, true, true);
+        let (leaning, _) = pixels(None, true);
+        let (orders, reason) = pixels(rayleigh(), true);
+        assert!(
+            orders == leaning && reason.starts_with("orders (rays, 4"),
+            "{orders} {leaning} {reason}"
+        );
+        let peaked = Some(Arc::new(HenyeyGreenstein { g: 0.8 }) as Arc<dyn Phase>);
+        let (paths, reason) = pixels(peaked, true);
         assert!(
             paths == leaning && reason.starts_with("rays, 4"),
             "{paths} {leaning} {reason}"
         );
-        assert!(
-            reason.ends_with("the resin scatters and light is not normal to the axis"),
-            "{reason}"
-        );
+        let why = "the resin scatters and much light is scattered into a narrow forward lobe";
+        assert!(reason.ends_with(why), "{reason}");
     }
 
     #[test]

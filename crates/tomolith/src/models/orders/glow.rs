@@ -212,7 +212,7 @@ fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
     )
 }
 
-/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten.
+/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty.
 const MOST_CELLS: usize = 1 << 24;
 
 /// The cells of order 1, and how many of them make one of the later orders.

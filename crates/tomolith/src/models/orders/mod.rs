@@ -1,15 +1,18 @@
 //! The `orders` dose model: a resin that scatters, without random numbers.
 //!
 //! # Model
-//! Straight light is `parallel`, with the total attenuation. What is scattered out of it is followed order by order as a convolution
-//! with the kernel of free flight, on cells much larger than voxels. Light that leaves the resin does not come back.
+//! Straight light is `parallel`, or `rays` where it is not collimated and normal to the axis, with the total attenuation. What is
+//! scattered out of it is followed order by order as a convolution with the kernel of free flight, on cells much larger than voxels.
+//! Light that leaves the resin does not come back.
 //!
 //! # Equation
 //! ```text
 //! dose = A x + I₁·K₁·c(x) + I₂·Σ_{n≥2} K^n·c(x)
 //! ```
-//! A: [`Parallel`]. c: moments of the straight light on cells, by [`Parallel`] with patterns weighted by cos mφ and sin mφ. K: free
-//! flight and scattering (`flight.rs`). I₁, I₂: interpolation from the cells of order 1 and of later orders to voxels.
+//! A: [`Parallel`] or [`Rays`]. c: moments of the straight light on cells: of collimated light by [`Parallel`] with patterns weighted by
+//! cos mφ and sin mφ (`level.rs`), of any other by [`Rays`] whose rays are weighted by harmonics of their direction in the resin
+//! (`cones.rs`). K: free flight and scattering (`flight.rs`). I₁, I₂: interpolation from the cells of order 1 and of later orders to
+//! voxels.
 //!
 //! # Source
 //! docs/scattering.md, eqs. 1 and 2; Chandrasekhar, *Radiative Transfer* (1950), ch. I; forward lobes: Wiscombe, J. Atmos. Sci. 34
@@ -19,14 +22,16 @@
 //! | key | range | default | meaning |
 //! |---|---|---|---|
 //! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius | edge of the cells of order 1 |
+//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow straight light |
 //!
 //! # Limits
-//! Collimated light normal to the axis; a vial that is the same at all heights and whose resin fills a circle or a square; no reflections at
+//! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
 //! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against random paths: docs/scattering.md.
 //!
 //! # Cost
 //! Beside `parallel`: the same on 1/100 to 1/1000 of the voxels, for every harmonic (three for Rayleigh), and Fourier transforms of the
-//! cells of the resin, padded: four of the fine ones, about sixty of the coarse ones.
+//! cells of the resin, padded: four of the fine ones, about sixty of the coarse ones. Beside `rays`: one walk of the larger pixels'
+//! rays through cells for every harmonic, six for Rayleigh and 16 for degree 3, with all rays traced anew in every call.
 //!
 //! # Example
 //! In a resin that scatters, some light reaches heights that no pixel lights:
@@ -121,22 +126,22 @@ pub const KIND: Kind<ChooseModel> = Kind {
 
 /// See the [module page](self).
 pub struct Orders {
-    straight: Straight,
+    straight: OnVoxels,
     /// Of each light that is scattered.
     glows: Vec<Glow>,
 }
 
 /// Straight light on voxels.
-enum Straight {
+enum OnVoxels {
     Level(Parallel),
     Cones(Rays),
 }
 
-impl Straight {
+impl OnVoxels {
     fn operator(&self) -> &dyn LinearOperator<Field = HostField> {
         match self {
-            Straight::Level(parallel) => parallel,
-            Straight::Cones(rays) => rays,
+            OnVoxels::Level(parallel) => parallel,
+            OnVoxels::Cones(rays) => rays,
         }
     }
 }
@@ -195,8 +200,8 @@ pub(crate) fn unscattered(
     grid: VolumeGrid,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     Ok(match straight(vial, lights, optics, params, grid)? {
-        Straight::Level(parallel) => Box::new(parallel),
-        Straight::Cones(rays) => Box::new(rays),
+        OnVoxels::Level(parallel) => Box::new(parallel),
+        OnVoxels::Cones(rays) => Box::new(rays),
     })
 }
 
@@ -206,11 +211,11 @@ fn straight(
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-) -> Result<Straight> {
+) -> Result<OnVoxels> {
     if optics.iter().all(|o| o.beyond_level().is_none()) {
-        return Ok(Straight::Level(Parallel::new(vial, lights, grid)?));
+        return Ok(OnVoxels::Level(Parallel::new(vial, lights, grid)?));
     }
-    by_rays(vial, lights, optics, params, &grid).map(Straight::Cones)
+    by_rays(vial, lights, optics, params, &grid).map(OnVoxels::Cones)
 }
 
 /// Rays of light that is not scattered.
@@ -266,8 +271,8 @@ impl Orders {
     /// Keeps the walks of rays on voxels where they are few, as [`Rays::keeping`].
     #[must_use]
     pub fn keeping(mut self) -> Self {
-        if let Straight::Cones(rays) = self.straight {
-            self.straight = Straight::Cones(rays.keeping());
+        if let OnVoxels::Cones(rays) = self.straight {
+            self.straight = OnVoxels::Cones(rays.keeping());
         }
         self
     }

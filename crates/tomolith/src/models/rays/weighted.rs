@@ -1,6 +1,6 @@
 //! Straight light by direction: the dose of rays that are weighted by a function of their direction in the resin.
 
-use super::segment::Segment;
+use super::segment::{Lattice, Segment};
 use super::{Bundles, Rays};
 use crate::error::Result;
 use crate::field::HostField;
@@ -69,7 +69,7 @@ impl Rays {
     /// The same rays on another grid; without cells of a solid.
     pub(in crate::models) fn on(mut self, grid: VolumeGrid) -> Self {
         self.outputs = vec![DoseLayout::new("dose", grid, 0)];
-        self.lattice = super::Lattice::new(&self.outputs[0]);
+        self.lattice = Lattice::new(&self.outputs[0]);
         self
     }
 
@@ -101,4 +101,65 @@ fn weighted(bundles: &Bundles, weight: &Weight) -> Bundles {
         };
         bundles[axis].iter().map(of_segment).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Field;
+    use crate::grid::PatternGrid;
+    use crate::models::LinearOperator;
+    use crate::models::parallel::Light;
+    use crate::models::rays::{Optics, Params};
+    use crate::optics::motion::Motion;
+    use crate::optics::resin::Resin;
+    use crate::optics::vial::index_matched::IndexMatched;
+
+    #[test]
+    fn a_weight_sees_the_direction_of_the_light_from_every_side() {
+        let grid = VolumeGrid::centered([10, 12, 12], 0.25);
+        let vial = IndexMatched { radius_mm: 2.0 };
+        // Steps along x, y and z
+        for (tilt_rad, azimuth) in [(0.3, 0.4), (0.3, 1.9), (-0.9, 3.5), (0.9, 5.1f64)] {
+            let pixels = PatternGrid {
+                azimuths: vec![azimuth],
+                ..PatternGrid::full_turn(1, 0.0, 1, 1, 0.5)
+            };
+            let optics = Optics {
+                motion: Motion {
+                    tilt_rad,
+                    ..Motion::default()
+                },
+                ..Optics::collimated(0.5)
+            };
+            let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
+            let params = Params::default();
+            let rays = Rays::new(&vial, vec![light], &[optics], &params, grid.clone()).unwrap();
+            let mut x = LinearOperator::new_patterns(&rays).unwrap();
+            x.fill(1.0);
+            let mut weights: Vec<Box<Weight>> = vec![Box::new(|_| 1.0)];
+            for axis in 0..3 {
+                weights.push(Box::new(move |direction| direction[axis]));
+            }
+            let run = Run::new();
+            let mut plain = LinearOperator::new_dose(&rays).unwrap();
+            let mut doses = vec![plain.clone(); 4];
+            rays.add_weighted(0..1, &x, &weights, &mut doses, &run)
+                .unwrap();
+            rays.add_forward(0..1, &x, &mut plain, &run).unwrap();
+            assert_eq!(plain.as_slice(), doses[0].as_slice());
+            let (sin, cos) = tilt_rad.sin_cos();
+            let direction = [-cos * azimuth.cos(), -cos * azimuth.sin(), -sin];
+            for (axis, expected) in direction.into_iter().enumerate() {
+                let found = plain.dot(&doses[1 + axis]) / plain.dot(&plain);
+                assert!((found - expected).abs() < 1e-5, "{azimuth}: {axis} {found}");
+            }
+            let mut grad = LinearOperator::new_patterns(&rays).unwrap();
+            rays.collect_weighted(&doses, &weights, &mut grad, &run)
+                .unwrap();
+            let norm: f64 = doses.iter().map(|dose| dose.dot(dose)).sum();
+            let found = f64::from(grad.as_slice()[0]);
+            assert!((found / norm - 1.0).abs() < 1e-5, "{found} {norm}");
+        }
+    }
 }
