@@ -134,14 +134,14 @@ pub struct Orders {
 /// Straight light on voxels.
 enum OnVoxels {
     Level(Parallel),
-    Cones(Rays),
+    Cones(Box<Rays>),
 }
 
 impl OnVoxels {
     fn operator(&self) -> &dyn LinearOperator<Field = HostField> {
         match self {
             OnVoxels::Level(parallel) => parallel,
-            OnVoxels::Cones(rays) => rays,
+            OnVoxels::Cones(rays) => rays.as_ref(),
         }
     }
 }
@@ -201,7 +201,7 @@ pub(crate) fn unscattered(
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     Ok(match straight(vial, lights, optics, params, grid)? {
         OnVoxels::Level(parallel) => Box::new(parallel),
-        OnVoxels::Cones(rays) => Box::new(rays),
+        OnVoxels::Cones(rays) => rays,
     })
 }
 
@@ -215,7 +215,8 @@ fn straight(
     if optics.iter().all(|o| o.beyond_level().is_none()) {
         return Ok(OnVoxels::Level(Parallel::new(vial, lights, grid)?));
     }
-    by_rays(vial, lights, optics, params, &grid).map(OnVoxels::Cones)
+    let rays = by_rays(vial, lights, optics, params, &grid)?;
+    Ok(OnVoxels::Cones(Box::new(rays)))
 }
 
 /// Rays of light that is not scattered.
@@ -272,7 +273,7 @@ impl Orders {
     #[must_use]
     pub fn keeping(mut self) -> Self {
         if let OnVoxels::Cones(rays) = self.straight {
-            self.straight = OnVoxels::Cones(rays.keeping());
+            self.straight = OnVoxels::Cones(Box::new(rays.keeping()));
         }
         self
     }
