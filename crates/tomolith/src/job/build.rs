@@ -163,7 +163,7 @@ impl Optics {
     }
 
     /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
-    /// where light is scattered.
+    /// where scattered light is followed by random ones.
     pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
         let mut model = self.model.clone();
         let setup = self.setup();
