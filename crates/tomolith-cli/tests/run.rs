@@ -498,6 +498,22 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
 }
 
 #[test]
+fn scattered_light_of_cones_is_held_against_random_paths() {
+    let bench = Bench::new();
+    let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
+    let line = format!("run job.toml -o cone --set resin.scattering_per_mm=0.2 --set {cone}");
+    bench.expect(0, &line);
+    let report = json(&bench.path("cone/report.json"));
+    let models = report["run"]["models"].to_string();
+    assert!(models.contains("orders (rays, 4 per pixel"), "{models}");
+    let found = &report["published"]["orders"];
+    for place in ["part", "void"] {
+        let error = found[place].as_f64().unwrap();
+        assert!(error > 0.0 && error < 0.02, "{found}");
+    }
+}
+
+#[test]
 fn check_tells_the_plan_and_changes_nothing() {
     let bench = Bench::new();
     let said = bench.expect(0, "check job.toml");

@@ -190,21 +190,20 @@ fn scattering(bench: &Bench, file: &Path) -> Result<(), Box<dyn Error>> {
         phase: Arc::new(Isotropic {}),
     };
     let grid = || bench.grid.clone();
-    let some = [Some(scattering.clone())];
+    let mut optics = [Optics::collimated(PITCH_MM)];
+    optics[0].scattering = Some(scattering);
     let orders = orders::model(
         vial.as_ref(),
         vec![light.clone()],
-        &some,
+        &optics,
         &orders::Params::default(),
         grid(),
     )?;
-    let mut optics = Optics::collimated(PITCH_MM);
-    optics.scattering = Some(scattering);
     let params = scatter::Params {
         paths_per_pixel: 16,
         ..scatter::Params::default()
     };
-    let paths = scatter::model(vial.as_ref(), &[light], &[optics], &params, grid())?;
+    let paths = scatter::model(vial.as_ref(), &[light], &optics, &params, grid())?;
     let case = "im_mu0.3_albedo0.5_isotropic";
     print(
         case,

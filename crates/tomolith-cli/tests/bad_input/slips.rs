@@ -668,6 +668,12 @@ pub(super) const WRONG: &[Wrong] = &[
         "rays_per",
         &["model.rays.rays_per_pixel", "1 to 4096"],
     ),
+    (
+        "[stop]",
+        "[model.orders]\nrays_per_pixel = 5000\n[stop]",
+        "rays_per",
+        &["model.orders.rays_per_pixel", "1 to 4096"],
+    ),
     // A model that does not cover the optics
     (
         "[stop]",

@@ -15,7 +15,7 @@ use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume};
 use crate::models::orders;
-use crate::models::parallel::{Light, Parallel};
+use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::models::{Choice, DoseModel, Run, scatter};
 use crate::optics::random::Stream;
@@ -59,19 +59,17 @@ impl Agreement {
         patterns: &[Patterns],
         cancel: &Run,
     ) -> Result<Option<Self>> {
-        let params = match scene.optics.model_for(1, &scene.grid) {
-            Choice::Orders(params) => params,
-            Choice::Cheapest if scene.optics.setup().scatters() => orders::Params::default(),
-            _ => return Ok(None),
+        let Choice::Orders(params) = scene.optics.model_for(1, &scene.grid) else {
+            return Ok(None);
         };
         let setup = scene.optics.setup();
         let grid = || scene.grid.clone();
         let lights = lit(scene, patterns);
-        let scattering: Vec<_> = setup.optics.iter().map(|o| o.scattering.clone()).collect();
-        let whole = orders::model(setup.vial, lights.clone(), &scattering, &params, grid())?;
+        let (vial, optics) = (setup.vial, setup.optics);
+        let whole = orders::model(vial, lights.clone(), optics, &params, grid())?;
         let whole = dose(&whole, patterns, cancel)?;
-        let straight = Parallel::new(setup.vial, lights, grid())?;
-        let by_orders = less(&whole, &dose(&straight, patterns, cancel)?);
+        let straight = orders::unscattered(vial, lights, optics, &params, grid())?;
+        let by_orders = less(&whole, &dose(straight.as_ref(), patterns, cancel)?);
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed);
@@ -84,9 +82,9 @@ impl Agreement {
                 seed,
                 ..scatter::Params::default()
             };
-            let model = scatter::model(setup.vial, &lights, setup.optics, &params, grid())?;
+            let model = scatter::model(vial, &lights, optics, &params, grid())?;
             let all = dose(&model, &sample, cancel)?;
-            let model = scatter::straight(setup.vial, &lights, setup.optics, &params, grid())?;
+            let model = scatter::straight(vial, &lights, optics, &params, grid())?;
             Ok(less(&all, &dose(&model, &sample, cancel)?))
         };
         let estimates = [by_paths(1)?, by_paths(2)?];

@@ -11,7 +11,7 @@ use crate::kind::Section;
 use crate::models::parallel::{Kernel, Light};
 use crate::models::planner::Setup;
 use crate::models::selection::Selection;
-use crate::models::{Choice, MODELS, rays, scatter};
+use crate::models::{Choice, MODELS, orders, rays, scatter};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::Gradient;
 use crate::optics::motion::Motion;
@@ -163,20 +163,25 @@ impl Optics {
     }
 
     /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
-    /// where light is scattered.
+    /// where scattered light is followed by random ones.
     pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
         let mut model = self.model.clone();
         let setup = self.setup();
         if matches!(model, Choice::Cheapest) {
             if setup.scatters() && setup.beyond_orders(&self.lights, grid).is_some() {
                 model = Choice::Scatter(scatter::Params::default());
-            } else if !setup.scatters() && setup.beyond_parallel(&self.lights).is_some() {
+            } else if setup.scatters() {
+                model = Choice::Orders(orders::Params::default());
+            } else if setup.beyond_parallel(&self.lights).is_some() {
                 model = Choice::Rays(rays::Params::default());
             }
         }
         match &mut model {
             Choice::Rays(params) => {
                 params.rays_per_pixel = Some(params.rays(false) * refine * refine);
+            }
+            Choice::Orders(params) => {
+                params.rays_per_pixel = Some(params.rays() * refine * refine);
             }
             Choice::Scatter(params) => *params = params.for_judging(),
             _ => {}

@@ -2,7 +2,7 @@
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
 //! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
-//! [`orders`] under the same conditions, else [`scatter`]. A job may ask for one
+//! [`orders`] in light of any direction where resin and vial are the same at all heights and no body is in the way, else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::dimmed::Dimmed;
@@ -18,7 +18,6 @@ use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::csr::Csr;
-use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
 use crate::target::Shape;
 use std::borrow::Cow;
@@ -51,6 +50,9 @@ pub struct Setup<'a> {
     pub dose_factor: f64,
 }
 
+/// Why whole voxels are not enough.
+const CUT: &str = "the target's surface cuts voxels into cells";
+
 /// How light becomes dose: what was asked for, or the cheapest that is exact.
 enum Way<'a> {
     Stored(&'a matrix::Params),
@@ -72,7 +74,12 @@ impl Setup<'_> {
     #[must_use]
     pub fn keeps_walks(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> bool {
         let way = || self.way(choice, lights, grid);
-        self.asked_often && matches!(way(), Ok(Way::Optical(Optical::Rays(_))))
+        self.asked_often
+            && match way() {
+                Ok(Way::Optical(Optical::Rays(_))) => true,
+                Ok(Way::Optical(Optical::Orders(_))) => self.beyond_straight(lights).is_some(),
+                _ => false,
+            }
     }
 
     /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
@@ -188,11 +195,6 @@ impl Setup<'_> {
         }
     }
 
-    /// What scatters each light.
-    fn scattering(&self) -> Vec<Option<Scattering>> {
-        self.optics.iter().map(|o| o.scattering.clone()).collect()
-    }
-
     /// Why [`Parallel`] does not cover it; None when it does.
     #[must_use]
     pub fn beyond_parallel(&self, lights: &[Light]) -> Option<&'static str> {
@@ -206,8 +208,10 @@ impl Setup<'_> {
     /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
     #[must_use]
     pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
-        self.beyond_straight(lights)
-            .or_else(|| orders::beyond(self.vial, lights, &self.scattering(), grid))
+        match self.solid {
+            Some(_) => Some(CUT),
+            None => orders::beyond(self.vial, lights, self.optics, grid),
+        }
     }
 
     /// Why [`Wave`] does not cover it; None when it does.
@@ -219,19 +223,14 @@ impl Setup<'_> {
 
     /// Why [`Parallel`] does not cover its straight light.
     fn beyond_straight(&self, lights: &[Light]) -> Option<&'static str> {
-        let any = |f: &dyn Fn(&Optics) -> bool| self.optics.iter().any(f);
         if !self.vial.is_invariant() {
             Some("the vial changes along z")
-        } else if any(&|o| !o.projector.is_collimated()) {
-            Some("light is not collimated")
-        } else if any(&|o| o.motion.tilt_rad != 0.0) {
-            Some("light is not normal to the axis")
-        } else if any(&|o| !o.motion.is_symmetric()) {
-            Some("the vial does not turn about its own axis")
-        } else if any(&|o| !o.obstacles.is_empty()) {
+        } else if let Some(reason) = self.optics.iter().find_map(Optics::beyond_level) {
+            Some(reason)
+        } else if self.optics.iter().any(|o| !o.obstacles.is_empty()) {
             Some("bodies stand in the light")
         } else if self.solid.is_some() {
-            Some("the target's surface cuts voxels into cells")
+            Some(CUT)
         } else {
             lights
                 .iter()
@@ -323,8 +322,11 @@ fn straight(
     solid: Option<&Arc<Solid>>,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     match way {
-        Optical::Orders(_) | Optical::Wave(_) | Optical::Spread(_) => {
+        Optical::Wave(_) | Optical::Spread(_) => {
             Ok(Box::new(Parallel::new(setup.vial, lights, grid)?))
+        }
+        Optical::Orders(params) => {
+            orders::unscattered(setup.vial, lights, setup.optics, params, grid)
         }
         Optical::Scatter(params) => {
             let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
@@ -415,9 +417,12 @@ fn optical(
     match way {
         Optical::Scatter(params) => scatter(params),
         Optical::Orders(params) => {
-            let scattering = setup.scattering();
-            let model = orders::model(setup.vial, lights, &scattering, params, grid)?;
-            Ok(Box::new(model))
+            let model = orders::model(setup.vial, lights, setup.optics, params, grid)?;
+            Ok(Box::new(if setup.asked_often {
+                model.keeping()
+            } else {
+                model
+            }))
         }
         Optical::Rays(params) => rays(params),
         Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),
@@ -432,7 +437,8 @@ mod tests {
     use crate::grid::PatternGrid;
     use crate::kind::Section;
     use crate::optics::motion::Motion;
-    use crate::optics::phase::rayleigh::Rayleigh;
+    use crate::optics::phase::henyey_greenstein::HenyeyGreenstein;
+    use crate::optics::phase::{Phase, Scattering, rayleigh::Rayleigh};
     use crate::optics::resin::Resin;
     use crate::optics::vial::index_matched::IndexMatched;
     use crate::target::Placement;
@@ -559,42 +565,44 @@ mod tests {
         let grid = VolumeGrid::centered([6, 8, 8], 0.15);
         let mut wanted = Volume::filled(grid.clone(), 0u8);
         wanted.values[grid.index(3, 4, 4)] = 1;
-        let pixels = |choice: &Choice, scatters: bool, cone: bool| {
+        let pixels = |phase: Option<Arc<dyn Phase>>, leaning: bool| {
             let mut optics = [Optics::collimated(0.1)];
             let mut light = light();
-            if scatters {
+            if let Some(phase) = phase {
                 light.resin.attenuation_per_mm = 0.5;
-                optics[0].scattering = Some(Scattering {
-                    per_mm: 0.3,
-                    phase: Arc::new(Rayleigh {}),
-                });
+                optics[0].scattering = Some(Scattering { per_mm: 0.3, phase });
             }
-            if cone {
+            if leaning {
                 optics[0].motion.tilt_rad = 0.05;
             }
             let setup = setup(&optics, None);
             let lights = vec![light];
             let wanted = Some(&wanted);
-            let plan = plan(choice, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
+            let any = Choice::Cheapest;
+            let plan = plan(&any, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
             (plan.model.patterns()[0].len(), plan.reason)
         };
-        let any = Choice::Cheapest;
-        let (level, _) = pixels(&any, false, false);
-        let (orders, reason) = pixels(&any, true, false);
+        let rayleigh = || Some(Arc::new(Rayleigh {}) as Arc<dyn Phase>);
+        let (level, _) = pixels(None, false);
+        let (orders, reason) = pixels(rayleigh(), false);
         assert!(
             orders == level && reason.starts_with("orders"),
             "{orders} {level} {reason}"
         );
-        let (leaning, _) = pixels(&any, false, true);
-        let (paths, reason) = pixels(&any, true, true);
+        let (leaning, _) = pixels(None, true);
+        let (orders, reason) = pixels(rayleigh(), true);
+        assert!(
+            orders == leaning && reason.starts_with("orders (rays, 4"),
+            "{orders} {leaning} {reason}"
+        );
+        let peaked = Some(Arc::new(HenyeyGreenstein { g: 0.8 }) as Arc<dyn Phase>);
+        let (paths, reason) = pixels(peaked, true);
         assert!(
             paths == leaning && reason.starts_with("rays, 4"),
             "{paths} {leaning} {reason}"
         );
-        assert!(
-            reason.ends_with("the resin scatters and light is not normal to the axis"),
-            "{reason}"
-        );
+        let why = "the resin scatters and much light is scattered into a narrow forward lobe";
+        assert!(reason.ends_with(why), "{reason}");
     }
 
     #[test]

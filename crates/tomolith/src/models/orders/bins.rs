@@ -78,6 +78,11 @@ impl Bins {
         (bins, light)
     }
 
+    /// (Frame, column) pairs of the pixels.
+    pub(super) fn slots(&self) -> usize {
+        self.pixels.runs.len()
+    }
+
     /// Lowest and highest edge of what is lit, mm.
     pub(super) fn heights_mm(&self) -> [f64; 2] {
         let grid = &self.layout.grid;

@@ -2,8 +2,9 @@
 
 use super::convolver::{Convolver, Kernel, Spectrum};
 use super::flight::{Flight, Pattern};
-use super::glow::{Folded, level};
+use super::glow::Folded;
 use super::harmonics::Harmonic;
+use super::straight::Channel;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::models::DoseLayout;
@@ -40,6 +41,8 @@ struct Moment {
     harmonic: Harmonic,
     /// μ_s·f_l, 1/mm.
     scattered: f32,
+    /// Of straight light: the channel that tells it, and its scattered part of that field; None where it is 0.
+    straight: Option<(usize, f32)>,
 }
 
 /// Fields of all moments.
@@ -48,7 +51,7 @@ type Moments = Vec<Vec<f32>>;
 impl Far {
     pub(super) fn new(
         vial: &dyn Vial,
-        folded: &Folded,
+        (folded, channels): (&Folded, &[Channel]),
         mu: f64,
         near: &DoseLayout,
         factor: usize,
@@ -69,9 +72,17 @@ impl Far {
         let moments: Vec<Moment> = folded
             .harmonics()
             .into_iter()
-            .map(|harmonic| Moment {
-                harmonic,
-                scattered: (folded.per_mm * folded.coefficients[harmonic.l]) as f32,
+            .map(|harmonic| {
+                let scattered = (folded.per_mm * folded.coefficients[harmonic.l]) as f32;
+                let told = |(i, channel): (usize, &Channel)| {
+                    let weight = channel.weight(harmonic)?;
+                    Some((i, scattered * weight as f32))
+                };
+                Moment {
+                    harmonic,
+                    scattered,
+                    straight: channels.iter().enumerate().find_map(told),
+                }
             })
             .collect();
         let mut patterns = Vec::new();
@@ -215,25 +226,20 @@ impl Far {
             .collect()
     }
 
-    /// dose += light scattered twice or more, of this straight light by order of its azimuth
-    pub(super) fn add_forward(&self, sources: &[(isize, HostField)], dose: &mut [f32]) {
-        let fields: Vec<(isize, Vec<f32>)> = sources
-            .iter()
-            .map(|(m, source)| (*m, self.restrict(source.as_slice())))
+    /// dose += light scattered twice or more, of these fields of straight light
+    pub(super) fn add_forward(&self, sources: &[HostField], dose: &mut [f32]) {
+        let fields: Vec<Vec<f32>> = (sources.iter())
+            .map(|source| self.restrict(source.as_slice()))
             .collect();
         let spectra: Vec<Spectrum> = self
             .moments
             .iter()
             .map(|moment| {
-                let source = fields.iter().find(|(m, _)| *m == moment.harmonic.m);
-                let weight = moment.scattered * level(moment.harmonic) as f32;
-                source.map_or_else(
-                    || self.no_spectrum(),
-                    |(_, field)| {
-                        let field: Vec<f32> = field.iter().map(|v| weight * v).collect();
-                        self.convolver.transform(&field)
-                    },
-                )
+                let Some((channel, weight)) = moment.straight else {
+                    return self.no_spectrum();
+                };
+                let field: Vec<f32> = fields[channel].iter().map(|v| weight * v).collect();
+                self.convolver.transform(&field)
             })
             .collect();
         let mut moments = self.fly(&spectra, self.moments.len());
@@ -250,7 +256,7 @@ impl Far {
         self.coarse.spread(&sum, dose);
     }
 
-    /// Transpose of [`add_forward`](Self::add_forward): what each order of the azimuth gets.
+    /// Transpose of [`add_forward`](Self::add_forward): what each field of straight light gets.
     pub(super) fn adjoint(&self, cotangent: &[f32]) -> Back<'_> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
@@ -320,13 +326,12 @@ pub(super) struct Back<'a> {
 }
 
 impl Back<'_> {
-    /// Adds what belongs to one order of the azimuth.
-    pub(super) fn add_to(&self, m: isize, near: &mut [f32]) {
+    /// Adds what belongs to one channel.
+    pub(super) fn add_to(&self, channel: usize, near: &mut [f32]) {
         let far = self.far;
         let mut sum = vec![0.0; far.coarse.layout.len()];
         for (moment, field) in far.moments.iter().zip(&self.moments) {
-            if moment.harmonic.m == m {
-                let weight = moment.scattered * level(moment.harmonic) as f32;
+            if let Some((_, weight)) = moment.straight.filter(|(own, _)| *own == channel) {
                 sum.iter_mut()
                     .zip(field)
                     .for_each(|(sum, value)| *sum += weight * value);

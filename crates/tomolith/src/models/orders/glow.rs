@@ -1,21 +1,25 @@
 //! The scattered part of one light: straight light on cells, and what becomes of it.
 
-use super::Params;
 use super::bins::Bins;
+use super::cones::Cones;
 use super::convolver::{Convolver, Kernel};
 use super::far::Far;
 use super::flight::{Flight, Pattern};
 use super::harmonics::{Harmonic, coefficients};
+use super::level::Level;
+use super::straight::{Channel, Straight};
+use super::{Params, by_rays};
 use crate::error::{Error, Result};
+use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::models::coarse::Coarse;
-use crate::models::parallel::{Light, Parallel};
-use crate::models::{DoseLayout, LinearOperator, Run};
+use crate::models::parallel::Light;
+use crate::models::rays::Optics;
+use crate::models::{DoseLayout, Run};
 use crate::optics::phase::Scattering;
-use crate::optics::trace::Tracer;
 use crate::optics::vial::Vial;
 use realfft::num_complex::Complex;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// A phase function by harmonics, its forward lobe folded into the straight light.
@@ -62,24 +66,15 @@ impl Folded {
     }
 }
 
-/// One harmonic of the azimuth of straight light.
-pub(super) struct Channel {
-    pub(super) m: isize,
-    /// cos mφ, or sin |m|φ for m < 0, of each (frame, column).
-    weights: Vec<f32>,
-    /// From its straight light to the dose of order 1.
-    kernel: Kernel,
-}
-
 /// See the [module page](self).
 pub(super) struct Glow {
     /// Where this light's pixels lie in a pattern field, and its frames among all.
     pixels: Range<usize>,
     frames: Range<usize>,
-    bins: Bins,
-    /// Straight light of bins on cells.
-    straight: Parallel,
-    channels: Vec<Channel>,
+    /// Straight light on cells.
+    straight: Box<dyn Straight>,
+    /// Of each of its fields: to the dose of order 1.
+    kernels: Vec<Kernel>,
     convolver: Convolver,
     /// From the cells of order 1 to voxels.
     coarse: Coarse,
@@ -87,9 +82,10 @@ pub(super) struct Glow {
 }
 
 impl Glow {
+    /// Of a light and its optics, None where `parallel` follows it; with the place of its pixels and frames among all.
     pub(super) fn new(
         vial: &dyn Vial,
-        light: Light,
+        (light, cone): (Light, Option<&Optics>),
         folded: &Folded,
         params: &Params,
         fine: &DoseLayout,
@@ -97,8 +93,12 @@ impl Glow {
     ) -> Result<Self> {
         let edge = cell_edge(vial, folded, params);
         let (bins, binned) = Bins::new(&light, edge);
+        let rays = |optics| by_rays(vial, vec![binned.clone()], &[optics], params, &fine.grid);
+        let rays = cone.cloned().map(rays).transpose()?;
+        let lit = rays.as_ref();
+        let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
         let mu = light.resin.attenuation_per_mm;
-        let cells = Cells::new(vial, (edge, mu), bins.heights_mm(), &fine.grid);
+        let cells = Cells::new(vial, (edge, mu), lit, &fine.grid);
         cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
@@ -107,36 +107,33 @@ impl Glow {
             mu,
             edge: cells.grid.pitch_mm,
         };
-        let azimuths = azimuths(vial, &light);
-        let turns = orders_of_azimuth(folded);
-        let patterns: Vec<Pattern> = turns.iter().map(|&m| order_one(folded, m)).collect();
-        let octants = flight.octants(&patterns, [nx, ny, nz]);
-        let channels = turns
-            .into_iter()
-            .zip(octants.iter().zip(&patterns))
-            .map(|(m, (octant, pattern))| Channel {
-                m,
-                weights: azimuths.iter().map(|&phi| around(m, phi) as f32).collect(),
-                kernel: convolver.kernel(octant, pattern.parities()),
-            })
-            .collect();
-        let far = Far::new(vial, folded, mu, &layout, cells.factor, fine);
         let frames = first_frame..first_frame + light.pixels.frames();
         let len = light.layout(0).len();
+        let straight: Box<dyn Straight> = match rays {
+            Some(rays) => Box::new(Cones::new(bins, rays.on(cells.grid.clone()), folded)),
+            None => {
+                let grid = cells.grid.clone();
+                Box::new(Level::new(vial, &light, (bins, binned), folded, grid)?)
+            }
+        };
+        let channels = straight.channels();
+        let patterns: Vec<Pattern> = channels.iter().map(|c| order_one(folded, c)).collect();
+        let octants = flight.octants(&patterns, [nx, ny, nz]);
+        let kernels = octants.iter().zip(&patterns);
+        let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
         Ok(Glow {
             pixels: offset..offset + len,
             frames,
-            straight: Parallel::new(vial, vec![binned], cells.grid.clone())?,
-            bins,
-            channels,
+            kernels: kernels.collect(),
+            far: Far::new(vial, (folded, channels), mu, &layout, cells.factor, fine),
+            straight,
             convolver,
             coarse: Coarse::of_grid(cells.grid, fine),
-            far,
         })
     }
 
     pub(super) fn updates(&self) -> u64 {
-        self.channels.len() as u64 * LinearOperator::updates(&self.straight)
+        self.straight.updates()
     }
 
     pub(super) fn describe(&self) -> String {
@@ -162,18 +159,11 @@ impl Glow {
         if own.is_empty() {
             return Ok(());
         }
-        let x = &x[self.pixels.clone()];
+        let sources = self.straight.fields(own, &x[self.pixels.clone()], run)?;
         let mut once = vec![Complex::new(0.0, 0.0); self.convolver.len()];
-        let mut sources = Vec::new();
-        let mut weighted = LinearOperator::new_patterns(&self.straight)?;
-        for channel in &self.channels {
-            self.bins.fill(x, &channel.weights, weighted.as_mut_slice());
-            let mut source = LinearOperator::new_dose(&self.straight)?;
-            self.straight
-                .add_forward(own.clone(), &weighted, &mut source, run)?;
+        for (kernel, source) in self.kernels.iter().zip(&sources) {
             let spectrum = self.convolver.transform(source.as_slice());
-            channel.kernel.add(&spectrum, false, &mut once);
-            sources.push((channel.m, source));
+            kernel.add(&spectrum, false, &mut once);
         }
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.convolver.add_field(once, 1.0, &mut cells);
@@ -188,85 +178,29 @@ impl Glow {
         self.coarse.gather(cotangent, &mut cells);
         let once = self.convolver.transform(&cells);
         let far = self.far.adjoint(cotangent);
-        let grad = &mut grad[self.pixels.clone()];
-        let mut own = LinearOperator::new_patterns(&self.straight)?;
-        for channel in &self.channels {
+        let source = |(channel, kernel): (usize, &Kernel)| {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
-            channel.kernel.add(&once, true, &mut sum);
-            let mut source = LinearOperator::new_dose(&self.straight)?;
+            kernel.add(&once, true, &mut sum);
+            let mut source = HostField::zeros(self.coarse.layout.len());
             self.convolver.add_field(sum, 1.0, source.as_mut_slice());
-            far.add_to(channel.m, source.as_mut_slice());
-            self.straight.adjoint(&source, &mut own, run)?;
-            self.bins.add_back(own.as_slice(), &channel.weights, grad);
-        }
-        Ok(())
+            far.add_to(channel, source.as_mut_slice());
+            source
+        };
+        let sources: Vec<HostField> = self.kernels.iter().enumerate().map(source).collect();
+        let grad = &mut grad[self.pixels.clone()];
+        self.straight.add_adjoint(&sources, grad, run)
     }
 }
 
-/// cos mφ, or sin |m|φ for m < 0.
-fn around(m: isize, phi: f64) -> f64 {
-    if m < 0 {
-        (m.unsigned_abs() as f64 * phi).sin()
-    } else {
-        (m as f64 * phi).cos()
-    }
-}
-
-/// Orders m of the azimuth that straight light normal to the axis has.
-fn orders_of_azimuth(folded: &Folded) -> Vec<isize> {
-    let mut orders: Vec<isize> = Vec::new();
-    for harmonic in folded.harmonics() {
-        if level(harmonic) != 0.0 && !orders.contains(&harmonic.m) {
-            orders.push(harmonic.m);
-        }
-    }
-    orders
-}
-
-/// A harmonic in the plane z = 0, over cos mφ or sin |m|φ.
-pub(super) fn level(harmonic: Harmonic) -> f64 {
-    if (harmonic.l + harmonic.m.unsigned_abs()) % 2 == 1 {
-        return 0.0;
-    }
-    let phi = if harmonic.m < 0 {
-        FRAC_PI_2 / harmonic.m.unsigned_abs() as f64
-    } else {
-        0.0
-    };
-    harmonic.at([phi.cos(), phi.sin(), 0.0])
-}
-
-/// What turns the straight dose of one order of the azimuth into the dose of light scattered once.
-fn order_one(folded: &Folded, m: isize) -> Pattern {
+/// What turns a field of straight light into the dose of light scattered once.
+fn order_one(folded: &Folded, Channel(terms): &Channel) -> Pattern {
     let zero = Harmonic { l: 0, m: 0 };
     let fluence = (4.0 * PI).sqrt() * folded.per_mm;
-    let terms = folded
-        .harmonics()
-        .into_iter()
-        .filter(|h| h.m == m && level(*h) != 0.0)
-        .map(|h| (fluence * folded.coefficients[h.l] * level(h), zero, h));
-    Pattern(terms.collect())
-}
-
-/// The azimuth of light in the resin, of each (frame, column); 0 where none arrives.
-fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
-    let tracer = Tracer::new(
-        vial,
-        light.resin,
-        light.surrounding_index,
-        light.polarisation,
-    )
-    .in_bath(light.bath);
-    let pixels = &light.pixels;
-    (0..pixels.frames() * pixels.columns)
-        .map(|i| {
-            let (frame, column) = (i / pixels.columns, i % pixels.columns);
-            let path = tracer.trace(pixels.column_u(column), pixels.azimuths[frame]);
-            path.legs
-                .first()
-                .map_or(0.0, |leg| leg.direction[1].atan2(leg.direction[0]))
-        })
-        .collect()
+    let scattered = |&(h, weight): &(Harmonic, f64)| {
+        let strength = fluence * folded.coefficients[h.l] * weight;
+        (strength, zero, h)
+    };
+    Pattern(terms.iter().map(scattered).collect())
 }
 
 /// Edge of the cells of order 1, mm.
@@ -278,7 +212,7 @@ fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
     )
 }
 
-/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten.
+/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty.
 const MOST_CELLS: usize = 1 << 24;
 
 /// The cells of order 1, and how many of them make one of the later orders.

@@ -1,15 +1,18 @@
 //! The `orders` dose model: a resin that scatters, without random numbers.
 //!
 //! # Model
-//! Straight light is `parallel`, with the total attenuation. What is scattered out of it is followed order by order as a convolution
-//! with the kernel of free flight, on cells much larger than voxels. Light that leaves the resin does not come back.
+//! Straight light is `parallel`, or `rays` where it is not collimated and normal to the axis, with the total attenuation. What is
+//! scattered out of it is followed order by order as a convolution with the kernel of free flight, on cells much larger than voxels.
+//! Light that leaves the resin does not come back.
 //!
 //! # Equation
 //! ```text
 //! dose = A x + I₁·K₁·c(x) + I₂·Σ_{n≥2} K^n·c(x)
 //! ```
-//! A: [`Parallel`]. c: moments of the straight light on cells, by [`Parallel`] with patterns weighted by cos mφ and sin mφ. K: free
-//! flight and scattering (`flight.rs`). I₁, I₂: interpolation from the cells of order 1 and of later orders to voxels.
+//! A: [`Parallel`] or [`Rays`]. c: moments of the straight light on cells: of collimated light by [`Parallel`] with patterns weighted by
+//! cos mφ and sin mφ (`level.rs`), of any other by [`Rays`] whose rays are weighted by harmonics of their direction in the resin
+//! (`cones.rs`). K: free flight and scattering (`flight.rs`). I₁, I₂: interpolation from the cells of order 1 and of later orders to
+//! voxels.
 //!
 //! # Source
 //! docs/scattering.md, eqs. 1 and 2; Chandrasekhar, *Radiative Transfer* (1950), ch. I; forward lobes: Wiscombe, J. Atmos. Sci. 34
@@ -19,14 +22,16 @@
 //! | key | range | default | meaning |
 //! |---|---|---|---|
 //! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius | edge of the cells of order 1 |
+//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow straight light |
 //!
 //! # Limits
-//! Collimated light normal to the axis; a vial that is the same at all heights and whose resin fills a circle or a square; no reflections at
+//! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
 //! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against random paths: docs/scattering.md.
 //!
 //! # Cost
 //! Beside `parallel`: the same on 1/100 to 1/1000 of the voxels, for every harmonic (three for Rayleigh), and Fourier transforms of the
-//! cells of the resin, padded: four of the fine ones, about sixty of the coarse ones.
+//! cells of the resin, padded: four of the fine ones, about sixty of the coarse ones. Beside `rays`: one walk of the larger pixels'
+//! rays through cells for every harmonic, six for Rayleigh and 16 for degree 3, with all rays traced anew in every call.
 //!
 //! # Example
 //! In a resin that scatters, some light reaches heights that no pixel lights:
@@ -53,19 +58,24 @@
 //! ```
 
 mod bins;
+mod cones;
 mod convolver;
 mod far;
 mod flight;
 mod glow;
 mod harmonics;
+mod level;
+mod straight;
 
-use super::parallel::{Light, Parallel};
-use super::{Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling};
+use super::parallel::{self, Light, Parallel};
+use super::rays::{self, Optics, Rays};
+use super::{
+    Choice, ChooseModel, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling,
+};
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::kind::Kind;
-use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
 use glow::{Folded, Glow};
 use schemars::JsonSchema;
@@ -78,22 +88,37 @@ use std::ops::Range;
 pub struct Params {
     /// Edge of the cells on which light scattered once is computed, mm; later orders use larger ones.
     pub cell_mm: Option<f64>,
+    /// Rays of a pixel in a frame, 1 to 4096, where light is not collimated and normal to the axis; 4 (default).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rays_per_pixel: Option<usize>,
+}
+
+impl Params {
+    /// Rays of a pixel in a frame.
+    pub(crate) fn rays(&self) -> usize {
+        self.rays_per_pixel.unwrap_or(4)
+    }
 }
 
 /// Row of [`MODELS`](super::MODELS).
 pub const KIND: Kind<ChooseModel> = Kind {
     name: "orders",
-    summary: "Collimated light in a resin that scatters, order by order: convolutions instead of random paths.",
+    summary: "Light in an even resin that scatters, order by order: convolutions instead of random paths.",
     example: "[model.orders]\ncell_mm = 0.2\n",
     schema: || schemars::schema_for!(Params),
     build: |section| {
         let params: Params = section.parse()?;
+        let refused = |key: &str, found: String, accepted: &str| {
+            let key = format!("{}.{key}", section.path);
+            Err(Error::config(key, format!("found {found}"), accepted))
+        };
         match params.cell_mm {
-            Some(edge) if !(edge.is_finite() && edge > 0.0) => Err(Error::config(
-                format!("{}.cell_mm", section.path),
-                format!("found {edge}"),
-                "a finite number > 0",
-            )),
+            Some(edge) if !(edge.is_finite() && edge > 0.0) => {
+                refused("cell_mm", edge.to_string(), "a finite number > 0")
+            }
+            _ if !(1..=4096).contains(&params.rays()) => {
+                refused("rays_per_pixel", params.rays().to_string(), "1 to 4096")
+            }
             _ => Ok(Choice::Orders(params)),
         }
     },
@@ -101,26 +126,41 @@ pub const KIND: Kind<ChooseModel> = Kind {
 
 /// See the [module page](self).
 pub struct Orders {
-    straight: Parallel,
+    straight: OnVoxels,
     /// Of each light that is scattered.
     glows: Vec<Glow>,
+}
+
+/// Straight light on voxels.
+enum OnVoxels {
+    Level(Parallel),
+    Cones(Box<Rays>),
+}
+
+impl OnVoxels {
+    fn operator(&self) -> &dyn LinearOperator<Field = HostField> {
+        match self {
+            OnVoxels::Level(parallel) => parallel,
+            OnVoxels::Cones(rays) => rays.as_ref(),
+        }
+    }
 }
 
 /// Largest part of scattered light that may count as straight: above, the dose is more than 1 % off (docs/scattering.md).
 const LOBE: f64 = 0.03;
 
-/// The model of a vial, its lights with what scatters them, and the voxels where dose is wanted.
+/// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
 ///
 /// # Errors
-/// As [`Parallel::new`]; [`Error::Unsupported`] where [`beyond`] says why.
+/// As [`Parallel::new`] and [`Rays::new`]; [`Error::Unsupported`] where [`beyond`] says why.
 pub fn model(
     vial: &dyn Vial,
     mut lights: Vec<Light>,
-    scattering: &[Option<Scattering>],
+    optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
 ) -> Result<Orders> {
-    if let Some(reason) = beyond(vial, &lights, scattering, &grid) {
+    if let Some(reason) = beyond(vial, &lights, optics, &grid) {
         return Err(Error::Unsupported {
             what: "model.orders".into(),
             reason: format!("{reason}; use [model.scatter]"),
@@ -129,17 +169,18 @@ pub fn model(
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let mut plans = Vec::new();
     let (mut offset, mut first_frame) = (0, 0);
-    for (light, scattering) in lights.iter_mut().zip(scattering) {
+    for (light, optics) in lights.iter_mut().zip(optics) {
         let place = (offset, first_frame);
         offset += light.layout(0).len();
         first_frame += light.pixels.frames();
-        if let Some(scattering) = scattering {
+        if let Some(scattering) = &optics.scattering {
             let folded = Folded::new(scattering);
             light.resin.attenuation_per_mm -= folded.straight_per_mm;
-            plans.push((place, light.clone(), folded));
+            let cone = Some(optics).filter(|optics| optics.beyond_level().is_some());
+            plans.push((place, (light.clone(), cone), folded));
         }
     }
-    let straight = Parallel::new(vial, lights, grid)?;
+    let straight = straight(vial, lights, optics, params, grid)?;
     let glows = plans
         .into_iter()
         .map(|(place, light, folded)| Glow::new(vial, light, &folded, params, &layout, place))
@@ -147,21 +188,79 @@ pub fn model(
     Ok(Orders { straight, glows })
 }
 
-/// Why the model does not cover a vial and its lights, beside what [`Parallel`] does not; None when it does.
+/// The light that is not scattered, in the total attenuation of each light's resin.
+///
+/// # Errors
+/// As [`Parallel::new`] and [`Rays::new`].
+pub(crate) fn unscattered(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<Box<dyn DoseModel<Field = HostField>>> {
+    Ok(match straight(vial, lights, optics, params, grid)? {
+        OnVoxels::Level(parallel) => Box::new(parallel),
+        OnVoxels::Cones(rays) => rays,
+    })
+}
+
+fn straight(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<OnVoxels> {
+    if optics.iter().all(|o| o.beyond_level().is_none()) {
+        return Ok(OnVoxels::Level(Parallel::new(vial, lights, grid)?));
+    }
+    let rays = by_rays(vial, lights, optics, params, &grid)?;
+    Ok(OnVoxels::Cones(Box::new(rays)))
+}
+
+/// Rays of light that is not scattered.
+fn by_rays(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    optics: &[Optics],
+    params: &Params,
+    grid: &VolumeGrid,
+) -> Result<Rays> {
+    let clear = |optics: &Optics| Optics {
+        scattering: None,
+        ..optics.clone()
+    };
+    let optics: Vec<Optics> = optics.iter().map(clear).collect();
+    let params = rays::Params {
+        rays_per_pixel: Some(params.rays()),
+        ..rays::Params::default()
+    };
+    Rays::new(vial, lights, &optics, &params, grid.clone())
+}
+
+/// Why the model does not cover a vial and its lights; None when it does.
 #[must_use]
 pub fn beyond(
     vial: &dyn Vial,
     lights: &[Light],
-    scattering: &[Option<Scattering>],
+    optics: &[Optics],
     grid: &VolumeGrid,
 ) -> Option<&'static str> {
-    let folded = scattering.iter().flatten().map(Folded::new);
-    if folded.into_iter().any(|f| f.lobe > LOBE) {
+    let scattering = optics.iter().filter_map(|o| o.scattering.as_ref());
+    let mut folded = scattering.map(Folded::new);
+    if !vial.is_invariant() {
+        Some("the vial changes along z")
+    } else if optics.iter().any(|o| !o.obstacles.is_empty()) {
+        Some("bodies stand in the light")
+    } else if let Some(reason) = lights.iter().find_map(|l| parallel::beyond(l, vial)) {
+        Some(reason)
+    } else if lights.iter().any(|light| light.map.is_some()) {
+        Some("the absorption changes across the plane")
+    } else if folded.any(|f| f.lobe > LOBE) {
         Some("much light is scattered into a narrow forward lobe")
     } else if !vial.is_convex() {
         Some("the resin is not all in sight of itself")
-    } else if lights.iter().any(|light| light.map.is_some()) {
-        Some("the absorption changes across the plane")
     } else if grid.shape[0] == 1 {
         Some("a single slice does not say how high light is scattered")
     } else {
@@ -169,23 +268,34 @@ pub fn beyond(
     }
 }
 
+impl Orders {
+    /// Keeps the walks of rays on voxels where they are few, as [`Rays::keeping`].
+    #[must_use]
+    pub fn keeping(mut self) -> Self {
+        if let OnVoxels::Cones(rays) = self.straight {
+            self.straight = OnVoxels::Cones(Box::new(rays.keeping()));
+        }
+        self
+    }
+}
+
 impl LinearOperator for Orders {
     type Field = HostField;
 
     fn patterns(&self) -> &[PatternLayout] {
-        LinearOperator::patterns(&self.straight)
+        self.straight.operator().patterns()
     }
 
     fn outputs(&self) -> &[DoseLayout] {
-        LinearOperator::outputs(&self.straight)
+        self.straight.operator().outputs()
     }
 
     fn new_patterns(&self) -> Result<HostField> {
-        LinearOperator::new_patterns(&self.straight)
+        self.straight.operator().new_patterns()
     }
 
     fn new_dose(&self) -> Result<HostField> {
-        LinearOperator::new_dose(&self.straight)
+        self.straight.operator().new_dose()
     }
 
     fn add_forward(
@@ -195,7 +305,8 @@ impl LinearOperator for Orders {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.straight.add_forward(frames.clone(), x, dose, run)?;
+        let straight = self.straight.operator();
+        straight.add_forward(frames.clone(), x, dose, run)?;
         for glow in &self.glows {
             glow.add_forward(frames.clone(), x.as_slice(), dose.as_mut_slice(), run)?;
         }
@@ -203,7 +314,7 @@ impl LinearOperator for Orders {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.straight.adjoint(cotangent, grad, run)?;
+        self.straight.operator().adjoint(cotangent, grad, run)?;
         for glow in &self.glows {
             glow.add_adjoint(cotangent.as_slice(), grad.as_mut_slice(), run)?;
         }
@@ -215,14 +326,14 @@ impl LinearOperator for Orders {
     }
 
     fn updates(&self) -> u64 {
-        LinearOperator::updates(&self.straight) + self.glows.iter().map(Glow::updates).sum::<u64>()
+        self.straight.operator().updates() + self.glows.iter().map(Glow::updates).sum::<u64>()
     }
 
     fn describe(&self) -> String {
         let of_light: Vec<String> = self.glows.iter().map(Glow::describe).collect();
         format!(
             "orders ({}; scattered light on {})",
-            LinearOperator::describe(&self.straight),
+            self.straight.operator().describe(),
             of_light.join(" and ")
         )
     }

@@ -2,12 +2,16 @@ use super::*;
 use crate::check;
 use crate::check::model::noise;
 use crate::grid::{PatternGrid, Patterns, Volume};
-use crate::models::rays::Optics;
 use crate::models::{DoseModel, scatter};
-use crate::optics::phase::Phase;
+use crate::optics::motion::Motion;
 use crate::optics::phase::henyey_greenstein::HenyeyGreenstein;
 use crate::optics::phase::isotropic::Isotropic;
 use crate::optics::phase::rayleigh::Rayleigh;
+use crate::optics::phase::{Phase, Scattering};
+use crate::optics::projector::Projector;
+use crate::optics::projector::diverging::Diverging;
+use crate::optics::projector::lens::Lens;
+use crate::optics::projector::telecentric::Telecentric;
 use crate::optics::resin::Resin;
 use crate::optics::vial::cylinder::Cylinder;
 use crate::optics::vial::double_tube::DoubleTube;
@@ -24,11 +28,47 @@ fn light(frames: usize, rows: usize, columns: usize, pitch: f64, scattering: f64
     light
 }
 
-fn of(phase: impl Phase + 'static, per_mm: f64) -> Option<Scattering> {
-    Some(Scattering {
-        per_mm,
-        phase: Arc::new(phase),
-    })
+fn cells(cell_mm: Option<f64>) -> Params {
+    Params {
+        cell_mm,
+        ..Params::default()
+    }
+}
+
+/// Collimated light in a resin that scatters.
+fn of(phase: impl Phase + 'static, per_mm: f64) -> Optics {
+    Optics {
+        scattering: Some(Scattering {
+            per_mm,
+            phase: Arc::new(phase),
+        }),
+        ..clear()
+    }
+}
+
+/// Collimated light in a resin that does not.
+fn clear() -> Optics {
+    Optics::collimated(0.125)
+}
+
+/// The same from cones of this sine of the half angle in air, in focus 0.5 mm before the axis.
+fn telecentric(optics: &Optics, sine: f64) -> Optics {
+    from(
+        optics,
+        Telecentric {
+            pixel_pitch_mm: [0.125; 2],
+            aperture_radius_mm: 40.0 * sine,
+            working_distance_mm: 40.0,
+            focus_mm: 0.5,
+        },
+    )
+}
+
+fn from(optics: &Optics, projector: impl Projector + 'static) -> Optics {
+    Optics {
+        projector: Arc::new(projector),
+        ..optics.clone()
+    }
 }
 
 fn dose(model: &dyn DoseModel<Field = HostField>, x: &[f32]) -> Volume<f32> {
@@ -61,12 +101,16 @@ fn every_vial_and_phase_is_an_exact_pair() {
             of(HenyeyGreenstein { g: -0.3 }, 0.2),
         ] {
             let grid = VolumeGrid::centered([9, 14, 13], 0.3);
-            let params = Params { cell_mm: Some(0.4) };
-            let lights = vec![light(5, 7, 11, 0.3, 0.2), light(3, 7, 11, 0.3, 0.0)];
-            let model = model(vial, lights, &[scattering.clone(), None], &params, grid).unwrap();
-            let found = check::model::model(&model, 3)
-                .unwrap_or_else(|e| panic!("{vial:?} {scattering:?}: {e}"));
-            assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            let params = cells(Some(0.4));
+            let cone = telecentric(&scattering, 0.2);
+            for [scatters, clear] in [[scattering, clear()], [cone.clone(), clear()]] {
+                let lights = vec![light(5, 7, 11, 0.3, 0.2), light(3, 7, 11, 0.3, 0.0)];
+                let both = [scatters, clear];
+                let model = model(vial, lights, &both, &params, grid.clone()).unwrap();
+                let found = check::model::model(&model, 3)
+                    .unwrap_or_else(|e| panic!("{vial:?} {both:?}: {e}"));
+                assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            }
         }
     }
 }
@@ -105,9 +149,7 @@ fn a_half_space_sends_back_what_chandrasekhar_computes() {
         let grid = VolumeGrid::centered([60, 96, 96], 0.25);
         let isotropic = of(Isotropic {}, albedo);
         let back = |edge: f64| {
-            let params = Params {
-                cell_mm: Some(edge),
-            };
+            let params = cells(Some(edge));
             let one = std::slice::from_ref(&isotropic);
             let model = model(&vial, vec![light.clone()], one, &params, grid.clone()).unwrap();
             let dose = dose(&model, &vec![1.0; 4 * 16]);
@@ -128,30 +170,135 @@ fn a_half_space_sends_back_what_chandrasekhar_computes() {
     assert!((plane_albedo(0.5) - 0.1152).abs() < 1e-4);
 }
 
-/// Root mean square and largest of the difference, over the mean dose of the lit voxels; in blocks of 4 × 4 × 4.
-fn difference(a: &Volume<f32>, b: &Volume<f32>) -> (f64, f64) {
-    let [nz, ny, nx] = a.grid.shape;
-    let block = |v: &Volume<f32>, z: usize, y: usize, x: usize| -> f64 {
-        let mut sum = 0.0;
-        for i in 0..64 {
-            sum += f64::from(*v.at(4 * z + i / 16, 4 * y + i / 4 % 4, 4 * x + i % 4));
-        }
-        sum / 64.0
+/// Means over blocks of 4 × 4 × 4 voxels.
+fn blocks(volume: &Volume<f32>) -> Vec<f64> {
+    let [nz, ny, nx] = volume.grid.shape.map(|n| n / 4);
+    let block = |i: usize| {
+        let [z, y, x] = [i / (ny * nx), i / nx % ny, i % nx].map(|n| 4 * n);
+        let voxel = |i: usize| f64::from(*volume.at(z + i / 16, y + i / 4 % 4, x + i % 4));
+        (0..64).map(voxel).sum::<f64>() / 64.0
     };
-    let (mut squares, mut most, mut mean, mut count) = (0.0, 0.0f64, 0.0, 0.0);
-    for z in 0..nz / 4 {
-        for y in 0..ny / 4 {
-            for x in 0..nx / 4 {
-                let (a, b) = (block(a, z, y, x), block(b, z, y, x));
-                squares += (a - b) * (a - b);
-                most = most.max((a - b).abs());
-                mean += a;
-                count += 1.0;
-            }
-        }
+    (0..nz * ny * nx).map(block).collect()
+}
+
+/// Root mean square and largest of the numbers.
+fn size(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (mut squares, mut most, mut count) = (0.0, 0.0f64, 0.0);
+    for number in numbers {
+        squares += number * number;
+        most = most.max(number.abs());
+        count += 1.0;
     }
-    mean /= count;
-    ((squares / count).sqrt() / mean, most / mean)
+    (f64::sqrt(squares / count), most)
+}
+
+/// Root mean square and largest of the difference in blocks, over the mean dose.
+fn difference(a: &Volume<f32>, b: &Volume<f32>) -> (f64, f64) {
+    let (a, b) = (blocks(a), blocks(b));
+    let mean = a.iter().sum::<f64>() / a.len() as f64;
+    size(a.iter().zip(&b).map(|(a, b)| (a - b) / mean))
+}
+
+/// The light that `whole` has and `straight` has not.
+fn scattered(whole: &Volume<f32>, straight: &Volume<f32>) -> Volume<f32> {
+    let both = whole.values.iter().zip(&straight.values);
+    Volume {
+        grid: whole.grid.clone(),
+        values: both.map(|(whole, straight)| whole - straight).collect(),
+    }
+}
+
+/// A lens of f/3 that images onto the axis.
+const LENS: Lens = Lens {
+    pixel_pitch_mm: [0.125; 2],
+    aperture_radius_mm: 5.0,
+    distance_mm: 30.0,
+    focus_distance_mm: 30.0,
+};
+
+/// Two bars of light: 24 frames of 32 columns of 8 pixels.
+fn two_bars() -> Vec<f32> {
+    let lit = |i: usize| (i / 8) % 16 < 8;
+    (0..24 * 32 * 8)
+        .map(|i| f32::from(u8::from(lit(i))))
+        .collect()
+}
+
+#[test]
+fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is_bright_and_dark() {
+    let glass = Cylinder {
+        inner_radius_mm: 2.8,
+        outer_radius_mm: 3.0,
+        refractive_index: 1.55,
+    };
+    let square = Square {
+        inner_width_mm: 5.0,
+        outer_width_mm: 5.6,
+        refractive_index: 1.5,
+    };
+    let grid = VolumeGrid::centered([16, 32, 32], 0.125);
+    let (rayleigh, lobe) = (of(Rayleigh {}, 0.3), of(HenyeyGreenstein { g: 0.4 }, 0.3));
+    let aside = |tilt_rad: f64| Motion {
+        tilt_rad,
+        offset_mm: [0.3, -0.2],
+        ..Motion::default()
+    };
+    let leaning = Optics {
+        motion: aside(0.15),
+        ..rayleigh.clone()
+    };
+    let cases: [(&dyn Vial, Optics); 9] = [
+        // What cells cost any light
+        (&glass, rayleigh.clone()),
+        (&BATH, telecentric(&rayleigh, 0.1)),
+        (&glass, telecentric(&rayleigh, 0.3)),
+        (&glass, telecentric(&lobe, 0.1)),
+        (&square, telecentric(&rayleigh, 0.1)),
+        (&square, telecentric(&lobe, 0.3)),
+        (&glass, from(&rayleigh, Diverging::new([0.125; 2], 30.0))),
+        (&square, from(&rayleigh, LENS)),
+        (&glass, leaning),
+    ];
+    for (vial, optics) in cases {
+        let (lights, x, optics) = ([light(24, 8, 32, 0.125, 0.3)], two_bars(), [optics]);
+        // The straight light of either has its own graininess: 4 rays a pixel by orders, as many as paths by these
+        let by_paths = |seed: u64| {
+            let params = scatter::Params {
+                paths_per_pixel: 128,
+                smooth: 1,
+                seed,
+                ..Default::default()
+            };
+            let paths = scatter::model(vial, &lights, &optics, &params, grid.clone()).unwrap();
+            let straight = scatter::straight(vial, &lights, &optics, &params, grid.clone());
+            let whole = dose(&paths, &x);
+            let scattered = scattered(&whole, &dose(&straight.unwrap(), &x));
+            (blocks(&whole), blocks(&scattered))
+        };
+        let [(whole, first), (_, second)] = [1, 2].map(by_paths);
+        let own = Params::default();
+        let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
+        let straight = unscattered(vial, lights.to_vec(), &optics, &own, grid.clone());
+        let found = scattered(&dose(&orders, &x), &dose(straight.unwrap().as_ref(), &x));
+        let found = blocks(&found);
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let middle = mean(&whole);
+        let [bright, dark]: [Vec<usize>; 2] = (0..whole.len())
+            .partition::<Vec<_>, _>(|&i| whole[i] > middle)
+            .into();
+        let part: Vec<f64> = bright.iter().map(|&i| whole[i]).collect();
+        // As the report: over the mean dose of the bright; of independent paths the noise is not in the mean of the product
+        let rms = |chosen: &[usize]| {
+            let product = |&i: &usize| (found[i] - first[i]) * (found[i] - second[i]);
+            let products: Vec<f64> = chosen.iter().map(product).collect();
+            mean(&products).max(0.0).sqrt() / mean(&part)
+        };
+        let (bright, dark) = (rms(&bright), rms(&dark));
+        assert!(
+            bright < 0.008 && dark < 0.005,
+            "{optics:?}: {bright} {dark}"
+        );
+    }
 }
 
 #[test]
@@ -171,40 +318,58 @@ fn it_agrees_with_random_paths_in_every_vial_and_phase() {
     ];
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     for vial in vials {
-        for (scattering, allowed) in [
+        for (optics, allowed) in [
             (of(Rayleigh {}, 0.3), 0.01),
             (of(Isotropic {}, 0.3), 0.01),
             (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.01),
         ] {
+            let optics = [optics];
             let light = light(24, 8, 32, 0.125, 0.3);
-            // Two bars of light
-            let x: Vec<f32> = (0..24 * 32 * 8)
-                .map(|i| if (i / 8) % 16 < 8 { 1.0 } else { 0.0 })
-                .collect();
-            let mut optics = Optics::collimated(0.125);
-            optics.scattering = scattering.clone();
+            let x = two_bars();
             let params = scatter::Params {
                 paths_per_pixel: 256,
                 smooth: 2,
                 ..Default::default()
             };
-            let lights = [light.clone()];
-            let paths = scatter::model(vial, &lights, &[optics], &params, grid.clone()).unwrap();
+            let lights = [light];
+            let paths = scatter::model(vial, &lights, &optics, &params, grid.clone()).unwrap();
             let own = Params::default();
-            let orders = model(
-                vial,
-                vec![light],
-                std::slice::from_ref(&scattering),
-                &own,
-                grid.clone(),
-            );
-            let orders = orders.unwrap();
+            let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
             let (rms, most) = difference(&dose(&paths, &x), &dose(&orders, &x));
             assert!(
                 rms < allowed && most < 3.0 * allowed,
-                "{vial:?} {scattering:?}: {rms} {most}"
+                "{vial:?} {optics:?}: {rms} {most}"
             );
         }
+    }
+}
+
+#[test]
+fn cones_without_an_opening_are_collimated_light() {
+    let grid = VolumeGrid::centered([16, 32, 32], 0.125);
+    let glass = Cylinder {
+        inner_radius_mm: 2.8,
+        outer_radius_mm: 3.0,
+        refractive_index: 1.55,
+    };
+    for scattering in [of(Rayleigh {}, 0.3), of(HenyeyGreenstein { g: 0.4 }, 0.3)] {
+        let x: Vec<f32> = noise(5, 24 * 32 * 8).iter().map(|v| v.abs()).collect();
+        let doses = |optics: &Optics, rays: usize| {
+            let params = Params {
+                rays_per_pixel: Some(rays),
+                ..Params::default()
+            };
+            let light = || vec![light(24, 8, 32, 0.125, 0.3)];
+            let one = std::slice::from_ref(optics);
+            let whole = model(&glass, light(), one, &params, grid.clone()).unwrap();
+            let straight = unscattered(&glass, light(), one, &params, grid.clone()).unwrap();
+            scattered(&dose(&whole, &x), &dose(straight.as_ref(), &x))
+        };
+        let expected = doses(&scattering, 1);
+        // An opening too small to see, with rays that are sampled as in any cone
+        let few = difference(&doses(&telecentric(&scattering, 1e-6), 4), &expected);
+        let many = difference(&doses(&telecentric(&scattering, 1e-6), 64), &expected);
+        assert!(few.0 < 1e-3 && many.0 < 3e-4, "{few:?} {many:?}");
     }
 }
 
@@ -217,9 +382,7 @@ fn smaller_cells_change_less_and_less() {
         x
     };
     let with = |edge: f64| {
-        let params = Params {
-            cell_mm: Some(edge),
-        };
+        let params = cells(Some(edge));
         let light = light(12, 12, 24, 0.125, 0.3);
         let model = model(
             &BATH,
@@ -247,7 +410,7 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
     let refused = |vial: &dyn Vial, shape: [usize; 3], scattering, cell_mm| {
         let grid = VolumeGrid::centered(shape, 0.3);
         let light = light(3, 4, 4, 0.3, 0.2);
-        let params = Params { cell_mm };
+        let params = cells(cell_mm);
         let model = model(vial, vec![light], &[scattering], &params, grid);
         model.err().unwrap().to_string()
     };
@@ -269,9 +432,7 @@ fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
     // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows
     let scattering = of(Rayleigh {}, 0.2);
     let grid = VolumeGrid::centered([12, 12, 12], 0.16);
-    let params = Params {
-        cell_mm: Some(0.49),
-    };
+    let params = cells(Some(0.49));
     let mut by_height = Vec::new();
     for factor in [1, 3] {
         let mut light = light(5, 36 / factor, 24, 0.12, 0.2);

@@ -60,6 +60,7 @@ mod segment;
 pub mod solid;
 mod source;
 mod walk;
+pub(in crate::models) mod weighted;
 
 use crate::error::{Error, Result};
 use crate::field::HostField;
@@ -177,6 +178,20 @@ impl Optics {
             motion: Motion::default(),
             obstacles: Vec::new(),
             scattering: None,
+        }
+    }
+
+    /// Why its light is not collimated, normal to the axis of a vial that turns about it; None when it is.
+    #[must_use]
+    pub fn beyond_level(&self) -> Option<&'static str> {
+        if !self.projector.is_collimated() {
+            Some("light is not collimated")
+        } else if self.motion.tilt_rad != 0.0 {
+            Some("light is not normal to the axis")
+        } else if !self.motion.is_symmetric() {
+            Some("the vial does not turn about its own axis")
+        } else {
+            None
         }
     }
 
@@ -455,6 +470,42 @@ impl Rays {
         chunks
     }
 
+    /// The lights and those of their own frames that are among these.
+    fn own_frames(&self, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
+        let mut first = 0;
+        let of_light = |(light, layout): (usize, &PatternLayout)| {
+            let end = first + layout.grid.frames();
+            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+            first = end;
+            (light, own)
+        };
+        let all = self.patterns.iter().enumerate().map(of_light);
+        all.filter(|(_, own)| !own.is_empty()).collect()
+    }
+
+    /// The lights and all of their frames.
+    fn all_frames(&self) -> Vec<(usize, Range<usize>)> {
+        let frames: usize = self.patterns.iter().map(|p| p.grid.frames()).sum();
+        self.own_frames(&(0..frames))
+    }
+
+    /// Calls `visit` with the segments of some frames of a light, of pixels that `wants` chooses, chunk by chunk.
+    fn for_each_chunk(
+        &self,
+        (light, frames): (usize, Range<usize>),
+        wants: impl Fn(usize) -> bool + Sync,
+        run: &Run,
+        mut visit: impl FnMut(&Lit),
+    ) -> Result<()> {
+        for pairs in self.chunks(light, frames) {
+            if run.is_cancelled() {
+                return Err(Error::Cancelled);
+            }
+            visit(&self.bundles(light, pairs, &wants));
+        }
+        Ok(())
+    }
+
     /// Segments of some (frame, column) pairs, of pixels that `wants` chooses; in the order of pixels and rays.
     fn bundles(
         &self,
@@ -680,16 +731,9 @@ impl LinearOperator for Rays {
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
         let kept = self.kept(run)?;
-        let mut first = 0;
-        for (light, layout) in self.patterns.iter().enumerate() {
-            let own = frames.start.max(first)..frames.end.min(first + layout.grid.frames());
-            let own = own.start - first..own.end.max(own.start) - first;
-            first += layout.grid.frames();
-            if own.is_empty() {
-                continue;
-            }
+        for (light, own) in self.own_frames(&frames) {
             if let Some(kept) = kept {
-                let pixels = layout.elements_of(own);
+                let pixels = self.patterns[light].elements_of(own);
                 match &mut split {
                     None => kept.add(0, x, &pixels, &mut dose[..voxels]),
                     Some([outside, inside]) => {
@@ -700,11 +744,8 @@ impl LinearOperator for Rays {
                 continue;
             }
             let mut smooth = self.cells();
-            for pairs in self.chunks(light, own) {
-                if run.is_cancelled() {
-                    return Err(Error::Cancelled);
-                }
-                let lit = self.bundles(light, pairs, |pixel| x[pixel] != 0.0);
+            let is_lit = |pixel: usize| x[pixel] != 0.0;
+            self.for_each_chunk((light, own), is_lit, run, |lit| {
                 match &mut split {
                     None => self.add(&self.lattice, &lit.straight, x, dose),
                     Some([outside, inside]) => {
@@ -715,7 +756,7 @@ impl LinearOperator for Rays {
                 if let Some((_, lattice)) = &self.coarse {
                     self.add(lattice, &lit.scattered, x, &mut smooth);
                 }
-            }
+            })?;
             self.add_smooth(light, &smooth, dose);
         }
         if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
@@ -735,24 +776,25 @@ impl LinearOperator for Rays {
             }
             return Ok(());
         }
-        for (light, layout) in self.patterns.iter().enumerate() {
+        for (light, own) in self.all_frames() {
             let smooth = self.collect_smooth(light, c);
-            for pairs in self.chunks(light, 0..layout.grid.frames()) {
-                if run.is_cancelled() {
-                    return Err(Error::Cancelled);
-                }
-                let lit = self.bundles(light, pairs, |_| true);
-                match &split {
-                    None => self.collect(&self.lattice, &lit.straight, c, grad),
-                    Some([outside, inside]) => {
-                        self.collect(&self.lattice, &lit.straight, outside, grad);
-                        self.collect(&self.lattice, &lit.inside, inside, grad);
+            self.for_each_chunk(
+                (light, own),
+                |_| true,
+                run,
+                |lit| {
+                    match &split {
+                        None => self.collect(&self.lattice, &lit.straight, c, grad),
+                        Some([outside, inside]) => {
+                            self.collect(&self.lattice, &lit.straight, outside, grad);
+                            self.collect(&self.lattice, &lit.inside, inside, grad);
+                        }
                     }
-                }
-                if let Some((_, lattice)) = &self.coarse {
-                    self.collect(lattice, &lit.scattered, &smooth, grad);
-                }
-            }
+                    if let Some((_, lattice)) = &self.coarse {
+                        self.collect(lattice, &lit.scattered, &smooth, grad);
+                    }
+                },
+            )?;
         }
         Ok(())
     }

@@ -113,6 +113,19 @@ impl Lattice {
 }
 
 impl Segment {
+    /// Unit direction of the light, x, y, z; `axis` is the major one.
+    pub(super) fn direction(&self, axis: usize) -> [f64; 3] {
+        let [b, c] = self.slope.map(f64::from);
+        // The sign of a rate is there where the rate is 0, too
+        let along = (1.0 + b * b + c * c).sqrt().recip();
+        let along = along.copysign(f64::from(self.rate));
+        let mut direction = [along; 3];
+        for (i, slope) in others(axis).into_iter().zip([b, c]) {
+            direction[i] *= slope;
+        }
+        direction
+    }
+
     /// Cuts a segment into its pieces inside and outside, in the order of travel: `visit(is_inside, piece)`. `inside` are the
     /// pieces `[from, to]` of the leg, mm; `step`: cells of the major axis per mm of the leg, with its sign.
     pub(super) fn cut(self, step: f64, inside: &[[f64; 2]], mut visit: impl FnMut(bool, Segment)) {
