@@ -39,15 +39,16 @@
 //! use std::sync::Arc;
 //! use tomolith::field::{Field, HostField};
 //! use tomolith::grid::{PatternGrid, VolumeGrid};
-//! use tomolith::models::{DoseModel, Run, orders, parallel::Light};
+//! use tomolith::models::{DoseModel, Run, orders, parallel::Light, rays::Optics};
 //! use tomolith::optics::phase::{Scattering, rayleigh::Rayleigh};
 //! use tomolith::optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let mut light = Light::new(PatternGrid::full_turn(8, 0.0, 2, 16, 0.25), Resin::absorbing(1.5, 0.1));
 //! light.resin.attenuation_per_mm = 0.3;
 //! let scattering = Scattering { per_mm: 0.2, phase: Arc::new(Rayleigh {}) };
+//! let optics = Optics { scattering: Some(scattering), ..Optics::collimated(0.25) };
 //! let vial = IndexMatched { radius_mm: 3.0 };
 //! let grid = VolumeGrid::centered([16, 8, 8], 0.25);
-//! let model = orders::model(&vial, vec![light], &[Some(scattering)], &orders::Params::default(), grid).unwrap();
+//! let model = orders::model(&vial, vec![light], &[optics], &orders::Params::default(), grid).unwrap();
 //! let mut x = model.new_patterns().unwrap();
 //! x.fill(1.0);
 //! let mut dose = model.new_dose().unwrap();
