@@ -12,7 +12,7 @@
 
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
@@ -67,6 +67,8 @@ struct Setting {
     frames: usize,
     /// Degrees over which the frames are spread.
     arc: f64,
+    /// Distance of the columns in voxels.
+    columns: f64,
     start: Value,
     /// Factor on the patterns of the start.
     brightness: f32,
@@ -90,6 +92,7 @@ impl Setting {
             voxels,
             frames: 360,
             arc: 360.0,
+            columns: 1.0,
             start: json!({"fbp": {"scale": "analytic"}}),
             brightness: 1.0,
             optimizer: ("bclp", json!({"step": STEP})),
@@ -239,7 +242,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         frame_arc: 0.0,
         rows: 1,
         columns: setting.voxels,
-        pitch_mm: [grid.pitch_mm; 2],
+        pitch_mm: [setting.columns * grid.pitch_mm, grid.pitch_mm],
         offset_mm: [0.0; 2],
     };
     let model: Box<dyn DoseModel<Field = HostField>> = match setting.operator {
@@ -470,6 +473,7 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
     let start = |start: Value| with(&|s| s.start = start.clone());
     let brightness = |factor: f32| with(&|s| s.brightness = factor);
     let detail = |more: f32| with(&|s| s.detail = more);
+    let columns = |apart: f64| with(&|s| s.columns = apart);
     let grey = |map: fn(f32) -> f32| with(&|s| s.grey = map);
     vec![
         ("as published", base.clone()),
@@ -525,6 +529,11 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
         ("360 frames over 180°", with(&|s| s.arc = 180.0)),
         ("180 frames over 360°", with(&|s| s.frames = 180)),
         ("720 frames over 360°", with(&|s| s.frames = 720)),
+        ("columns 1.02 voxels apart", columns(1.02)),
+        ("columns 1.05 voxels apart", columns(1.05)),
+        ("columns 1.1 voxels apart", columns(1.1)),
+        ("columns √2 voxels apart", columns(SQRT_2)),
+        ("350 frames over 360°", with(&|s| s.frames = 350)),
         ("half the voxels along an edge", with(&|s| s.voxels /= 2)),
         (
             "1500 steps",
