@@ -27,8 +27,8 @@ pub(super) const WRONG: &[Wrong] = &[
         "numerical_aperture",
         &[
             "model.wave.numerical_aperture",
-            "pixels of 0.1 mm make at most 0.0020",
-            "at most 0.002025 mm",
+            "pixels of 0.1 mm make at most 0.00286",
+            "at most 0.002864 mm",
         ],
     ),
     (

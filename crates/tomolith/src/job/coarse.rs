@@ -32,16 +32,27 @@ pub(super) fn left_out(scene: &Scene) -> Option<String> {
     let made = (1..=asked).filter(|level| has(scene, 1 << level)).count();
     (made < asked).then(|| {
         format!(
-            "coarse.levels = {asked}: {made} of them have {LEAST} voxels along an edge and {LEAST} frames, and no other is made"
+            "coarse.levels = {asked}: {made} of them can be made; the others have fewer than {LEAST} voxels along an edge, fewer than {LEAST} frames, \
+             or pixels that the model cannot work with"
         )
     })
 }
 
-/// Whether a level is large enough.
+/// Whether a level is large enough, and its pixels are some that the model can work with: not larger than its aperture's.
 fn has(scene: &Scene, factor: usize) -> bool {
-    let frames = |light: &Light| light.pixels.frames().div_ceil(factor);
-    coarser_grid(&scene.grid, factor).shape[1] >= LEAST
-        && (scene.optics.lights.iter()).all(|light| frames(light) >= LEAST)
+    let grid = coarser_grid(&scene.grid, factor);
+    let lights = coarser_lights(scene, factor);
+    let covered = scene
+        .setup()
+        .must_be_covered(&scene.optics.model, &lights, &grid);
+    grid.shape[1] >= LEAST
+        && lights.iter().all(|light| light.pixels.frames() >= LEAST)
+        && covered.is_ok()
+}
+
+fn coarser_lights(scene: &Scene, factor: usize) -> Vec<Light> {
+    let lights = scene.optics.lights.iter();
+    lights.map(|light| coarser_light(light, factor)).collect()
 }
 
 /// Solves the coarser levels of a job; None when it asks for none, or is too small for any.
@@ -60,12 +71,7 @@ pub(super) fn solve(scene: &Scene, run: &Run) -> Result<Option<Coarse>> {
             continue;
         }
         let grid = coarser_grid(&scene.grid, factor);
-        let lights: Vec<Light> = scene
-            .optics
-            .lights
-            .iter()
-            .map(|light| coarser_light(light, factor))
-            .collect();
+        let lights = coarser_lights(scene, factor);
         let (patterns, counters) = solve_level(scene, &grid, lights, found.as_ref(), run)?;
         done.push(format!(
             "{:?} voxels: {} calls in {:.1} s",

@@ -34,6 +34,8 @@ const TRIAL_GROUPS: usize = 2;
 /// Seconds above which the least number of frames is enough to time, and above which a call is timed once.
 const TRIAL_S: f64 = 0.3;
 const LONG_S: f64 = 1.0;
+/// The same as the first for frames that are taken alone, which are as few as threads.
+const ENOUGH_S: f64 = 10.0;
 /// How many times more frames the second of the timed calls has, where these take long and where not.
 const SOME_MORE: usize = 2;
 const MANY_MORE: usize = 4;
@@ -212,7 +214,13 @@ fn by_judge(
         Calls::of(&plan?, calls.asked, making_s, None, run)
     };
     let few = trial(few)?;
-    if few.seconds() > TRIAL_S {
+    // Few frames that are taken alone say nothing of what making the model takes
+    let enough = if choice.joins_frames() {
+        TRIAL_S
+    } else {
+        ENOUGH_S
+    };
+    if few.seconds() > enough {
         return Ok([few.clone(), few]);
     }
     Ok([few, trial(more)?])

@@ -62,6 +62,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
         patterns,
         judged,
         optimised: Some(optimised),
+        source: None,
         warnings,
     };
     finish(done, folder, clock)
@@ -77,7 +78,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
 /// As [`run`]; [`Error::Shape`] and [`Error::Format`] for patterns that do not fit the job's lights.
 pub fn simulate(
     job: &Job,
-    patterns: &Path,
+    source: &Path,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
@@ -85,7 +86,7 @@ pub fn simulate(
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let scene = Scene::new(job)?;
-    let patterns = device::read(&scene, patterns, clock.progress)?;
+    let patterns = device::read(&scene, source, clock.progress)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
@@ -105,6 +106,7 @@ pub fn simulate(
         patterns,
         judged,
         optimised: None,
+        source: Some(source),
         warnings,
     };
     finish(done, folder, clock)

@@ -32,6 +32,8 @@ pub(crate) struct Done<'a> {
     pub(crate) judged: Judged,
     /// None for a simulation.
     pub(crate) optimised: Option<Optimised>,
+    /// Where the patterns of a simulation came from.
+    pub(crate) source: Option<&'a Path>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -135,7 +137,6 @@ fn report(
         scene,
         patterns,
         judged,
-        optimised,
         ..
     } = done;
     let resolved = job.resolved();
@@ -158,7 +159,7 @@ fn report(
         part: &scene.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
-        facts: facts(scene, optimised.as_ref(), judged),
+        facts: facts(done),
         models,
         lights,
         labels: &judged.fine.labels,
@@ -237,7 +238,14 @@ fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec
 }
 
 /// Short facts for the head of the page.
-fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(String, String)> {
+fn facts(done: &Done<'_>) -> Vec<(String, String)> {
+    let Done {
+        scene,
+        optimised,
+        judged,
+        source,
+        ..
+    } = done;
     let spec = &scene.spec;
     let kind = |value: &serde_json::Value| match value {
         serde_json::Value::Object(map) => map.keys().cloned().collect::<Vec<_>>().join(", "),
@@ -269,6 +277,10 @@ fn facts(scene: &Scene, optimised: Option<&Optimised>, judged: &Judged) -> Vec<(
         facts.push(("Optimiser", kind(&spec.optimizer)));
         facts.push(("Model", optimised.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
+    }
+    if let Some(source) = source {
+        facts.push(("Patterns from", source.display().to_string()));
+        facts.push(("Model", judged.model.clone()));
     }
     if let Some(dark) = &judged.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));

@@ -428,13 +428,16 @@ fn rows() -> Vec<Row> {
     rows
 }
 
-/// Which model gave the dose that a run is judged by.
-fn judge(run: &ComparedRun) -> String {
+/// Name of the model that gave the dose that a run is judged by.
+fn judge_of(run: &ComparedRun) -> Option<&str> {
     let model = run.report.pointer("/run/models/evaluation");
-    let name = model
-        .and_then(Value::as_str)
-        .and_then(|m| m.split([' ', ',', ':']).next());
-    name.map_or_else(String::new, |name| {
+    let model = model.and_then(Value::as_str)?;
+    model.split([' ', ',', ':']).next()
+}
+
+/// The same under a run's name.
+fn judge(run: &ComparedRun) -> String {
+    judge_of(run).map_or_else(String::new, |name| {
         format!(
             "<br><span class=\"muted\">judged by {}</span>",
             escape(name)
@@ -456,11 +459,13 @@ fn numbers(runs: &[ComparedRun]) -> String {
         })
         .collect();
     let mut body = String::new();
+    // What one model says of a print is no better than what another says
+    let is_fair = (runs.windows(2)).all(|pair| judge_of(&pair[0]) == judge_of(&pair[1]));
     for row in rows() {
         let values: Vec<Option<f64>> = runs.iter().map(|run| (row.value)(run)).collect();
         let known = values.iter().flatten().copied();
         let best = match row.better {
-            _ if runs.len() < 2 => None,
+            _ if runs.len() < 2 || !is_fair => None,
             Better::Higher => known.reduce(f64::max),
             Better::Lower => known.reduce(f64::min),
             Better::Neutral => None,
@@ -495,9 +500,14 @@ fn numbers(runs: &[ComparedRun]) -> String {
         }
         body.push_str("</tr>");
     }
+    let best = if is_fair {
+        "the best is bold."
+    } else {
+        "no best is marked, as not all have the same judge: compare columns that have."
+    };
     format!(
         "<section><h2>Numbers</h2><p class=\"muted\">Written patterns, vial turning, finer grid. ↑ larger is better, ↓ smaller is better; \
-         the best is bold.</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{body}</tbody></table></div></section>"
+         {best}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{body}</tbody></table></div></section>"
     )
 }
 
@@ -696,6 +706,8 @@ mod tests {
         let page = compare_html(&runs);
         assert_eq!(page.matches("judged by").count(), 1);
         assert!(page.contains("waves<br><span class=\"muted\">judged by wave</span>"));
+        // What one model says is no better than what another says
+        assert!(page.contains("no best is marked") && !page.contains("<td class=\"head\">"));
     }
 
     #[test]

@@ -224,6 +224,9 @@ fn windows_of<T: Number>(
     Ok(Windows::new(sampling, [&u, &z], (heights, nz)))
 }
 
+/// Operations of the Fourier transforms of a frame's dose and pullback at most: some ten minutes of a core.
+const MOST_WORK: f64 = 3e12;
+
 /// Bytes of frames of a light at work, `doses` at a time, beside patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
 /// so many depths.
 ///
@@ -234,11 +237,24 @@ pub(super) fn working_bytes(
     of: (&Light, &dyn Spreading),
     focus: (f64, &Settings),
     grid: &VolumeGrid,
-    (doses, kernels): (usize, impl Fn(usize) -> usize),
+    (doses, modes): (usize, usize),
+    kernels: impl Fn(usize) -> usize,
 ) -> Result<usize> {
     let windows = windows_of::<f32>(of, &Lit::new(vial, grid), focus, grid)?;
     let threads = rayon::current_num_threads();
     let depths = windows.sampling.transformed().count;
+    let [image, depth] = windows.operations();
+    let work = 3.0 * (image + (depths * modes) as f64 * depth);
+    if work > MOST_WORK {
+        let [u, z] = windows.sampling.padded;
+        return Err(Error::config(
+            focus.1.model,
+            format!(
+                "a frame takes {depths} depths of {u} × {z} pixels, {modes} modes: {work:.1e} operations, more than anybody has time for"
+            ),
+            "fewer rings, a focal plane nearer to the axis, larger errors, fewer or larger pixels",
+        ));
+    }
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let more = (doses - 1) * layout.len() * std::mem::size_of::<f32>();
     Ok(more + windows.working_bytes(layout.row, (threads, doses), kernels(depths)))
@@ -266,7 +282,7 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         active: resin.active_per_mm,
         attenuation: resin.attenuation_per_mm,
         wall,
-        entrance: -lit.radius,
+        entrance: -vial.resin_wall().inscribed_radius(),
     };
     let turn = Turn::new(
         (&light.pixels, light.sub_angles),

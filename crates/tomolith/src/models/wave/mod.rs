@@ -25,7 +25,7 @@
 //! | `soft_edge` | – | 0 to 1 | 0.25 | part of the band of frequencies over which it fades; 0: cut, as published |
 //! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
 //! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
-//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane before the voxels |
+//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane that touches it |
 //! | `etendue_deg` | ° | 0 to 10 | 0 | half angle of the cone of modes in resin |
 //! | `rings` | – | 1 to 6 | 2 | rings of modes about the middle one: 7, 19, 37 … modes; only with an étendue |
 //!
@@ -109,7 +109,7 @@ pub enum Entrance {
     /// At its round wall.
     #[default]
     Wall,
-    /// At a plane before the voxels, as in the article.
+    /// At a plane normal to the light that touches the wall; the article's touches the volume.
     Plane,
 }
 
@@ -284,9 +284,10 @@ pub(super) fn working_bytes(
     let of_light = |(i, light): (usize, &Light)| {
         let beam = beam_of(i, light, params)?;
         // H of every mode, and where it begins
-        let kernels = 2 * modes_of(&beam, params).len();
+        let modes = modes_of(&beam, params).len();
         let focus = (params.focus_mm, &settings);
-        lights::working_bytes(vial, (light, &beam), focus, grid, (doses, |_| kernels))
+        let (of, kernels) = ((light, &beam as &dyn Spreading), |_| 2 * modes);
+        lights::working_bytes(vial, of, focus, grid, (doses, modes), kernels)
     };
     lights.iter().enumerate().map(of_light).sum()
 }
@@ -366,7 +367,7 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
         if na >= index {
             return Err(Error::config(
                 "model.wave.numerical_aperture",
-                format!("found {na} in a resin of index {index}"),
+                format!("found {na} in a resin of index {index}, with pixels of {pitch} mm"),
                 format!("below {}", concise(index.min(most * SQRT_2))),
             ));
         }
@@ -384,15 +385,17 @@ fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
             ));
         }
         if na > most * SQRT_2 {
+            // In the corners of their band
+            let corner = most * SQRT_2;
             return Err(Error::config(
                 "model.wave.numerical_aperture",
                 format!(
-                    "found {na}, but pixels of {pitch} mm make at most {most:.5} at {} nm",
+                    "found {na}, but pixels of {pitch} mm make at most {corner:.5} at {} nm",
                     light.wavelength_nm
                 ),
                 format!(
-                    "at most {most:.5}, pixels of at most {:.6} mm, or no such key",
-                    vacuum_mm / (2.0 * na)
+                    "at most {corner:.5}, pixels of at most {:.6} mm, or no such key",
+                    vacuum_mm / (SQRT_2 * na)
                 ),
             ));
         }

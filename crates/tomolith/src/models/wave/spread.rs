@@ -186,7 +186,7 @@ pub(in crate::models) fn working_bytes(
         let (cone, focus) = (params.cone(light), (params.focus_mm, &settings));
         // A real number for every frequency and depth
         let kernels = |depths: usize| depths.div_ceil(2);
-        working_bytes_of(vial, (light, &cone), focus, grid, (1, kernels))
+        working_bytes_of(vial, (light, &cone), focus, grid, (1, 1), kernels)
     };
     lights.iter().map(of_light).sum()
 }
