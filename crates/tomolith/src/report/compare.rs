@@ -4,9 +4,12 @@
 //! A run is read from its folder: `report.json`, `history.csv` and `job.toml`. Nothing is computed again, so that runs of
 //! other machines and other days can be compared. The page is one file without any outside resource.
 
+use super::figures;
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
 use crate::error::{Error, Result};
+use crate::grid::{Volume, VolumeGrid};
+use crate::io::npy::read_volume;
 use crate::io::write_whole;
 use crate::metrics::{Better, METRICS};
 use serde_json::{Value, json};
@@ -31,6 +34,8 @@ pub struct ComparedRun {
     pub report: Value,
     /// `job.toml`, flat: key path → value.
     pub job: BTreeMap<String, String>,
+    /// `dose.npy`, on the job's voxels; None where the folder has none.
+    pub dose: Option<Volume<f32>>,
     /// `history.csv`: column → numbers, not a number where there is none; empty for a simulation.
     pub history: BTreeMap<String, Vec<f64>>,
 }
@@ -66,9 +71,11 @@ impl ComparedRun {
             || folder.display().to_string(),
             |name| name.to_string_lossy().into_owned(),
         );
+        let dose = dose_of(&folder.join("dose.npy"), &report)?;
         Ok(ComparedRun {
             name,
             report,
+            dose,
             job: flat,
             history: columns(&history),
         })
@@ -256,6 +263,7 @@ pub fn compare_html(runs: &[ComparedRun]) -> String {
     ];
     page.push_str(&warnings(runs));
     page.push_str(&numbers(runs));
+    page.push_str(&pictures(runs));
     page.push_str("<div class=\"two\">");
     for (title, note, plot) in plots {
         let plot =
@@ -273,6 +281,48 @@ pub fn compare_html(runs: &[ComparedRun]) -> String {
          </footer></body></html>\n",
     );
     page
+}
+
+/// The dose of a run on its job's voxels, which lie in the box of those that it was judged on.
+///
+/// # Errors
+/// As [`read_volume`].
+fn dose_of(path: &Path, report: &Value) -> Result<Option<Volume<f32>>> {
+    if !path.exists() {
+        return Ok(None);
+    }
+    let (shape, values) = read_volume(path)?;
+    let number = |pointer: &str| report.pointer(pointer).and_then(Value::as_f64);
+    let (Some(fine), Some(pitch)) = (
+        number("/evaluation/grid/shape_zyx/2"),
+        number("/evaluation/grid/pitch_mm"),
+    ) else {
+        return Ok(None);
+    };
+    let center = |axis: usize| number(&format!("/evaluation/grid/center_xyz_mm/{axis}"));
+    let grid = VolumeGrid {
+        shape,
+        pitch_mm: pitch * fine / shape[2].max(1) as f64,
+        center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
+    };
+    Ok((!grid.is_empty()).then_some(Volume { grid, values }))
+}
+
+/// Doses beside each other.
+fn pictures(runs: &[ComparedRun]) -> String {
+    let doses: Vec<(&str, &Volume<f32>)> = runs
+        .iter()
+        .filter_map(|run| Some((run.name.as_str(), run.dose.as_ref()?)))
+        .collect();
+    if doses.len() < 2 {
+        return String::new();
+    }
+    format!(
+        "<section><h2>Doses</h2><p class=\"muted\">Written patterns, vial turning, on the job's voxels and one scale. Below, what the others have more \
+         (red) or less (blue) than {}: grey up to 5 % of the largest dose, full colour from 20 %.</p>{}</section>",
+        escape(doses[0].0),
+        figures::doses(&doses)
+    )
 }
 
 fn head(runs: &[ComparedRun]) -> String {
@@ -693,10 +743,28 @@ mod tests {
                 "history": { "loss": 0.5, "iterations": 2 },
             }),
             job: flat,
+            dose: None,
             history: columns(
                 "iteration,loss,forward_calls,adjoint_calls,seconds,iou\n0,4,1,0,0.1,\n1,2,2,1,0.2,0.8\n2,0.5,4,2,0.4,\n",
             ),
         }
+    }
+
+    #[test]
+    fn doses_lie_beside_each_other_and_their_differences_below() {
+        let mut runs = [run("rays", 0.99, "10"), run("waves", 0.9, "10")];
+        assert!(!compare_html(&runs).contains("<h2>Doses"));
+        let of =
+            |shape: [usize; 3], value: f32| Volume::filled(VolumeGrid::centered(shape, 0.1), value);
+        runs[0].dose = Some(of([3, 4, 5], 0.5));
+        runs[1].dose = Some(of([3, 4, 5], 1.0));
+        let figures = |runs: &[ComparedRun]| compare_html(runs).matches("<figure>").count();
+        // Two planes of two doses and one difference
+        assert_eq!(figures(&runs), 6);
+        assert!(compare_html(&runs).contains("<figcaption>waves, less rays</figcaption>"));
+        // No difference of other voxels
+        runs[1].dose = Some(of([3, 4, 6], 1.0));
+        assert_eq!(figures(&runs), 4);
     }
 
     #[test]

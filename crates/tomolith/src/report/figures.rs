@@ -158,6 +158,76 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     out
 }
 
+/// Shares of the largest dose up to which two doses count as equal, and from which on their difference has its full colour.
+const EQUAL: f64 = 0.05;
+const APART: f64 = DIFFERENCE_REACH * EQUAL;
+
+/// The middle planes of the doses of several runs beside each other, on one scale; below those on the grid of the first, what they have more or
+/// less than it.
+pub(super) fn doses(runs: &[(&str, &Volume<f32>)]) -> String {
+    let largest = |dose: &Volume<f32>| dose.values.iter().copied().fold(0.0, f32::max);
+    let high = runs
+        .iter()
+        .map(|(_, dose)| largest(dose))
+        .fold(0.0, f32::max);
+    let high = f64::from(high).max(f64::MIN_POSITIVE);
+    let differences: Vec<Colour> = (0..=255u8)
+        .map(|i| difference(f64::from(i) / 254.0))
+        .collect();
+    let mut out = String::new();
+    for axis in [0, 1] {
+        let mut figures = [String::new(), String::new()];
+        let (_, first) = runs[0];
+        for (i, (name, dose)) in runs.iter().enumerate() {
+            let slice = Slice {
+                grid: &dose.grid,
+                axis,
+                at: dose.grid.shape[axis] / 2,
+            };
+            let mean = |value: &dyn Fn(usize) -> f64, voxels: &mut dyn Iterator<Item = usize>| {
+                let (sum, count) = voxels.fold((0.0, 0.0), |(s, n), i| (s + value(i), n + 1.0));
+                sum / count / high
+            };
+            let own = |i: usize| f64::from(dose.values[i]);
+            let picture = slice.picture(|v| (mean(&own, v) * 253.0).clamp(0.0, 253.0) as u8);
+            add_figure(
+                &mut figures[0],
+                &slice,
+                &picture.data_uri(&dose_palette()),
+                name,
+            );
+            if i > 0 && dose.grid == first.grid {
+                let more = |i: usize| own(i) - f64::from(first.values[i]);
+                let place = |share: f64| 127.0 + 127.0 * (share / APART).clamp(-1.0, 1.0);
+                let picture = slice.picture(|v| place(mean(&more, v)).round() as u8);
+                let caption = format!("{name}, less {}", runs[0].0);
+                add_figure(
+                    &mut figures[1],
+                    &slice,
+                    &picture.data_uri(&differences),
+                    &caption,
+                );
+            }
+        }
+        let title = ["x–y", "x–z"][axis];
+        let _ = write!(out, "<div class=\"plane\"><h3>Middle {title} plane</h3>");
+        for row in figures.iter().filter(|row| !row.is_empty()) {
+            let _ = write!(out, "<div class=\"beside\">{row}</div>");
+        }
+        out.push_str("</div>");
+    }
+    out + &colour_bar(viridis, high, "dose", None)
+}
+
+fn add_figure(row: &mut String, slice: &Slice<'_>, uri: &str, caption: &str) {
+    let caption = escape(caption);
+    let svg = slice_svg(slice, uri, &caption);
+    let _ = write!(
+        row,
+        "<figure>{svg}<figcaption>{caption}</figcaption></figure>"
+    );
+}
+
 /// Bodies that are not printed, in pictures of the target: their mark, colour and name.
 pub(super) const BODIES: [(u8, Colour, &str); 2] = [
     (DARK, [38, 44, 54, 255], "to stay dark"),

@@ -1,7 +1,7 @@
 //! Light of any directions as a source: one field for each harmonic, by rays that are weighted by their direction in the resin.
 //!
 //! Without a gradient of the index a ray keeps its direction in the resin, so the moment a of its light is its dose times Y_a of
-//! that direction, which one walk of `rays` gives for all a.
+//! that direction: rays are traced once for all a, and walked once for each.
 
 use super::bins::Bins;
 use super::glow::Folded;
