@@ -1,5 +1,6 @@
 //! Patterns on pixels as large as the cells that they light.
 
+use super::smear::Smear;
 use crate::grid::PatternGrid;
 use crate::models::PatternLayout;
 use crate::models::parallel::Light;
@@ -90,6 +91,11 @@ impl Bins {
         let low = grid.field_mm()[0][1];
         let edge = |row: u32| low + f64::from(row) * grid.pitch_mm[1];
         [edge(run.bottom), edge(run.bottom + run.count)]
+    }
+
+    /// What becomes of pixels that are taken together.
+    pub(super) fn smear(&self) -> Smear {
+        Smear::bins(self.pixels.grid.pitch_mm, self.layout.grid.pitch_mm)
     }
 
     /// Calls `visit(pixel, bin, part)` for what the pixels of a (frame, column) share out; elements of the fields.

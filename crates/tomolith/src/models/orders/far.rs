@@ -4,6 +4,7 @@ use super::convolver::{Convolver, Kernel, Spectrum};
 use super::flight::{Flight, Pattern};
 use super::glow::Folded;
 use super::harmonics::Harmonic;
+use super::smear::{Sharpen, Smear};
 use super::straight::Channel;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
@@ -32,6 +33,10 @@ pub(super) struct Far {
     kernels: Vec<Kernel>,
     /// Part of each (y, x) of cells that is resin.
     resin: Vec<f32>,
+    /// For straight light as a source, light from cell to cell, and what voxels see.
+    given: Sharpen,
+    between: Sharpen,
+    seen: Sharpen,
     /// The orders 2 … that are summed, with their weights: 1, and for the last that of a geometric series.
     weights: Vec<f32>,
 }
@@ -51,7 +56,7 @@ type Moments = Vec<Vec<f32>>;
 impl Far {
     pub(super) fn new(
         vial: &dyn Vial,
-        (folded, channels): (&Folded, &[Channel]),
+        (folded, channels, of_bins): (&Folded, &[Channel], Smear),
         mu: f64,
         near: &DoseLayout,
         factor: usize,
@@ -94,10 +99,16 @@ impl Far {
         let octants = flight.octants(&patterns, [nx, ny, nz]);
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let resin = resin_of(vial, &grid);
+        let (mean, line) = (Smear::mean(flight.edge), Smear::interpolation(flight.edge));
+        let sharpen = |smear| Sharpen::new(&coarse.layout, &resin, smear);
         let mut far = Far {
             near: near.clone(),
             factor,
-            resin: resin_of(vial, &grid),
+            given: sharpen(of_bins + mean + mean),
+            between: sharpen(mean + mean),
+            seen: sharpen(mean + line),
+            resin,
             coarse,
             moments,
             kernels: kernels.collect(),
@@ -187,7 +198,7 @@ impl Far {
             .iter()
             .zip(&self.moments)
             .map(|(field, moment)| {
-                let mut field = field.clone();
+                let mut field = self.between.of(field);
                 self.for_each_line(&mut field, |resin, line| {
                     line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
                 });
@@ -203,6 +214,7 @@ impl Far {
             self.for_each_line(field, |resin, line| {
                 line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
             });
+            *field = self.between.of(field);
         }
         back
     }
@@ -229,7 +241,7 @@ impl Far {
     /// dose += light scattered twice or more, of these fields of straight light
     pub(super) fn add_forward(&self, sources: &[HostField], dose: &mut [f32]) {
         let fields: Vec<Vec<f32>> = (sources.iter())
-            .map(|source| self.restrict(source.as_slice()))
+            .map(|source| self.given.of(&self.restrict(source.as_slice())))
             .collect();
         let spectra: Vec<Spectrum> = self
             .moments
@@ -253,13 +265,14 @@ impl Far {
                 .zip(&moments[0])
                 .for_each(|(sum, value)| *sum += weight * value);
         }
-        self.coarse.spread(&sum, dose);
+        self.coarse.spread(&self.seen.of(&sum), dose);
     }
 
     /// Transpose of [`add_forward`](Self::add_forward): what each field of straight light gets.
     pub(super) fn adjoint(&self, cotangent: &[f32]) -> Back<'_> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
+        let mut cells = self.seen.of(&cells);
         cells.iter_mut().for_each(|v| *v *= FLUENCE);
         // The last order has one moment that counts
         let mut moments = vec![vec![0.0; cells.len()]];
@@ -337,12 +350,12 @@ impl Back<'_> {
                     .for_each(|(sum, value)| *sum += weight * value);
             }
         }
-        far.add_prolonged(&sum, near);
+        far.add_prolonged(&far.given.of(&sum), near);
     }
 }
 
 /// Part of each (y, x) of cells that is resin, by 8 × 8 points.
-fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
+pub(super) fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
     const POINTS: usize = 8;
     let [_, ny, nx] = grid.shape;
     let at = |i: usize| ((i as f64 + 0.5) / POINTS as f64 - 0.5) * grid.pitch_mm;

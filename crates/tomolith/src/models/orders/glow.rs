@@ -3,10 +3,11 @@
 use super::bins::Bins;
 use super::cones::Cones;
 use super::convolver::{Convolver, Kernel};
-use super::far::Far;
+use super::far::{Far, resin_of};
 use super::flight::{Flight, Pattern};
 use super::harmonics::{Harmonic, coefficients};
 use super::level::Level;
+use super::smear::{Sharpen, Smear};
 use super::straight::{Channel, Straight};
 use super::{Params, by_rays};
 use crate::error::{Error, Result};
@@ -73,6 +74,9 @@ pub(super) struct Glow {
     frames: Range<usize>,
     /// Straight light on cells.
     straight: Box<dyn Straight>,
+    /// For straight light as a source, and what voxels see of order 1.
+    given: Sharpen,
+    seen: Sharpen,
     /// Of each of its fields: to the dose of order 1.
     kernels: Vec<Kernel>,
     convolver: Convolver,
@@ -98,7 +102,7 @@ impl Glow {
         let lit = rays.as_ref();
         let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
         let mu = light.resin.attenuation_per_mm;
-        let cells = Cells::new(vial, (edge, mu), lit, &fine.grid);
+        let cells = Cells::new(vial, (folded, edge, mu), lit, &fine.grid);
         cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
@@ -109,6 +113,7 @@ impl Glow {
         };
         let frames = first_frame..first_frame + light.pixels.frames();
         let len = light.layout(0).len();
+        let of_bins = bins.smear();
         let straight: Box<dyn Straight> = match rays {
             Some(rays) => Box::new(Cones::new(bins, rays.on(cells.grid.clone()), folded)),
             None => {
@@ -121,11 +126,22 @@ impl Glow {
         let octants = flight.octants(&patterns, [nx, ny, nz]);
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let resin = resin_of(vial, &cells.grid);
+        let (mean, line) = (Smear::mean(flight.edge), Smear::interpolation(flight.edge));
         Ok(Glow {
             pixels: offset..offset + len,
             frames,
+            given: Sharpen::new(&layout, &resin, of_bins + mean + mean),
+            seen: Sharpen::new(&layout, &resin, mean + line),
             kernels: kernels.collect(),
-            far: Far::new(vial, (folded, channels), mu, &layout, cells.factor, fine),
+            far: Far::new(
+                vial,
+                (folded, channels, of_bins),
+                mu,
+                &layout,
+                cells.factor,
+                fine,
+            ),
             straight,
             convolver,
             coarse: Coarse::of_grid(cells.grid, fine),
@@ -162,12 +178,12 @@ impl Glow {
         let sources = self.straight.fields(own, &x[self.pixels.clone()], run)?;
         let mut once = vec![Complex::new(0.0, 0.0); self.convolver.len()];
         for (kernel, source) in self.kernels.iter().zip(&sources) {
-            let spectrum = self.convolver.transform(source.as_slice());
+            let spectrum = self.convolver.transform(&self.given.of(source.as_slice()));
             kernel.add(&spectrum, false, &mut once);
         }
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.convolver.add_field(once, 1.0, &mut cells);
-        self.coarse.spread(&cells, dose);
+        self.coarse.spread(&self.seen.of(&cells), dose);
         self.far.add_forward(&sources, dose);
         Ok(())
     }
@@ -176,13 +192,17 @@ impl Glow {
     pub(super) fn add_adjoint(&self, cotangent: &[f32], grad: &mut [f32], run: &Run) -> Result<()> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
-        let once = self.convolver.transform(&cells);
+        let once = self.convolver.transform(&self.seen.of(&cells));
         let far = self.far.adjoint(cotangent);
         let source = |(channel, kernel): (usize, &Kernel)| {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
             kernel.add(&once, true, &mut sum);
-            let mut source = HostField::zeros(self.coarse.layout.len());
-            self.convolver.add_field(sum, 1.0, source.as_mut_slice());
+            let mut cells = vec![0.0; self.coarse.layout.len()];
+            self.convolver.add_field(sum, 1.0, &mut cells);
+            let mut source = HostField::zeros(cells.len());
+            source
+                .as_mut_slice()
+                .copy_from_slice(&self.given.of(&cells));
             far.add_to(channel, source.as_mut_slice());
             source
         };
@@ -207,9 +227,27 @@ fn order_one(folded: &Folded, Channel(terms): &Channel) -> Pattern {
 fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
     let radius = vial.resin_wall().inscribed_radius();
     params.cell_mm.map_or_else(
-        || (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0),
+        || {
+            let edge = (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0);
+            edge.min(0.2 / folded.per_mm)
+        },
         |edge| edge.min(radius / 4.0),
     )
+}
+
+/// How far above and below what is lit or wanted light may go and come back, mm.
+///
+/// Diffusion in a cylinder decays along z as e^(−κz), κ² = 3μ_a(μ_a + μ_s′) + (2.4/R)², μ_s′ = μ_s(1 − f₁). Five lengths, fewer where much
+/// light is absorbed before it is scattered again: less than 0.2 % of the dose are missing (docs/scattering.md).
+fn margin_mm(folded: &Folded, mu: f64, radius: f64) -> f64 {
+    const LENGTHS: f64 = 5.0;
+    /// First zero of the Bessel function J₀.
+    const ZERO: f64 = 2.405;
+    let turned = folded.per_mm * (1.0 - folded.coefficients.get(1).copied().unwrap_or(0.0));
+    let absorbed = (mu - folded.per_mm).max(0.0);
+    let decay = 3.0 * absorbed * (absorbed + turned) + (ZERO / radius).powi(2);
+
+    LENGTHS * (folded.per_mm / mu).powi(2) / decay.sqrt()
 }
 
 /// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty.
@@ -225,15 +263,14 @@ impl Cells {
     /// Cells over the resin, from below to above what is lit or wanted.
     fn new(
         vial: &dyn Vial,
-        (edge, mu): (f64, f64),
+        (folded, edge, mu): (&Folded, f64, f64),
         [lit_low, lit_high]: [f64; 2],
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
         // Later orders: a quarter of a millimetre at μ = 1, and 16 cells across
         let factor = ((0.25 / mu).min(radius / 8.0) / edge).floor().max(1.0) as usize;
-        // Light that leaves the lit heights and comes back has rarely flown farther
-        let margin = radius.min(1.0 / mu);
+        let margin = margin_mm(folded, mu, radius);
         let [low, high] = fine.bounds_mm();
         let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
         let count =

@@ -21,7 +21,7 @@
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
-//! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius | edge of the cells of order 1 |
+//! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius, at most 0.2/μ_s | edge of the cells of order 1 |
 //! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow straight light |
 //!
 //! # Limits
@@ -66,6 +66,7 @@ mod flight;
 mod glow;
 mod harmonics;
 mod level;
+mod smear;
 mod straight;
 
 use super::parallel::{self, Light, Parallel};

@@ -158,7 +158,7 @@ fn a_half_space_sends_back_what_chandrasekhar_computes() {
         };
         let (coarse, fine) = (back(0.5), back(0.25));
         assert!(
-            (coarse - expected).abs() < 0.03 * expected,
+            (coarse - expected).abs() < 0.01 * expected,
             "{coarse} {expected}"
         );
         assert!(
@@ -295,7 +295,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is
         };
         let (bright, dark) = (rms(&bright), rms(&dark));
         assert!(
-            bright < 0.008 && dark < 0.005,
+            bright < 0.0065 && dark < 0.0045,
             "{optics:?}: {bright} {dark}"
         );
     }
@@ -319,16 +319,16 @@ fn it_agrees_with_random_paths_in_every_vial_and_phase() {
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     for vial in vials {
         for (optics, allowed) in [
-            (of(Rayleigh {}, 0.3), 0.01),
-            (of(Isotropic {}, 0.3), 0.01),
-            (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.01),
+            (of(Rayleigh {}, 0.3), 0.004),
+            (of(Isotropic {}, 0.3), 0.004),
+            (of(HenyeyGreenstein { g: 0.4 }, 0.3), 0.006),
         ] {
             let optics = [optics];
             let light = light(24, 8, 32, 0.125, 0.3);
             let x = two_bars();
             let params = scatter::Params {
                 paths_per_pixel: 256,
-                smooth: 2,
+                smooth: 1,
                 ..Default::default()
             };
             let lights = [light];
@@ -337,11 +337,34 @@ fn it_agrees_with_random_paths_in_every_vial_and_phase() {
             let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
             let (rms, most) = difference(&dose(&paths, &x), &dose(&orders, &x));
             assert!(
-                rms < allowed && most < 3.0 * allowed,
+                rms < allowed && most < 4.0 * allowed,
                 "{vial:?} {optics:?}: {rms} {most}"
             );
         }
     }
+}
+
+#[test]
+fn light_that_wanders_far_above_what_is_lit_comes_back() {
+    // Scattered fifteen times before it is absorbed: with one free path of resin above and below 5.5 % of the dose would be missing
+    let grid = VolumeGrid::centered([8, 16, 16], 0.25);
+    let optics = [of(Rayleigh {}, 1.5)];
+    let mut light = light(24, 8, 32, 0.125, 1.5);
+    light.resin.attenuation_per_mm = 1.6;
+    let x = two_bars();
+    let lights = [light];
+    let params = scatter::Params {
+        paths_per_pixel: 64,
+        smooth: 1,
+        ..Default::default()
+    };
+    let paths = scatter::model(&BATH, &lights, &optics, &params, grid.clone()).unwrap();
+    let own = Params::default();
+    let orders = model(&BATH, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
+    let [by_paths, by_orders] = [dose(&paths, &x), dose(&orders, &x)];
+    let sum = |dose: &Volume<f32>| dose.values.iter().map(|&v| f64::from(v)).sum::<f64>();
+    let ratio = sum(&by_orders) / sum(&by_paths);
+    assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
 }
 
 #[test]
@@ -396,7 +419,10 @@ fn smaller_cells_change_less_and_less() {
     let finest = with(0.0625);
     let [coarse, middle] = [0.375, 0.1875].map(|edge| difference(&with(edge), &finest).0);
     // Pixels of noise on cells of three by three pixels: the worst that patterns can be
-    assert!(middle < 0.25 * coarse && coarse < 0.02, "{coarse} {middle}");
+    assert!(
+        middle < 0.25 * coarse && coarse < 0.005,
+        "{coarse} {middle}"
+    );
 }
 
 #[test]
@@ -429,7 +455,7 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
 
 #[test]
 fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
-    // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows
+    // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows; light is made sharper by a thousandth less where its pixels are larger
     let scattering = of(Rayleigh {}, 0.2);
     let grid = VolumeGrid::centered([12, 12, 12], 0.16);
     let params = cells(Some(0.49));
@@ -461,6 +487,6 @@ fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
     }
     let most = by_height[0].iter().copied().fold(0.0, f32::max);
     for (a, b) in by_height[0].iter().zip(&by_height[1]) {
-        assert!(most > 0.0 && (a - b).abs() < 1e-5 * most, "{a} {b}");
+        assert!(most > 0.0 && (a - b).abs() < 2e-3 * most, "{a} {b}");
     }
 }
