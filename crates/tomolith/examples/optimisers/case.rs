@@ -95,6 +95,7 @@ impl Case {
             solid: None,
             asked_often: true,
             dose_factor: 1.0,
+            orders_off: None,
         };
         let plan = planner::plan(
             &Choice::default(),

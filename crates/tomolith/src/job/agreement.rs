@@ -45,7 +45,7 @@ pub(crate) struct Agreement {
 }
 
 /// Paths of an estimate, about: two seconds of a core.
-const PATHS: usize = 400_000;
+pub(crate) const PATHS: usize = 400_000;
 /// Paths of a pixel at most, where few are lit.
 const MOST_PER_PIXEL: usize = 256;
 /// Blocks along the longest edge of the grid.
@@ -54,7 +54,8 @@ const BLOCKS: usize = 16;
 const WORTH_SAYING: f64 = 0.01;
 
 impl Agreement {
-    /// Of patterns on a job's grid, vial standing; None where scattered light does not go order by order.
+    /// Of patterns on the grid of voxels, vial standing, by about so many paths, twice; None where scattered light does not go order
+    /// by order.
     ///
     /// # Errors
     /// What the models refuse; [`Error::Cancelled`](crate::Error::Cancelled).
@@ -62,13 +63,14 @@ impl Agreement {
         scene: &Scene,
         voxels: &Voxels,
         patterns: &[Patterns],
+        most_paths: usize,
         cancel: &Run,
     ) -> Result<Option<Self>> {
-        let Choice::Orders(params) = scene.optics.model_for(1, &scene.grid) else {
+        let grid = || voxels.labels.grid.clone();
+        let Choice::Orders(params) = scene.optics.model_for(1, &grid()) else {
             return Ok(None);
         };
         let setup = scene.optics.setup();
-        let grid = || scene.grid.clone();
         let lights = lit(scene, patterns);
         let (vial, optics) = (setup.vial, setup.optics);
         let whole = orders::model(vial, lights.clone(), optics, &params, grid())?;
@@ -77,8 +79,8 @@ impl Agreement {
         let by_orders = less(&whole, &dose(straight.as_ref(), patterns, cancel)?);
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
-            let (sample, count) = sampled(patterns, seed);
-            let paths_per_pixel = (PATHS / count.max(1)).clamp(1, MOST_PER_PIXEL);
+            let (sample, count) = sampled(patterns, seed, most_paths);
+            let paths_per_pixel = (most_paths / count.max(1)).clamp(1, MOST_PER_PIXEL);
             paths = count * paths_per_pixel;
             let lights = lit(scene, &sample);
             let params = scatter::Params {
@@ -93,7 +95,7 @@ impl Agreement {
             Ok(less(&all, &dose(&model, &sample, cancel)?))
         };
         let estimates = [by_paths(1)?, by_paths(2)?];
-        let longest = scene.grid.shape.iter().copied().max();
+        let longest = grid().shape.iter().copied().max();
         let block = longest.unwrap_or(1).div_ceil(BLOCKS);
         let mean = part_mean(&whole, &voxels.labels);
         let found = errors(&by_orders, &estimates, &voxels.labels, block);
@@ -104,15 +106,25 @@ impl Agreement {
             most_in_part: over_mean(found.most[0]),
             most_in_void: over_mean(found.most[1]),
             seen: over_mean(found.seen),
-            block_mm: block as f64 * scene.grid.pitch_mm,
+            block_mm: block as f64 * grid().pitch_mm,
             paths,
         }))
     }
 
+    /// The larger of the errors in part and void.
+    pub(crate) fn worst(&self) -> f64 {
+        self.part.max(self.void)
+    }
+
+    /// Whether the error is worth a warning, and no noise of the paths.
+    pub(crate) fn is_far_off(&self) -> bool {
+        self.worst() > WORTH_SAYING && self.worst() > 2.0 * self.seen
+    }
+
     /// What people must know when the two do not agree.
     pub(crate) fn warning(&self) -> Option<String> {
-        let worst = self.part.max(self.void);
-        (worst > WORTH_SAYING && worst > 2.0 * self.seen).then(|| {
+        self.is_far_off().then(|| {
+            let worst = self.worst();
             format!(
                 "scattered light by orders is {:.1} % of the part's mean dose off random paths: a smaller model.orders.cell_mm, \
                  or [model.scatter], may be better",
@@ -157,12 +169,12 @@ fn lit(scene: &Scene, patterns: &[Patterns]) -> Vec<Light> {
 }
 
 /// Some of the lit pixels at random, brighter by as much as they are fewer; and how many.
-fn sampled(patterns: &[Patterns], seed: u64) -> (Vec<Patterns>, usize) {
+fn sampled(patterns: &[Patterns], seed: u64, most: usize) -> (Vec<Patterns>, usize) {
     let lit: usize = patterns
         .iter()
         .map(|p| p.values.iter().filter(|v| **v != 0.0).count())
         .sum();
-    let share = (PATHS as f64 / lit.max(1) as f64).min(1.0);
+    let share = (most as f64 / lit.max(1) as f64).min(1.0);
     let mut count = 0;
     let mut sample = patterns.to_vec();
     for (light, patterns) in sample.iter_mut().enumerate() {
@@ -345,7 +357,7 @@ mod tests {
     fn a_sample_of_pixels_sends_as_much_as_all() {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(50, 0.0, 100, 200, 0.1));
         patterns.values.fill(0.5);
-        let (sample, count) = sampled(&[patterns.clone()], 3);
+        let (sample, count) = sampled(&[patterns.clone()], 3, PATHS);
         let sum = |p: &Patterns| p.values.iter().map(|&v| f64::from(v)).sum::<f64>();
         let kept = PATHS as f64 / 1e6;
         assert!((count as f64 / 1e6 - kept).abs() < 5.0 * (kept / 1e6).sqrt());

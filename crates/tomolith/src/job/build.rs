@@ -41,6 +41,8 @@ pub(crate) struct Optics {
     pub(crate) model: Choice,
     /// What every dose is multiplied by.
     pub(crate) dose_factor: f64,
+    /// Why light that scatters does not go order by order though it could ([`trial`](super::trial)).
+    pub(crate) orders_off: Option<&'static str>,
 }
 
 impl Optics {
@@ -112,6 +114,7 @@ impl Optics {
             bodies: obstacles.len(),
             model,
             dose_factor: 1.0,
+            orders_off: None,
         };
         if spec.resin.dose_convention == DoseConvention::Drtvam {
             optics.dose_factor = optics.refracted_factor();
@@ -127,6 +130,7 @@ impl Optics {
             solid: None,
             asked_often: false,
             dose_factor: self.dose_factor,
+            orders_off: self.orders_off,
         }
     }
 

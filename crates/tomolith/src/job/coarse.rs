@@ -141,7 +141,7 @@ fn solve_level(
 }
 
 /// The same box with voxels `factor` times as large (a little more of a box where the count is no multiple).
-fn coarser_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
+pub(super) fn coarser_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
     VolumeGrid {
         shape: grid.shape.map(|n| n.div_ceil(factor)),
         pitch_mm: grid.pitch_mm * factor as f64,

@@ -3,7 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
-use super::agreement::Agreement;
+use super::agreement::{self, Agreement};
 use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
@@ -222,7 +222,7 @@ pub(crate) fn judge(
         let text = format!("random paths: {noise}");
         progress.event(&Event::Note { text });
     }
-    let agreement = Agreement::of(scene, voxels, shown, cancel)?;
+    let agreement = Agreement::of(scene, voxels, shown, agreement::PATHS, cancel)?;
     if let Some(agreement) = &agreement {
         let text = format!("scattering by orders: {agreement}");
         progress.event(&Event::Note { text });

@@ -40,6 +40,7 @@ mod selection;
 pub mod spec;
 mod stages;
 pub mod trace;
+mod trial;
 pub mod validate;
 mod write;
 

@@ -10,6 +10,7 @@ use super::progress::{Event, Progress};
 use super::rates;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
+use super::trial::try_orders;
 use super::write::{self, Done};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
@@ -31,11 +32,12 @@ const OPTIMISING: &str = "optimising";
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
     let mut clock = Clock::new(progress);
     clock.stage("reading the job");
-    let scene = Scene::new(job)?;
+    let mut scene = Scene::new(job)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
+    try_orders(&mut scene, clock.progress, cancel).map_err(|e| job.locate(e))?;
     clock.stage(OPTIMISING);
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
@@ -85,11 +87,12 @@ pub fn simulate(
     let mut clock = Clock::new(progress);
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
-    let scene = Scene::new(job)?;
+    let mut scene = Scene::new(job)?;
     let patterns = device::read(&scene, source, clock.progress)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
+    try_orders(&mut scene, clock.progress, cancel).map_err(|e| job.locate(e))?;
     clock.stage("evaluating the patterns");
     let judged = judge(
         &scene,
@@ -219,17 +222,14 @@ fn parts_of(seconds: f64, optimised: &Optimised) -> Option<[Timing; 5]> {
 /// # Errors
 /// As [`run`], for input that cannot be used.
 pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
-    let mut stage = |name: &str| {
-        let name = name.to_owned();
-        progress.event(&Event::Stage { name });
-    };
-    stage("reading the job");
-    let scene = Scene::new(job)?;
-    stage("sampling the target");
+    stage(progress, "reading the job");
+    let mut scene = Scene::new(job)?;
+    stage(progress, "sampling the target");
     let begin = Instant::now();
     let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
     let sampling_s = begin.elapsed().as_secs_f64();
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
+    try_orders(&mut scene, progress, cancel).map_err(|e| job.locate(e))?;
     let mut warnings = scene.warnings.clone();
     warnings.extend(
         scene
@@ -237,7 +237,7 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
             .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
             .map_err(|e| job.locate(e))?,
     );
-    stage("timing a few frames on this machine");
+    stage(progress, "timing a few frames on this machine");
     let rates = rates::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
     let work = Work {
         extent: &scene.extent,
@@ -274,6 +274,11 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
         notes: scene.notes.clone(),
         warnings,
     })
+}
+
+fn stage(progress: &mut dyn Progress, name: &str) {
+    let name = name.to_owned();
+    progress.event(&Event::Stage { name });
 }
 
 /// Takes the run folder, and tells what is known so far.

@@ -48,6 +48,8 @@ pub struct Setup<'a> {
     pub asked_often: bool,
     /// What every dose is multiplied by: 1, or the factor of another program's doses.
     pub dose_factor: f64,
+    /// Why [`orders`] is not to be taken though it covers these optics: what a trial found; None: it may.
+    pub orders_off: Option<&'static str>,
 }
 
 /// Why whole voxels are not enough.
@@ -210,7 +212,7 @@ impl Setup<'_> {
     pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
         match self.solid {
             Some(_) => Some(CUT),
-            None => orders::beyond(self.vial, lights, self.optics, grid),
+            None => orders::beyond(self.vial, lights, self.optics, grid).or(self.orders_off),
         }
     }
 
@@ -460,6 +462,7 @@ mod tests {
             solid,
             asked_often: true,
             dose_factor: 1.0,
+            orders_off: None,
         }
     }
 
@@ -565,7 +568,7 @@ mod tests {
         let grid = VolumeGrid::centered([6, 8, 8], 0.15);
         let mut wanted = Volume::filled(grid.clone(), 0u8);
         wanted.values[grid.index(3, 4, 4)] = 1;
-        let pixels = |phase: Option<Arc<dyn Phase>>, leaning: bool| {
+        let planned = |phase: Option<Arc<dyn Phase>>, leaning: bool, off| {
             let mut optics = [Optics::collimated(0.1)];
             let mut light = light();
             if let Some(phase) = phase {
@@ -575,13 +578,17 @@ mod tests {
             if leaning {
                 optics[0].motion.tilt_rad = 0.05;
             }
-            let setup = setup(&optics, None);
+            let setup = Setup {
+                orders_off: off,
+                ..setup(&optics, None)
+            };
             let lights = vec![light];
             let wanted = Some(&wanted);
             let any = Choice::Cheapest;
             let plan = plan(&any, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
             (plan.model.patterns()[0].len(), plan.reason)
         };
+        let pixels = |phase, leaning| planned(phase, leaning, None);
         let rayleigh = || Some(Arc::new(Rayleigh {}) as Arc<dyn Phase>);
         let (level, _) = pixels(None, false);
         let (orders, reason) = pixels(rayleigh(), false);
@@ -603,6 +610,12 @@ mod tests {
         );
         let why = "the resin scatters and much light is scattered into a narrow forward lobe";
         assert!(reason.ends_with(why), "{reason}");
+        let (_, reason) = planned(rayleigh(), false, Some("a trial was too far off"));
+        let why = "the resin scatters and a trial was too far off";
+        assert!(
+            reason.starts_with("rays, 4") && reason.ends_with(why),
+            "{reason}"
+        );
     }
 
     #[test]
@@ -662,6 +675,7 @@ mod tests {
             solid: Some(&ball),
             asked_often: true,
             dose_factor: 1.0,
+            orders_off: None,
         };
         let nothing = Volume::filled(grid.clone(), 0u8);
         let any = Choice::Cheapest;

@@ -249,6 +249,7 @@ mod tests {
                 solid: None,
                 asked_often: true,
                 dose_factor: 1.0,
+                orders_off: None,
             };
             let planned = |light: Light| {
                 let (lights, grid) = (vec![light], grid.clone());
@@ -313,6 +314,7 @@ mod tests {
             solid: None,
             asked_often: true,
             dose_factor: 1.0,
+            orders_off: None,
         };
         let mut light = light();
         light.selection.masks = vec![mask()];

@@ -268,8 +268,8 @@ impl Cells {
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
-        // Later orders: a quarter of a millimetre at μ = 1, and 16 cells across
-        let factor = ((0.25 / mu).min(radius / 8.0) / edge).floor().max(1.0) as usize;
+        // Later orders: 0.4 mm at μ = 1, and 20 cells across
+        let factor = ((0.4 / mu).min(radius / 10.0) / edge).floor().max(1.0) as usize;
         let margin = margin_mm(folded, mu, radius);
         let [low, high] = fine.bounds_mm();
         let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);

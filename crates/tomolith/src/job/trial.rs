@@ -1,0 +1,122 @@
+//! Whether scattered light may go order by order, tried before any work.
+//!
+//! A job that names no model takes [`orders`] where it covers vial and lights. How near it comes to random paths is known for some scenes
+//! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
+//! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, random
+//! paths are taken instead, and that is said. The trial knows nothing of patterns, so a run, its `check` and a later `simulate` decide
+//! alike. Who names `[model.orders]` gets it, and a warning from the patterns' own error.
+
+use super::agreement::Agreement;
+use super::coarse::coarser_grid;
+use super::progress::{Event, Progress};
+use super::scene::Scene;
+use crate::error::{Error, Result};
+use crate::grid::Patterns;
+use crate::models::selection::contributions;
+use crate::models::{Choice, Run, orders};
+
+/// Voxels along the longest edge of a trial.
+const VOXELS: usize = 32;
+/// Paths of each of its two estimates, about: half a second of a core.
+const PATHS: usize = 100_000;
+
+/// Takes random paths for a scene that names no model and whose trial by [`orders`] is far off; says so.
+///
+/// # Errors
+/// What the models and the target refuse; [`Error::Cancelled`].
+pub(crate) fn try_orders(
+    scene: &mut Scene,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<()> {
+    let scatters = scene.optics.setup().scatters();
+    if !scatters || !matches!(scene.optics.model, Choice::Cheapest) {
+        return Ok(());
+    }
+    let text = match trial(scene, cancel) {
+        Err(Error::Config { key, found, .. }) if key == "model.orders.cell_mm" => {
+            scene.optics.orders_off = Some("light by orders would need too many cells");
+            format!("scattered light by random paths: by orders it would take {found}")
+        }
+        Err(error) => return Err(error),
+        Ok(Some(found)) if found.is_far_off() => {
+            scene.optics.orders_off = Some("a trial of light by orders was too far off");
+            format!("scattered light by random paths: tried by orders, it was {found}")
+        }
+        Ok(_) => return Ok(()),
+    };
+    progress.event(&Event::Note { text });
+    Ok(())
+}
+
+fn trial(scene: &Scene, cancel: &Run) -> Result<Option<Agreement>> {
+    let longest = scene.grid.shape.iter().copied().max();
+    let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
+    let Choice::Orders(params) = scene.optics.model_for(1, &grid) else {
+        return Ok(None);
+    };
+    let voxels = scene.voxels(&grid)?;
+    let setup = scene.optics.setup();
+    let lights = scene.optics.lights_turning(1);
+    let straight = orders::unscattered(setup.vial, lights, setup.optics, &params, grid)?;
+    let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
+    let lit: Vec<f32> = (brought.as_slice().iter())
+        .map(|&brought| f32::from(brought > 0.0))
+        .collect();
+    let layouts = straight.patterns().iter();
+    let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
+    Agreement::of(scene, &voxels, &silhouettes, PATHS, cancel)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+
+    /// What is said of a sphere in a resin that scatters so much per mm, and whether random paths are taken.
+    fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 2.0 }}
+            grid = {{ pitch_mm = 0.1 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1, scattering_per_mm = {scattering} }}
+            vial = {{ index_matched = {{ radius_mm = 4.0 }} }}
+            light = [{{ pixels = [24, 24], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+            objective = {{ threshold = {{}} }}
+            {model}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap()).unwrap();
+        let mut said = Said(Vec::new());
+        try_orders(&mut scene, &mut said, &Run::new()).unwrap();
+        let choice = scene.optics.model_for(1, &scene.grid);
+        (said.0, matches!(choice, Choice::Scatter(_)))
+    }
+
+    struct Said(Vec<String>);
+
+    impl Progress for Said {
+        fn event(&mut self, event: &Event) {
+            if let Event::Note { text } = event {
+                self.0.push(text.clone());
+            }
+        }
+    }
+
+    #[test]
+    fn orders_are_taken_where_they_are_near_enough_and_random_paths_where_cells_would_be_too_many()
+    {
+        assert_eq!(tried("0.2", ""), (vec![], false));
+        // 8 mm across in cells of 0.2/20 mm
+        let (said, by_paths) = tried("20", "");
+        assert!(
+            by_paths && said.len() == 1 && said[0].contains("800 × 800 cells of 0.01 mm"),
+            "{said:?}"
+        );
+        // Whoever names a model is not second-guessed
+        assert_eq!(tried("0.2", "model = { orders = {} }"), (vec![], false));
+    }
+}
