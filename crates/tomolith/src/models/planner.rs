@@ -2,7 +2,8 @@
 //!
 //! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
 //! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
-//! [`orders`] in light of any direction where resin and vial are the same at all heights and no body is in the way, else [`scatter`]. A job may ask for one
+//! [`orders`] in light of any direction where resin and vial are the same at all heights and no body is in the way, unless a trial was far off
+//! ([`Setup::orders_off`]), else [`scatter`]. A job may ask for one
 //! of them, or for a stored matrix; what a model does not cover is refused with the reason.
 
 use super::dimmed::Dimmed;
