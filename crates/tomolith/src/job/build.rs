@@ -167,7 +167,7 @@ impl Optics {
     }
 
     /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
-    /// where scattered light is followed by random ones.
+    /// on smaller cells where scattered light is followed by random ones.
     pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
         let mut model = self.model.clone();
         let setup = self.setup();
@@ -187,7 +187,7 @@ impl Optics {
             Choice::Orders(params) => {
                 params.rays_per_pixel = Some(params.rays() * refine * refine);
             }
-            Choice::Scatter(params) => *params = params.for_judging(),
+            Choice::Scatter(params) => *params = params.for_judging(refine),
             _ => {}
         }
         model

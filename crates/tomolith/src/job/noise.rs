@@ -1,7 +1,7 @@
 //! What random paths leave uncertain in the dose of a resin that scatters.
 //!
 //! Patterns that were optimised on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
-//! times as many; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
+//! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
 //! difference of two such sets of paths, over √2, per voxel.
 
 use super::judge::{Room, dose_by, print};

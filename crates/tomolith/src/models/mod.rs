@@ -16,6 +16,7 @@ pub mod planner;
 pub mod rays;
 pub mod scatter;
 pub mod selection;
+mod smear;
 pub mod wave;
 
 use crate::error::Result;

@@ -28,14 +28,15 @@
 //! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
-//! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them |
+//! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them, and in what is reported they are half as large |
 //!
 //! # Limits
-//! Noise falls with the square root of the number of paths. What is reported is simulated with another seed and sixteen times
-//! as many paths, so that a pattern that fits its own noise shows.
+//! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
+//! paths and cells half as large, so that a pattern that fits its own noise, or what cells smooth away, shows.
 //!
-//! Scattered light is smoothed over `smooth` voxels: near a wall some of it lies beyond the resin (1 % of the absorbed energy in a
-//! vial of 32 voxels across), where it counts nowhere.
+//! Scattered light is smoothed over cells of `smooth` voxels, less what [`smear`](super::smear) brings back: structure of two or three
+//! cells stays too flat. Near a wall some of it lies beyond the resin (1 % of the absorbed energy in a vial of 32 voxels across), where
+//! it counts nowhere.
 //!
 //! # Cost
 //! Paths are traced again in every call, so memory does not grow with their number.
@@ -90,7 +91,7 @@ pub struct Params {
     pub reflections: bool,
     /// How often light is scattered at most, 0 to 1000.
     pub orders: usize,
-    /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32.
+    /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32; half as large in what is reported.
     pub smooth: usize,
 }
 
@@ -113,12 +114,14 @@ impl Default for Params {
 pub(crate) const JUDGING: usize = 16;
 
 impl Params {
-    /// What a result is judged by: independent paths, sixteen times as many.
+    /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large, so
+    /// that what cells smooth away shows like noise does.
     #[must_use]
-    pub fn for_judging(&self) -> Self {
+    pub fn for_judging(&self, refine: usize) -> Self {
         Params {
             paths_per_pixel: JUDGING * self.paths_per_pixel,
             seed: !self.seed,
+            smooth: (self.smooth * refine).div_ceil(2),
             ..self.clone()
         }
     }

@@ -1,9 +1,9 @@
 //! Patterns on pixels as large as the cells that they light.
 
-use super::smear::Smear;
 use crate::grid::PatternGrid;
 use crate::models::PatternLayout;
 use crate::models::parallel::Light;
+use crate::models::smear::Smear;
 use rayon::prelude::*;
 use std::ops::Range;
 

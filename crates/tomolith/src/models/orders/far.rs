@@ -4,12 +4,12 @@ use super::convolver::{Convolver, Kernel, Spectrum};
 use super::flight::{Flight, Pattern};
 use super::glow::Folded;
 use super::harmonics::Harmonic;
-use super::smear::{Sharpen, Smear};
 use super::straight::Channel;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::models::DoseLayout;
 use crate::models::coarse::Coarse;
+use crate::models::smear::{Sharpen, Smear, full_cells};
 use crate::optics::vial::Vial;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
@@ -101,7 +101,8 @@ impl Far {
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
         let resin = resin_of(vial, &grid);
         let (mean, line) = (Smear::mean(flight.edge), Smear::interpolation(flight.edge));
-        let sharpen = |smear| Sharpen::new(&coarse.layout, &resin, smear);
+        let is_full = full_cells(&coarse.layout, |at| vial.in_resin(at));
+        let sharpen = |smear| Sharpen::new(&coarse.layout, &is_full, smear);
         let mut far = Far {
             near: near.clone(),
             factor,
@@ -355,7 +356,7 @@ impl Back<'_> {
 }
 
 /// Part of each (y, x) of cells that is resin, by 8 × 8 points.
-pub(super) fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
+fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
     const POINTS: usize = 8;
     let [_, ny, nx] = grid.shape;
     let at = |i: usize| ((i as f64 + 0.5) / POINTS as f64 - 0.5) * grid.pitch_mm;

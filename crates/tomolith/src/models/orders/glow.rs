@@ -3,11 +3,10 @@
 use super::bins::Bins;
 use super::cones::Cones;
 use super::convolver::{Convolver, Kernel};
-use super::far::{Far, resin_of};
+use super::far::Far;
 use super::flight::{Flight, Pattern};
 use super::harmonics::{Harmonic, coefficients};
 use super::level::Level;
-use super::smear::{Sharpen, Smear};
 use super::straight::{Channel, Straight};
 use super::{Params, by_rays};
 use crate::error::{Error, Result};
@@ -16,6 +15,7 @@ use crate::grid::VolumeGrid;
 use crate::models::coarse::Coarse;
 use crate::models::parallel::Light;
 use crate::models::rays::Optics;
+use crate::models::smear::{Sharpen, Smear, full_cells};
 use crate::models::{DoseLayout, Run};
 use crate::optics::phase::Scattering;
 use crate::optics::vial::Vial;
@@ -126,13 +126,13 @@ impl Glow {
         let octants = flight.octants(&patterns, [nx, ny, nz]);
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
-        let resin = resin_of(vial, &cells.grid);
+        let is_full = full_cells(&layout, |at| vial.in_resin(at));
         let (mean, line) = (Smear::mean(flight.edge), Smear::interpolation(flight.edge));
         Ok(Glow {
             pixels: offset..offset + len,
             frames,
-            given: Sharpen::new(&layout, &resin, of_bins + mean + mean),
-            seen: Sharpen::new(&layout, &resin, mean + line),
+            given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
+            seen: Sharpen::new(&layout, &is_full, mean + line),
             kernels: kernels.collect(),
             far: Far::new(
                 vial,

@@ -66,7 +66,6 @@ mod flight;
 mod glow;
 mod harmonics;
 mod level;
-mod smear;
 mod straight;
 
 use super::parallel::{self, Light, Parallel};

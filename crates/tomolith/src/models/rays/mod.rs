@@ -55,18 +55,19 @@
 //! ```
 
 pub mod accumulation;
+mod haze;
 pub(crate) mod kept;
 mod segment;
+mod sheets;
 pub mod solid;
 mod source;
 mod walk;
 pub(in crate::models) mod weighted;
 
 use crate::error::{Error, Result};
-use crate::field::HostField;
+use crate::field::{HostField, LANES};
 use crate::grid::VolumeGrid;
 use crate::kind::Kind;
-use crate::models::coarse::Coarse;
 use crate::models::parallel::{Kernel, Light};
 use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling,
@@ -80,14 +81,15 @@ use crate::optics::projector::collimated::Collimated;
 use crate::optics::space::{Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use accumulation::Accumulation;
+use haze::Haze;
 use kept::Kept;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment};
 use serde::{Deserialize, Serialize};
+use sheets::Sheet;
 use solid::{Pieces, Solid};
 use source::Source;
-use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -181,6 +183,11 @@ impl Optics {
         }
     }
 
+    /// Whether its light is normal to the axis, and nothing in it changes that.
+    fn is_level(&self) -> bool {
+        self.projector.is_collimated() && self.motion.tilt_rad == 0.0 && self.obstacles.is_empty()
+    }
+
     /// Why its light is not collimated, normal to the axis of a vial that turns about it; None when it is.
     #[must_use]
     pub fn beyond_level(&self) -> Option<&'static str> {
@@ -231,13 +238,14 @@ pub struct Rays {
     outputs: Vec<DoseLayout>,
     lattice: Lattice,
     /// Where scattered light is summed.
-    coarse: Option<(Coarse, Lattice)>,
-    /// What every voxel takes of a light's fluence, where cells sum that: the absorption is a map that a cell does not resolve.
-    takes: Vec<Option<Arc<Vec<f32>>>>,
+    haze: Option<Haze>,
     /// What cuts voxels into cells.
     solid: Option<Arc<Solid>>,
     gait: Gait,
+    /// Whether light stays in the slice that it comes in, the same way in all slices.
     is_level: bool,
+    /// Whether such light is followed for all rows of a column at once.
+    by_rows: bool,
     accumulation: Accumulation,
     /// Iterations after which other paths are drawn; 0: never.
     renew: usize,
@@ -365,25 +373,18 @@ impl Rays {
                 ),
             });
         }
-        let coarse = emission.scattered.map(|Scattered { smooth, .. }| {
-            let coarse = Coarse::new(&outputs[0], smooth);
-            let lattice = Lattice::new(&coarse.layout);
-            (coarse, lattice)
-        });
-        let takes = match emission.scattered {
-            Some(scattered) if scattered.smooth > 1 => takes(lights, &outputs[0]),
-            _ => vec![None; lights.len()],
-        };
+        let of_scattered =
+            |scattered: Scattered| Haze::new(vial, lights, optics, &outputs[0], scattered.smooth);
+        let haze = emission.scattered.map(of_scattered);
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),
-            coarse,
-            takes,
+            haze,
             solid: None,
-            is_level: optics
-                .iter()
-                .all(|o| o.projector.is_collimated() && o.motion.tilt_rad == 0.0)
-                && !emission.limits.reflections
+            is_level: vial.is_invariant()
+                && optics.iter().all(Optics::is_level)
+                && (lights.iter()).all(|light| light.map.as_ref().is_none_or(|map| map.is_flat()))
                 && emission.scattered.is_none(),
+            by_rows: true,
             sources,
             patterns,
             outputs,
@@ -397,16 +398,16 @@ impl Rays {
     }
 
     /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 2.1 GB; not where light is
-    /// scattered. Worth it where a dose is asked for more than once or twice.
+    /// scattered, or followed for all rows at once. Worth it where a dose is asked for more than once or twice.
     #[must_use]
     pub fn keeping(mut self) -> Self {
-        self.keeps = self.coarse.is_none();
+        self.keeps = self.haze.is_none();
         self
     }
 
     /// The walks that are kept; None where none are.
     fn kept(&self, run: &Run) -> Result<Option<&Kept>> {
-        if self.keeps && self.kept.get().is_none() {
+        if self.keeps && !self.has_sheets() && self.kept.get().is_none() {
             // Whoever comes first; all would find the same
             let _ = self.kept.set(Kept::of(self, kept::MOST, run)?);
         }
@@ -426,11 +427,21 @@ impl Rays {
         self
     }
 
-    /// Uses the plain kernel; for tests and benches.
+    /// Uses the plain kernel, and follows every ray by itself; for tests and benches.
     #[must_use]
     pub fn plain(mut self) -> Self {
         self.gait = Gait::Plain;
+        self.by_rows = false;
         self
+    }
+
+    /// Whether rays are followed for all rows of a column at once.
+    fn has_sheets(&self) -> bool {
+        self.is_level
+            && self.by_rows
+            && self.solid.is_none()
+            && self.accumulation == Accumulation::Integral
+            && self.outputs[0].row.is_multiple_of(LANES)
     }
 
     /// Where the power of a frame of a light goes, mean over its pixels.
@@ -506,6 +517,23 @@ impl Rays {
         Ok(())
     }
 
+    /// The same with the sheets of level light.
+    fn for_each_sheets(
+        &self,
+        (light, frames): (usize, Range<usize>),
+        wants: impl Fn(usize) -> bool + Sync,
+        run: &Run,
+        mut visit: impl FnMut(&[Sheet]),
+    ) -> Result<()> {
+        for pairs in self.chunks(light, frames) {
+            if run.is_cancelled() {
+                return Err(Error::Cancelled);
+            }
+            visit(&self.sheets(light, pairs, &wants));
+        }
+        Ok(())
+    }
+
     /// Segments of some (frame, column) pairs, of pixels that `wants` chooses; in the order of pixels and rays.
     fn bundles(
         &self,
@@ -527,18 +555,18 @@ impl Rays {
                 let row = run.bottom as usize + i;
                 let mut count = 0;
                 let mut walk = |mut leg: Leg| {
-                    let scattered = self.coarse.as_ref().filter(|_| leg.order > 0);
-                    if scattered.is_some() && self.takes[light].is_some() {
+                    let haze = self.haze.as_ref().filter(|_| leg.order > 0);
+                    if haze.is_some_and(|haze| haze.is_fluence(light)) {
                         leg.uptake.active_per_mm = 1.0;
                     }
-                    let lattice = scattered.map_or(&self.lattice, |(_, lattice)| lattice);
+                    let lattice = haze.map_or(&self.lattice, |haze| &haze.lattice);
                     let segment = lattice.segment(&leg, area, pixel as u32);
                     let Some((axis, segment)) = segment else {
                         return;
                     };
                     let mut push = |place, piece| found.push((place, axis, piece));
                     match &self.solid {
-                        _ if scattered.is_some() => push(Place::Scattered, segment),
+                        _ if haze.is_some() => push(Place::Scattered, segment),
                         None => push(Place::Straight, segment),
                         Some(solid) => {
                             solid.inside(&leg.ray, leg.length, &mut pieces);
@@ -578,54 +606,6 @@ impl Rays {
 }
 
 impl Rays {
-    /// Dark coarse cells.
-    fn cells(&self) -> Vec<f32> {
-        vec![
-            0.0;
-            self.coarse
-                .as_ref()
-                .map_or(0, |(coarse, _)| coarse.layout.len())
-        ]
-    }
-
-    /// dose += a light's scattered light, which both cells of a voxel get alike
-    fn add_smooth(&self, light: usize, smooth: &[f32], dose: &mut [f32]) {
-        let Some((coarse, _)) = &self.coarse else {
-            return;
-        };
-        let takes = &self.takes[light];
-        if takes.is_none() && self.solid.is_none() {
-            coarse.spread(smooth, dose);
-            return;
-        }
-        let mut voxels = vec![0.0; self.outputs[0].voxels()];
-        coarse.spread(smooth, &mut voxels);
-        if let Some(takes) = takes {
-            weigh(&mut voxels, takes);
-        }
-        match &self.solid {
-            Some(solid) => solid.cells().add_even(&voxels, dose),
-            None => dose.iter_mut().zip(&voxels).for_each(|(d, v)| *d += v),
-        }
-    }
-
-    /// The transpose of [`add_smooth`](Self::add_smooth).
-    fn collect_smooth(&self, light: usize, c: &[f32]) -> Vec<f32> {
-        let mut smooth = self.cells();
-        let Some((coarse, _)) = &self.coarse else {
-            return smooth;
-        };
-        let mut voxels = match &self.solid {
-            Some(solid) => Cow::Owned(solid.cells().collect_even(c)),
-            None => Cow::Borrowed(c),
-        };
-        if let Some(takes) = &self.takes[light] {
-            weigh(voxels.to_mut(), takes);
-        }
-        coarse.gather(&voxels, &mut smooth);
-        smooth
-    }
-
     /// dose += what segments of pixels of these values leave
     fn add(&self, lattice: &Lattice, bundles: &Bundles, x: &[f32], dose: &mut [f32]) {
         for (axis, segments) in bundles.iter().enumerate() {
@@ -647,31 +627,6 @@ impl Rays {
             }
         }
     }
-}
-
-/// voxels *= weights
-fn weigh(voxels: &mut [f32], weights: &[f32]) {
-    voxels.iter_mut().zip(weights).for_each(|(v, w)| *v *= w);
-}
-
-/// What every voxel takes of the fluence of each light, 1/mm; None for a light that meets the same resin everywhere.
-fn takes(lights: &[Light], layout: &DoseLayout) -> Vec<Option<Arc<Vec<f32>>>> {
-    let of_light = |light: &Light| {
-        let plain = light.resin.uptake().active_per_mm;
-        let means = light.map.as_ref()?.means(&layout.grid, plain);
-        Some(Arc::new(layout.field_of(&means)))
-    };
-    let mut found: Vec<Option<Arc<Vec<f32>>>> = Vec::with_capacity(lights.len());
-    for (i, light) in lights.iter().enumerate() {
-        // The lights of a job share one map
-        let same = |other: &Light| match (&other.map, &light.map) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b) && other.resin == light.resin,
-            _ => false,
-        };
-        let shared = lights[..i].iter().position(same);
-        found.push(shared.map_or_else(|| of_light(light), |j| found[j].clone()));
-    }
-    found
 }
 
 /// What this model has no formula for.
@@ -743,7 +698,19 @@ impl LinearOperator for Rays {
                 }
                 continue;
             }
-            let mut smooth = self.cells();
+            if self.has_sheets() {
+                let dose = &mut dose[..voxels];
+                self.for_each_sheets(
+                    (light, own),
+                    |pixel| x[pixel] != 0.0,
+                    run,
+                    |sheets| {
+                        sheets::add(sheets, &self.outputs[0], x, dose);
+                    },
+                )?;
+                continue;
+            }
+            let mut cells = self.haze.as_ref().map(Haze::cells);
             let is_lit = |pixel: usize| x[pixel] != 0.0;
             self.for_each_chunk((light, own), is_lit, run, |lit| {
                 match &mut split {
@@ -753,11 +720,13 @@ impl LinearOperator for Rays {
                         self.add(&self.lattice, &lit.inside, x, inside);
                     }
                 }
-                if let Some((_, lattice)) = &self.coarse {
-                    self.add(lattice, &lit.scattered, x, &mut smooth);
+                if let (Some(haze), Some(cells)) = (&self.haze, &mut cells) {
+                    self.add(&haze.lattice, &lit.scattered, x, cells);
                 }
             })?;
-            self.add_smooth(light, &smooth, dose);
+            if let (Some(haze), Some(cells)) = (&self.haze, &cells) {
+                haze.add(light, cells, self.solid.as_deref(), dose);
+            }
         }
         if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
             solid.cells().add([outside, inside], dose);
@@ -777,7 +746,19 @@ impl LinearOperator for Rays {
             return Ok(());
         }
         for (light, own) in self.all_frames() {
-            let smooth = self.collect_smooth(light, c);
+            if self.has_sheets() {
+                self.for_each_sheets(
+                    (light, own),
+                    |_| true,
+                    run,
+                    |sheets| {
+                        sheets::collect(sheets, &self.outputs[0], c, grad);
+                    },
+                )?;
+                continue;
+            }
+            let haze = self.haze.as_ref();
+            let haze = haze.map(|haze| (haze, haze.collect(light, c, self.solid.as_deref())));
             self.for_each_chunk(
                 (light, own),
                 |_| true,
@@ -790,8 +771,8 @@ impl LinearOperator for Rays {
                             self.collect(&self.lattice, &lit.inside, inside, grad);
                         }
                     }
-                    if let Some((_, lattice)) = &self.coarse {
-                        self.collect(lattice, &lit.scattered, &smooth, grad);
+                    if let Some((haze, cells)) = &haze {
+                        self.collect(&haze.lattice, &lit.scattered, cells, grad);
                     }
                 },
             )?;
@@ -826,15 +807,17 @@ impl LinearOperator for Rays {
             return kept.updates();
         }
         *self.updates.get_or_init(|| {
-            let of = |s: &Segment| {
-                f64::from(s.high - s.low) * f64::from(1.0 + s.slope[0].abs() + s.slope[1].abs())
-            };
             let mut total = 0.0;
             for (light, layout) in self.patterns.iter().enumerate() {
                 for pairs in self.chunks(light, 0..layout.grid.frames()) {
+                    if self.has_sheets() {
+                        let sheets = self.sheets(light, pairs, |_| true);
+                        total += sheets.iter().map(Sheet::updates).sum::<f64>();
+                        continue;
+                    }
                     let lit = self.bundles(light, pairs, |_| true);
                     let bundles = lit.straight.iter().chain(&lit.inside).chain(&lit.scattered);
-                    total += bundles.flatten().map(of).sum::<f64>();
+                    total += bundles.flatten().map(Segment::passed).sum::<f64>();
                 }
             }
             total as u64

@@ -6,6 +6,7 @@
 
 use crate::grid::VolumeGrid;
 use crate::models::layout::DoseLayout;
+use crate::optics::projector::Ray;
 use crate::optics::space::Leg;
 
 /// A grid as the kernel sees it: counts, and floats from one voxel to the next, along x, y, z.
@@ -55,6 +56,13 @@ impl Lattice {
     /// Voxel pitch, mm.
     pub(super) fn pitch(&self) -> f64 {
         self.pitch
+    }
+
+    /// Moves a ray to the middle of the lowest slice; the height where it was, in voxels from the low end.
+    pub(super) fn to_first_slice(&self, ray: &mut Ray) -> f64 {
+        let height = (ray.from[2] - self.low[2]) / self.pitch;
+        ray.from[2] = self.low[2] + 0.5 * self.pitch;
+        height
     }
 
     /// The part of a leg that lies in the grid, and its major axis; None when it passes beside.
@@ -113,6 +121,12 @@ impl Lattice {
 }
 
 impl Segment {
+    /// Voxels that it passes: the planes of each axis that it crosses.
+    pub(super) fn passed(&self) -> f64 {
+        let [b, c] = self.slope.map(f32::abs);
+        f64::from(self.high - self.low) * f64::from(1.0 + b + c)
+    }
+
     /// Unit direction of the light, x, y, z; `axis` is the major one.
     pub(super) fn direction(&self, axis: usize) -> [f64; 3] {
         let [b, c] = self.slope.map(f64::from);

@@ -5,9 +5,8 @@
 //! ```text
 //! 1 − v k²/2 + O(k⁴)        v = h²/12 and h²/6
 //! ```
-//! Second moments v add up. Light on its way from straight light to the dose of voxels meets the mean over pixels that are taken together
-//! ([`Bins`](super::bins::Bins)), over a cell as a source, over a cell as a receiver ([`Flight`](super::flight::Flight) has both) and
-//! interpolation. On cells h apart
+//! Second moments v add up. In `orders` light on its way from straight light to the dose of voxels meets the mean over pixels that are taken
+//! together, over a cell as a source, over a cell as a receiver and interpolation; in `scatter` the last two. On cells h apart
 //!
 //! ```text
 //! u_i → u_i + Σ_axes v/(2h²) (2u_i − u_{i−1} − u_{i+1}) = (1 + v k²/2 + O(k⁴)) u_i
@@ -21,6 +20,7 @@
 use crate::models::DoseLayout;
 use rayon::prelude::*;
 use std::ops::Add;
+use std::sync::Arc;
 
 /// Second moments along x, y, z, mm².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,20 @@ impl Smear {
     /// Of linear interpolation between points this far apart, mm.
     pub(super) fn interpolation(edge: f64) -> Self {
         Smear([edge * edge / 6.0; 3])
+    }
+
+    /// Of a mean over cells of so many voxels along an edge and interpolation to the middles of voxels, less the mean over a
+    /// voxel, which is wanted. Middles of voxels meet those of cells where their number is odd: t(1 − t) h² is less there than its mean
+    /// over all places.
+    pub(super) fn cells(voxels: usize, pitch: f64) -> Self {
+        let count = voxels as f64;
+        let quarter = (count * pitch).powi(2) / 4.0;
+        let met = if voxels % 2 == 1 {
+            1.0 - count.powi(-2)
+        } else {
+            1.0
+        };
+        Smear([quarter * met; 3])
     }
 
     /// Of pixels `from` wide and high that are taken together to larger ones, mm: a mean over as many as lie in one, which is lit
@@ -58,18 +72,45 @@ pub(super) struct Sharpen {
     layout: DoseLayout,
     /// v/(2h²) along x, y, z.
     strength: [f32; 3],
-    /// Of each (y, x): whether its cells are all resin.
-    is_full: Vec<bool>,
+    is_full: IsFull,
+}
+
+/// Of each cell, padding included: whether it is all resin.
+pub(super) type IsFull = Arc<Vec<bool>>;
+
+/// The cells of which all corners, a millionth of an edge within, are in the resin.
+pub(super) fn full_cells(
+    layout: &DoseLayout,
+    in_resin: impl Fn([f64; 3]) -> bool + Sync,
+) -> IsFull {
+    const WITHIN: f64 = 0.5 - 1e-6;
+    let [nz, _, nx] = layout.grid.shape;
+    let half = WITHIN * layout.grid.pitch_mm;
+    let is_full = |middle: [f64; 3]| {
+        (0..8).all(|corner: u8| {
+            let side = |axis: usize| if corner >> axis & 1 == 0 { -half } else { half };
+            in_resin(std::array::from_fn(|axis| middle[axis] + side(axis)))
+        })
+    };
+    let mut all = vec![false; layout.len()];
+    let lines = all.par_chunks_mut(layout.row).enumerate();
+    lines.for_each(|(i, line)| {
+        let (x, y) = (layout.grid.x(i % nx), layout.grid.y(i / nx));
+        for (z, full) in line[..nz].iter_mut().enumerate() {
+            *full = is_full([x, y, layout.grid.z(z)]);
+        }
+    });
+    Arc::new(all)
 }
 
 impl Sharpen {
-    /// For fields on cells, of which each (y, x) has this part of resin.
-    pub(super) fn new(layout: &DoseLayout, resin: &[f32], Smear(moments): Smear) -> Self {
+    /// For fields on cells of which some are all resin.
+    pub(super) fn new(layout: &DoseLayout, is_full: &IsFull, Smear(moments): Smear) -> Self {
         let square = layout.grid.pitch_mm * layout.grid.pitch_mm;
         Sharpen {
             layout: layout.clone(),
             strength: moments.map(|v| (v / (2.0 * square)) as f32),
-            is_full: resin.iter().map(|&part| part == 1.0).collect(),
+            is_full: Arc::clone(is_full),
         }
     }
 
@@ -79,31 +120,34 @@ impl Sharpen {
         let row = self.layout.row;
         let [along_x, along_y, along_z] = self.strength;
         let mut sharp = field.to_vec();
-        let lines = sharp.par_chunks_mut(row).enumerate();
-        lines
-            .filter(|&(i, _)| self.is_full[i])
-            .for_each(|(i, line)| {
-                let (y, x) = (i / nx, i % nx);
-                let own = &field[i * row..][..nz];
-                let mut take = |from: Option<usize>, strength: f32| {
-                    let Some(from) = from.filter(|&from| self.is_full[from]) else {
-                        return;
-                    };
-                    let other = &field[from * row..][..nz];
-                    for ((sharp, own), other) in line.iter_mut().zip(own).zip(other) {
-                        *sharp += strength * (own - other);
-                    }
+        let lines = sharp[self.layout.range()].par_chunks_mut(row).enumerate();
+        lines.for_each(|(i, line)| {
+            let (y, x) = (i / nx, i % nx);
+            let (own, is_full) = (&field[i * row..][..nz], &self.is_full[i * row..][..nz]);
+            let mut take = |from: Option<usize>, strength: f32| {
+                let Some(from) = from else {
+                    return;
                 };
-                take((x > 0).then(|| i - 1), along_x);
-                take((x + 1 < nx).then_some(i + 1), along_x);
-                take((y > 0).then(|| i - nx), along_y);
-                take((y + 1 < ny).then_some(i + nx), along_y);
-                for (k, pair) in own.windows(2).enumerate() {
-                    let step = along_z * (pair[0] - pair[1]);
-                    line[k] += step;
-                    line[k + 1] -= step;
+                let (other, also) = (
+                    &field[from * row..][..nz],
+                    &self.is_full[from * row..][..nz],
+                );
+                for k in 0..nz {
+                    let is_open = f32::from(u8::from(is_full[k] & also[k]));
+                    line[k] += is_open * strength * (own[k] - other[k]);
                 }
-            });
+            };
+            take((x > 0).then(|| i - 1), along_x);
+            take((x + 1 < nx).then_some(i + 1), along_x);
+            take((y > 0).then(|| i - nx), along_y);
+            take((y + 1 < ny).then_some(i + nx), along_y);
+            for k in 1..nz {
+                let is_open = f32::from(u8::from(is_full[k - 1] & is_full[k]));
+                let step = is_open * along_z * (own[k - 1] - own[k]);
+                line[k - 1] += step;
+                line[k] -= step;
+            }
+        });
         sharp
     }
 }
@@ -117,8 +161,8 @@ mod tests {
 
     fn sharpen(shape: [usize; 3], smear: Smear) -> Sharpen {
         let layout = DoseLayout::new("dose", VolumeGrid::centered(shape, 0.3), 0);
-        let resin = vec![1.0; shape[1] * shape[2]];
-        Sharpen::new(&layout, &resin, smear)
+        let is_full = full_cells(&layout, |_| true);
+        Sharpen::new(&layout, &is_full, smear)
     }
 
     #[test]
@@ -157,9 +201,11 @@ mod tests {
             [5, 6, 7],
             Smear::mean(0.5) + Smear::bins([0.1; 2], [0.4, 0.2]),
         );
-        for (i, is_full) in sharpen.is_full.iter_mut().enumerate() {
-            *is_full = i % 5 != 0;
-        }
+        let is_full = Arc::make_mut(&mut sharpen.is_full);
+        is_full
+            .iter_mut()
+            .step_by(5)
+            .for_each(|is_full| *is_full = false);
         let fields = [1, 2].map(|seed| {
             let mut field = vec![0.0; sharpen.layout.len()];
             let values = noise(seed, 5 * 42);
