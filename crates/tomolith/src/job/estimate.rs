@@ -7,7 +7,7 @@ use super::build::Optics;
 use super::rates::{CallRates, Rates};
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
-use crate::models::rays::kept;
+use crate::models::rays::kept::{self, Walks};
 use crate::models::scatter::JUDGING;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -75,8 +75,8 @@ pub(crate) struct Extent {
     pub(crate) fields: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
     pub(crate) canvas: usize,
-    /// Whether the model keeps the walks of its rays where they are few.
-    pub(crate) keeps_walks: bool,
+    /// The walks of its rays that the model keeps where they are few.
+    pub(crate) walks: Option<Walks>,
     /// Whether voxels take their own part of scattered light.
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
@@ -123,7 +123,7 @@ impl Extent {
             memory,
             fields: 0,
             canvas: 0,
-            keeps_walks: false,
+            walks: None,
             glows: optics.setup().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             working_mb: [0.0; 2],
@@ -131,12 +131,13 @@ impl Extent {
     }
 
     /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
-    fn walks(&self) -> f64 {
+    fn bytes_of_walks(&self) -> f64 {
         let planes = self.grid.shape.iter().copied().max().unwrap_or(0) as f64;
-        let entries = self.active_pixels as f64 * VOXELS_PER_PLANE * planes;
+        let ways = self.walks.map_or(0.0, |walks| walks.per_pixel);
+        let entries = self.active_pixels as f64 * ways * VOXELS_PER_PLANE * planes;
         let most = kept::MOST as f64;
         // It may turn out less than estimated
-        if self.keeps_walks && entries <= 2.0 * most {
+        if entries <= 2.0 * most {
             entries.min(most) * kept::BYTES as f64
         } else {
             0.0
@@ -175,7 +176,7 @@ impl Extent {
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
             self.lanes(1) * per_voxel / 1e6,
-            (self.scratch(1) + self.walks() + patterns) / 1e6,
+            (self.scratch(1) + self.bytes_of_walks() + patterns) / 1e6,
             self.working_mb[0],
         ]
     }
@@ -323,7 +324,7 @@ mod tests {
             memory: 10,
             fields: 0,
             canvas: 0,
-            keeps_walks: false,
+            walks: None,
             glows: false,
             stacked: 0,
             working_mb: [0.0; 2],
@@ -425,7 +426,7 @@ mod tests {
         assert_eq!(whole_mb([300.0, 4.5, 1.0]), 355);
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
-            keeps_walks: true,
+            walks: Some(Walks::SINGLE),
             ..extent.clone()
         };
         let walks = keeping.optimisation()[1] - pixels;

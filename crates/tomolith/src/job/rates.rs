@@ -124,8 +124,9 @@ impl CallRate {
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
     let mut setup = scene.setup();
     let (mut trials, mut plan) = by_optimiser(scene, setup, voxels, run)?;
-    let entries = trials[0].updates_per_frame() * scene.extent.frames as f64;
-    if scene.extent.keeps_walks && entries > kept::MOST as f64 {
+    let updates = trials[0].updates_per_frame() * scene.extent.frames as f64;
+    let walks = scene.extent.walks;
+    if walks.is_some_and(|walks| updates * walks.per_update > kept::MOST as f64) {
         // What few frames can keep is too much for all
         setup.asked_often = false;
         (trials, plan) = by_optimiser(scene, setup, voxels, run)?;

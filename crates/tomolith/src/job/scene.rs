@@ -129,7 +129,7 @@ impl Scene {
         );
         let setup = optimising(&optics, &shape, has_cells);
         let extent = Extent {
-            keeps_walks: setup.keeps_walks(&optics.model, &optics.lights, &grid),
+            walks: setup.walks(&optics.model, &optics.lights, &grid),
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),

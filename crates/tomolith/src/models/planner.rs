@@ -9,6 +9,7 @@
 use super::dimmed::Dimmed;
 use super::matrix::{self, MatrixModel};
 use super::parallel::{self, Light, Parallel};
+use super::rays::kept::Walks;
 use super::rays::solid::Solid;
 use super::rays::{self, Optics, Rays};
 use super::selection::{chosen, contributions, layouts, narrow};
@@ -73,16 +74,24 @@ enum Optical<'a> {
 }
 
 impl Setup<'_> {
-    /// Whether walks of rays are kept where they are few ([`Rays::keeping`]).
-    #[must_use]
-    pub fn keeps_walks(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> bool {
-        let way = || self.way(choice, lights, grid);
-        self.asked_often
-            && match way() {
-                Ok(Way::Optical(Optical::Rays(_))) => true,
-                Ok(Way::Optical(Optical::Orders(_))) => self.beyond_straight(lights).is_some(),
-                _ => false,
+    /// The walks of rays that are kept where they are few ([`Rays::keeping`]); None where none ever are.
+    pub(crate) fn walks(
+        &self,
+        choice: &Choice,
+        lights: &[Light],
+        grid: &VolumeGrid,
+    ) -> Option<Walks> {
+        if !self.asked_often {
+            return None;
+        }
+        match self.way(choice, lights, grid).ok()? {
+            Way::Optical(Optical::Rays(params)) => {
+                let optics = (self.vial, lights, self.optics);
+                Some(Rays::walks(optics, &params, (grid, self.solid.is_some())))
             }
+            Way::Optical(Optical::Orders(_)) => self.beyond_straight(lights).map(|_| Walks::SINGLE),
+            _ => None,
+        }
     }
 
     /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.

@@ -25,6 +25,21 @@ pub(crate) const MOST: usize = 1 << 27;
 /// Bytes of an entry, by place and by pixel.
 pub(crate) const BYTES: usize = 16;
 
+/// What is kept, in entries: for each pixel, for each voxel that its light crosses in a plane, and for each update.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Walks {
+    pub(crate) per_pixel: f64,
+    pub(crate) per_update: f64,
+}
+
+impl Walks {
+    /// Every pixel's own.
+    pub(crate) const SINGLE: Walks = Walks {
+        per_pixel: 1.0,
+        per_update: 1.0,
+    };
+}
+
 /// Pixels that are walked at a time.
 const BLOCK: usize = 64;
 

@@ -82,12 +82,12 @@ use crate::optics::space::{Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
 use accumulation::Accumulation;
 use haze::Haze;
-use kept::Kept;
+use kept::{Kept, Walks};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment};
 use serde::{Deserialize, Serialize};
-use sheets::Sheet;
+use sheets::{KeptSheets, Sheet};
 use solid::{Pieces, Solid};
 use source::Source;
 use std::num::NonZeroUsize;
@@ -210,6 +210,12 @@ impl Optics {
     }
 }
 
+/// Whether light that nothing scatters stays in the slice that it comes in, and goes the same way in all slices.
+fn are_level(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bool {
+    let is_flat = |light: &Light| light.map.as_ref().is_none_or(|map| map.is_flat());
+    vial.is_invariant() && optics.iter().all(Optics::is_level) && lights.iter().all(is_flat)
+}
+
 /// How a pixel's light is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Emission {
@@ -254,6 +260,7 @@ pub struct Rays {
     keeps: bool,
     /// They, once it is known.
     kept: OnceLock<Option<Kept>>,
+    kept_sheets: OnceLock<Option<KeptSheets>>,
 }
 
 /// Rays whose segments are made and used together: they stay in the second-level cache.
@@ -380,10 +387,7 @@ impl Rays {
             lattice: Lattice::new(&outputs[0]),
             haze,
             solid: None,
-            is_level: vial.is_invariant()
-                && optics.iter().all(Optics::is_level)
-                && (lights.iter()).all(|light| light.map.as_ref().is_none_or(|map| map.is_flat()))
-                && emission.scattered.is_none(),
+            is_level: are_level(vial, lights, optics) && emission.scattered.is_none(),
             by_rows: true,
             sources,
             patterns,
@@ -394,11 +398,12 @@ impl Rays {
             updates: OnceLock::new(),
             keeps: false,
             kept: OnceLock::new(),
+            kept_sheets: OnceLock::new(),
         })
     }
 
-    /// Keeps what every pixel leaves in every voxel from the first call on, where that is at most 2.1 GB; not where light is
-    /// scattered, or followed for all rows at once. Worth it where a dose is asked for more than once or twice.
+    /// Keeps what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
+    /// light is scattered. Worth it where a dose is asked for more than once or twice.
     #[must_use]
     pub fn keeping(mut self) -> Self {
         self.keeps = self.haze.is_none();
@@ -412,6 +417,15 @@ impl Rays {
             let _ = self.kept.set(Kept::of(self, kept::MOST, run)?);
         }
         Ok(self.kept.get().and_then(Option::as_ref))
+    }
+
+    /// The sheets that are kept, of all lights; None where none are.
+    fn kept_sheets(&self, run: &Run) -> Result<Option<&KeptSheets>> {
+        if self.keeps && self.has_sheets() && self.kept_sheets.get().is_none() {
+            let most = kept::MOST * kept::BYTES / sheets::BYTES;
+            let _ = self.kept_sheets.set(KeptSheets::of(self, most, run)?);
+        }
+        Ok(self.kept_sheets.get().and_then(Option::as_ref))
     }
 
     /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
@@ -442,6 +456,34 @@ impl Rays {
             && self.solid.is_none()
             && self.accumulation == Accumulation::Integral
             && self.outputs[0].row.is_multiple_of(LANES)
+    }
+
+    /// What [`keeping`](Self::keeping) stores for such optics, if it stores anything.
+    pub(super) fn walks(
+        (vial, lights, optics): (&dyn Vial, &[Light], &[Optics]),
+        params: &Params,
+        (grid, has_cells): (&VolumeGrid, bool),
+    ) -> Walks {
+        let in_rows = are_level(vial, lights, optics)
+            && !has_cells
+            && params.accumulation == Accumulation::Integral
+            && grid.shape[0] > 1;
+        if !in_rows {
+            return Walks::SINGLE;
+        }
+        let (mut columns, mut pixels, mut rays) = (0, 0, 0);
+        for light in lights {
+            let layout = light.layout(0);
+            columns += layout.runs.iter().filter(|run| run.count > 0).count();
+            pixels += layout.len();
+            rays = rays.max(params.rays(false) * light.sub_angles.max(1));
+        }
+        let per_update =
+            columns as f64 / pixels.max(1) as f64 * sheets::BYTES as f64 / kept::BYTES as f64;
+        Walks {
+            per_pixel: per_update * rays as f64,
+            per_update,
+        }
     }
 
     /// Where the power of a frame of a light goes, mean over its pixels.
@@ -525,6 +567,11 @@ impl Rays {
         run: &Run,
         mut visit: impl FnMut(&[Sheet]),
     ) -> Result<()> {
+        if let Some(kept) = self.kept_sheets(run)? {
+            kept.of_pixels(&self.patterns[light].elements_of(frames))
+                .for_each(visit);
+            return Ok(());
+        }
         for pairs in self.chunks(light, frames) {
             if run.is_cancelled() {
                 return Err(Error::Cancelled);

@@ -14,12 +14,14 @@
 //! These are the entries of the single rays, so it is the same matrix but for the rounding of sums.
 //!
 //! # Cost
-//! A traced ray for each column and sample, and one multiply-add for each voxel.
+//! A traced ray for each column and sample, and one multiply-add for each voxel. Ways that are [kept](Rays::keeping) take 8 bytes a voxel of
+//! the plane.
 
 use super::{Rays, walk};
+use crate::error::{Error, Result};
 use crate::field::LANES;
-use crate::models::DoseLayout;
 use crate::models::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
+use crate::models::{DoseLayout, Run};
 use rayon::prelude::*;
 use std::ops::Range;
 use walk::Ways;
@@ -36,6 +38,12 @@ pub(super) struct Sheet {
     passed: f64,
 }
 
+/// Bytes of a voxel of the plane on the way of a sheet.
+pub(super) const BYTES: usize = 8;
+
+/// Sheets that are taken together: their lanes stay in the second-level cache.
+const CHUNK: usize = 256;
+
 /// Tasks of one chunk for each thread.
 const TASKS: usize = 4;
 
@@ -48,6 +56,36 @@ impl Sheet {
     /// The rows of this sheet, and the lane of each.
     fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
         (self.first..).zip(self.slices.iter().map(|&z| z as usize))
+    }
+}
+
+/// The sheets of all lights, in the order of pixels.
+pub(super) struct KeptSheets(Vec<Sheet>);
+
+impl KeptSheets {
+    /// Those of a model; None when their ways have more than `most` voxels.
+    pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
+        let (mut all, mut voxels) = (Vec::new(), 0);
+        for (light, frames) in model.all_frames() {
+            for pairs in model.chunks(light, frames) {
+                if run.is_cancelled() {
+                    return Err(Error::Cancelled);
+                }
+                let sheets = model.sheets(light, pairs, |_| true);
+                voxels += sheets.iter().map(|sheet| sheet.places.len()).sum::<usize>();
+                if voxels > most {
+                    return Ok(None);
+                }
+                all.extend(sheets);
+            }
+        }
+        Ok(Some(KeptSheets(all)))
+    }
+
+    /// Those of a range of pixels, some at a time.
+    pub(super) fn of_pixels(&self, pixels: &Range<usize>) -> impl Iterator<Item = &[Sheet]> {
+        let before = |pixel| self.0.partition_point(|sheet| sheet.first < pixel);
+        self.0[before(pixels.start)..before(pixels.end)].chunks(CHUNK)
     }
 }
 
@@ -81,14 +119,15 @@ impl Rays {
                     };
                     let heights = (0..pixels.len()).map(|i| (lowest + step * i as f64).floor());
                     let below = heights.clone().take_while(|&z| z < 0.0).count();
+                    let voxels = way.passed() as usize + 8;
                     let mut sheet = Sheet {
                         first: pixels.start + below,
                         slices: (heights.skip(below))
                             .take_while(|&z| z < slices)
                             .map(|z| z as u32)
                             .collect(),
-                        places: Vec::new(),
-                        deposits: Vec::new(),
+                        places: Vec::with_capacity(voxels),
+                        deposits: Vec::with_capacity(voxels),
                         passed: way.passed(),
                     };
                     let ways = Ways::new(&self.lattice, axis);
@@ -127,12 +166,14 @@ pub(super) fn add(sheets: &[Sheet], layout: &DoseLayout, x: &[f32], dose: &mut [
     let (isa, row) = (Isa::in_use(), layout.row);
     let blocks = blocks(sheets, layout);
     let mut lanes = vec![0.0; sheets.len() * row];
-    lanes
+    let is_lit: Vec<bool> = lanes
         .par_chunks_mut(row)
         .zip(sheets)
-        .for_each(|(lane, sheet)| {
+        .map(|(lane, sheet)| {
             sheet.rows().for_each(|(pixel, z)| lane[z] += x[pixel]);
-        });
+            sheet.rows().any(|(pixel, _)| x[pixel] != 0.0)
+        })
+        .collect();
     let [_, ny, nx] = layout.grid.shape;
     let tasks = TASKS * rayon::current_num_threads();
     let rows = ny.div_ceil(tasks) * nx;
@@ -140,7 +181,7 @@ pub(super) fn add(sheets: &[Sheet], layout: &DoseLayout, x: &[f32], dose: &mut [
         .enumerate()
         .for_each(|(task, dose)| {
             let own = (task * rows) as u32..((task + 1) * rows) as u32;
-            for (i, sheet) in sheets.iter().enumerate() {
+            for (i, sheet) in sheets.iter().enumerate().filter(|&(i, _)| is_lit[i]) {
                 let entries = sheet.places.iter().zip(&sheet.deposits);
                 for (&place, deposit) in entries.filter(|(place, _)| own.contains(place)) {
                     let voxels = &mut dose[(place - own.start) as usize * row..][..row];

@@ -763,11 +763,10 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             let (walked, kept) = (build(), build().keeping());
             check::model::model(&kept, 3).unwrap();
             assert!(walked.kept(&Run::new()).unwrap().is_none());
-            assert_eq!(
-                kept.kept(&Run::new()).unwrap().is_none(),
-                walked.has_sheets(),
-                "{name}"
-            );
+            let (run, has_sheets) = (Run::new(), walked.has_sheets());
+            assert_eq!(kept.kept(&run).unwrap().is_none(), has_sheets, "{name}");
+            let sheets = kept.kept_sheets(&run).unwrap();
+            assert_eq!(sheets.is_some(), has_sheets, "{name}");
             let mut x = LinearOperator::new_patterns(&kept).unwrap();
             x.copy_from_host(&check::model::noise(1, x.len()));
             // Some of the frames only, on top of what is there
@@ -790,7 +789,8 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                     assert!((a - b).abs() < 1e-5 * largest, "{name}: {a} {b}");
                 }
             }
-            assert!(kept::Kept::of(&walked, 100, &Run::new()).unwrap().is_none());
+            assert!(kept::Kept::of(&walked, 100, &run).unwrap().is_none());
+            assert!(KeptSheets::of(&walked, 100, &run).unwrap().is_none());
         }
     }
 }
