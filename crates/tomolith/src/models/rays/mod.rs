@@ -29,7 +29,7 @@
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
 //!
 //! # Cost
-//! About 1.7 voxels per ray and voxel plane; see docs/speed.md. Where a round vial turns about its own axis, rays are traced
+//! About 1.7 voxels per ray and voxel plane; level light through what is the same at all heights: a ray per column (`sheets.rs`). Where a round vial turns about its own axis, rays are traced
 //! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
 //! what all pixels leave is at most 2.1 GB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
 //!
