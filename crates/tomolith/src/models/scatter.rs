@@ -34,7 +34,7 @@
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
 //! paths and cells half as large, so that a pattern that fits its own noise, or what cells smooth away, shows.
 //!
-//! Scattered light is smoothed over cells of `smooth` voxels, less what [`smear`](super::smear) brings back: structure of two or three
+//! Scattered light is smoothed over cells of `smooth` voxels, less what `models/smear.rs` brings back: structure of two or three
 //! cells stays too flat. Near a wall some of it lies beyond the resin (1 % of the absorbed energy in a vial of 32 voxels across), where
 //! it counts nowhere.
 //!

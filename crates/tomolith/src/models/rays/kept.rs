@@ -9,9 +9,10 @@
 //! 16 bytes an entry, while they are made and after, 2.1 GB at most; what is walked before it is known to be too much, at most a
 //! sixteenth of one call and some more.
 
+use super::Rays;
+use super::lit::Lit;
 use super::segment::Segment;
 use super::walk::{self, Ways};
-use super::{Lit, Rays};
 use crate::error::{Error, Result};
 use crate::io::csr::Csr;
 use crate::models::matrix::Rows;

@@ -1,7 +1,8 @@
 //! Straight light by direction: the dose of rays that are weighted by a function of their direction in the resin.
 
+use super::Rays;
+use super::lit::Bundles;
 use super::segment::{Lattice, Segment};
-use super::{Bundles, Rays};
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;

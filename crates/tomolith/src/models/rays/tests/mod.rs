@@ -21,6 +21,9 @@ use crate::optics::vial::square::Square;
 use crate::target::phantom::Phantom;
 use crate::target::{MeshShape, Placement, Repair, Shape};
 
+mod cells;
+mod scattered;
+
 const GLASS: Cylinder = Cylinder {
     inner_radius_mm: 1.6,
     outer_radius_mm: 1.8,
@@ -152,6 +155,13 @@ fn dose(model: &dyn DoseModel<Field = HostField>, x: &HostField) -> Volume<f32> 
     let mut dose = model.new_dose().unwrap();
     model.dose(x, &mut dose, &Run::new()).unwrap();
     model.outputs()[0].volume_of(dose.as_slice())
+}
+
+/// The dose of even patterns.
+fn lit(model: &Rays) -> Volume<f32> {
+    let mut x = LinearOperator::new_patterns(model).unwrap();
+    x.fill(1.0);
+    dose(model, &x)
 }
 
 #[test]
@@ -450,254 +460,6 @@ fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
     }
 }
 
-/// A cube of resin's worth of voxels in a ball of light: all that is scattered is deposited or leaves.
-#[test]
-fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
-    use crate::models::scatter;
-    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
-    let mut light = light(4, 5, 9, 0.2);
-    light.resin.attenuation_per_mm = 0.3 + 0.8;
-    let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering {
-        per_mm: 0.8,
-        phase: Arc::new(Rayleigh {}),
-    });
-    let params = scatter::Params {
-        paths_per_pixel: 8,
-        ..scatter::Params::default()
-    };
-    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    let build = |params: &scatter::Params, light: &Light, grid: &VolumeGrid| {
-        let (light, optics) = (std::slice::from_ref(light), std::slice::from_ref(&optics));
-        scatter::model(&GLASS, light, optics, params, grid.clone()).unwrap()
-    };
-    let model = build(&params, &light, &grid);
-    let found = check::model::model(&model, 3).unwrap();
-    assert!(found.adjoint_error < 1e-6, "{found:?}");
-    // Both kernels walk the same paths
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
-    x.fill(1.0);
-    let plain = dose(&build(&params, &light, &grid).plain(), &x);
-    let wide = dose(&model, &x);
-    let largest = wide.values.iter().copied().fold(0.0, f32::max);
-    for (a, b) in plain.values.iter().zip(&wide.values) {
-        assert!((a - b).abs() < 1e-4 * largest, "{a} {b}");
-    }
-    // Another seed is another matrix with the same mean
-    let other = scatter::Params {
-        seed: 2,
-        ..params.clone()
-    };
-    let other = dose(&build(&other, &light, &grid), &x);
-    assert_ne!(other, wide);
-    let sum = |v: &Volume<f32>| v.values.iter().map(|&v| f64::from(v)).sum::<f64>();
-    assert!((sum(&other) / sum(&wide) - 1.0).abs() < 0.02);
-    // Reflections at the glass: still a pair, and more of the light stays in the resin
-    let mirrored = build(
-        &scatter::Params {
-            reflections: true,
-            ..params.clone()
-        },
-        &light,
-        &grid,
-    );
-    let found = check::model::model(&mirrored, 4).unwrap();
-    assert!(found.adjoint_error < 1e-6, "{found:?}");
-    let account = mirrored.account(0, 0);
-    assert!((account.total() - 1.0).abs() < 1e-9, "{account:?}");
-    assert!(account.reflected == 0.0 && account.absorbed > 1.02 * model.account(0, 0).absorbed);
-    // Paths are drawn anew after two iterations, and are the same again in the same round
-    let renewed = build(
-        &scatter::Params {
-            renew: 2,
-            ..params.clone()
-        },
-        &light,
-        &grid,
-    );
-    assert!(!LinearOperator::renew(&renewed, 2) && LinearOperator::renew(&renewed, 3));
-    let second = dose(&renewed, &x);
-    assert!(second != wide && (sum(&second) / sum(&wide) - 1.0).abs() < 0.02);
-    assert!(LinearOperator::renew(&renewed, 1));
-    assert_eq!(dose(&renewed, &x), wide);
-    // In a grid that holds all the resin and the cells around it, dose is what the account says was absorbed
-    light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
-    let tall = VolumeGrid::centered([150, 44, 44], 0.1);
-    let model = build(&params, &light, &tall);
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
-    x.fill(1.0);
-    let active = sum(&dose(&model, &x)) * 1e-3 / (9.0 * 0.04);
-    let account = model.account(0, 0);
-    assert!((account.total() - 1.0).abs() < 1e-9);
-    assert!(
-        (active / account.absorbed - 1.0).abs() < 2e-3,
-        "{active} {account:?}"
-    );
-}
-
-/// Scattering of the resins below, 1/mm.
-const SCATTERED: f64 = 0.8;
-
-/// Light, its optics and paths in a resin that scatters; `map`: its active absorption, given by cell.
-fn milk(
-    light: &Light,
-    map: Option<([usize; 3], f64, Vec<f32>)>,
-    smooth: usize,
-) -> (Light, Optics, crate::models::scatter::Params) {
-    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
-    let mut light = light.clone();
-    light.resin.attenuation_per_mm = light.resin.absorption_per_mm + SCATTERED;
-    light.map = map.map(|(shape, pitch_mm, active)| {
-        let total = active.iter().map(|a| a + SCATTERED as f32).collect();
-        Arc::new(AbsorptionMap::new(shape, pitch_mm, active, total).unwrap())
-    });
-    let mut optics = Optics::collimated(light.pixels.pitch_mm[0]);
-    optics.scattering = Some(Scattering {
-        per_mm: SCATTERED,
-        phase: Arc::new(Rayleigh {}),
-    });
-    let params = crate::models::scatter::Params {
-        smooth,
-        ..crate::models::scatter::Params::default()
-    };
-    (light, optics, params)
-}
-
-#[test]
-fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
-    use crate::models::scatter;
-    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    let [solid, _] = solids(&grid);
-    let patches: Vec<f32> = (0..60).map(|i| 0.1 + 0.05 * (i * 7 % 13) as f32).collect();
-    let tube = ended().pop();
-    for vial in [Box::new(GLASS) as Box<dyn Vial>].into_iter().chain(tube) {
-        for smooth in [1, 3] {
-            for (shape, pitch_mm, values) in [
-                ([3, 4, 5], 0.5, patches.clone()),
-                ([1, 4, 5], 0.6, patches[..20].to_vec()),
-            ] {
-                let map = Some((shape, pitch_mm, values));
-                let (mut light, mut optics, mut params) = milk(&light(4, 5, 9, 0.2), map, smooth);
-                params.reflections = smooth == 1;
-                optics.motion.tilt_rad = 0.1;
-                light.resin.gradient = Some(Gradient {
-                    quadratic_per_mm2: -0.05,
-                    quartic_per_mm4: 0.0,
-                    step_mm: 0.2,
-                });
-                let model = || {
-                    let (lights, optics) = ([light.clone()], [optics.clone()]);
-                    scatter::model(vial.as_ref(), &lights, &optics, &params, grid.clone()).unwrap()
-                };
-                for model in [model(), model().with_cells(Arc::clone(&solid))] {
-                    let found = check::model::model(&model, 3).unwrap();
-                    assert!(found.adjoint_error < 1e-6, "{vial:?} {smooth}: {found:?}");
-                    let account = model.account(0, 0);
-                    assert!((account.total() - 1.0).abs() < 1e-9, "{account:?}");
-                }
-            }
-        }
-    }
-}
-
-/// The dose of even patterns.
-fn lit(model: &Rays) -> Volume<f32> {
-    let mut x = LinearOperator::new_patterns(model).unwrap();
-    x.fill(1.0);
-    dose(model, &x)
-}
-
-#[test]
-fn an_even_map_in_a_resin_that_scatters_changes_nothing() {
-    use crate::models::scatter;
-    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    for smooth in [1, 4] {
-        let of = |map| {
-            let (light, optics, params) = milk(&light(4, 5, 9, 0.2), map, smooth);
-            lit(&scatter::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap())
-        };
-        let (plain, mapped) = (of(None), of(Some(([3, 4, 5], 0.5, vec![0.3; 60]))));
-        let most = plain.values.iter().copied().fold(0.0, f32::max);
-        for (a, b) in plain.values.iter().zip(&mapped.values) {
-            assert!((a - b).abs() < 2e-6 * most, "{smooth}: {a} {b}");
-        }
-    }
-}
-
-#[test]
-fn scattered_light_leaves_what_the_map_takes_of_it_on_either_side_of_a_face() {
-    use crate::models::scatter;
-    // The resin takes 0.05 per mm below x = 0 and 0.6 above, in the middle of cells of four voxels
-    let grid = VolumeGrid::centered([150, 44, 44], 0.1);
-    let light = light(6, 3, 15, 0.2);
-    let of = |smooth: usize| {
-        let map = Some(([1, 1, 2], 10.0, vec![0.05, 0.6]));
-        let (light, optics, mut params) = milk(&light, map, smooth);
-        params.paths_per_pixel = 64;
-        let (lights, optics) = ([light], [optics]);
-        let model = scatter::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let straight = scatter::straight(&GLASS, &lights, &optics, &params, grid.clone());
-        let (all, straight) = (lit(&model), lit(&straight.unwrap()));
-        let energy: f64 = all.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
-        let frames = (0..6).map(|frame| model.account(0, frame).absorbed);
-        let balance = energy / (45.0 * 0.04 * frames.sum::<f64>());
-        // Scattered light by planes of x
-        let mut planes = [0.0; 44];
-        for (i, (all, straight)) in all.values.iter().zip(&straight.values).enumerate() {
-            planes[i % 44] += f64::from(all - straight);
-        }
-        (planes, balance)
-    };
-    let (exact, whole) = of(1);
-    assert!((whole - 1.0).abs() < 1e-3, "{whole}");
-    // The dose leaps by what is taken; fluence falls by a tenth in the tenth of a millimetre between these planes
-    let leap = exact[22] / exact[21] / 12.0;
-    assert!((0.8..1.0).contains(&leap), "{leap} {exact:?}");
-    for (smooth, allowed) in [(2, 0.04), (4, 0.08)] {
-        let (planes, balance) = of(smooth);
-        // Cells reach beyond the wall, where the map goes on
-        assert!((balance - 1.0).abs() < 2e-2, "{balance}");
-        let error = |x: usize| (planes[x] / exact[x] - 1.0).abs();
-        let worst = (12..32).map(error).fold(0.0, f64::max);
-        assert!(worst < allowed, "{smooth}: {worst} {exact:?} {planes:?}");
-    }
-}
-
-#[test]
-fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
-    use crate::models::scatter;
-    // Rows below z = 0 are lit: scattered light falls off about the edge. Cells of 0.4 mm where a free path is 0.9 mm
-    let grid = VolumeGrid::centered([48, 40, 40], 0.1);
-    let light = light(12, 24, 20, 0.2);
-    let of = |smooth: usize| {
-        let (light, optics, mut params) = milk(&light, None, smooth);
-        params.paths_per_pixel = 64;
-        let (lights, optics) = ([light], [optics]);
-        let model = scatter::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let straight = scatter::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
-        for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
-            *x = f32::from(u8::from(i % 24 < 12));
-        }
-        let (all, straight) = (dose(&model, &x), dose(&straight, &x));
-        // Scattered light by planes of z
-        let mut planes = [0.0; 48];
-        for (i, (all, straight)) in all.values.iter().zip(&straight.values).enumerate() {
-            planes[i / 1600] += f64::from(all - straight);
-        }
-        planes
-    };
-    // 0.003 and 0.010; with what cells smear out 0.017 on the larger ones
-    let exact = of(1);
-    let most = exact.into_iter().fold(0.0, f64::max);
-    for (smooth, allowed) in [(2, 0.004), (4, 0.012)] {
-        let smoothed = of(smooth);
-        let square = |z: usize| ((smoothed[z] - exact[z]) / most).powi(2);
-        let rms = ((8..40).map(square).sum::<f64>() / 32.0).sqrt();
-        assert!(rms < allowed, "{smooth}: {rms}");
-    }
-}
-
 /// A ball beside the middle, and a mesh of it.
 fn solids(grid: &VolumeGrid) -> [Arc<Solid>; 2] {
     let placement = Placement {
@@ -721,30 +483,6 @@ fn solids(grid: &VolumeGrid) -> [Arc<Solid>; 2] {
 }
 
 const BALL: [f64; 3] = [0.12, -0.07, 0.04];
-
-#[test]
-fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
-    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    for solid in solids(&grid) {
-        assert!(solid.cells().len() > 50);
-        for vial in vials() {
-            for (name, optics) in optics() {
-                let params = Params {
-                    rays_per_pixel: Some(3),
-                    reflections: true,
-                    least_power: 0.02,
-                    ..Params::default()
-                };
-                let light = light(5, 7, 11, 0.2);
-                let model = rays(vial.as_ref(), light, &optics, &params, grid.clone())
-                    .with_cells(Arc::clone(&solid));
-                let found = check::model::model(&model, 3)
-                    .unwrap_or_else(|e| panic!("{vial:?} {name}: {e}"));
-                assert!(found.adjoint_error < 1e-6, "{vial:?} {name}: {found:?}");
-            }
-        }
-    }
-}
 
 #[test]
 fn walks_that_are_kept_are_those_that_are_walked() {
@@ -899,90 +637,6 @@ fn chord(from: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
 }
 
 #[test]
-fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
-    let grid = VolumeGrid {
-        center_mm: [0.03, -0.02, 0.05],
-        ..VolumeGrid::centered([11, 13, 12], 0.17)
-    };
-    let [solid, _] = solids(&grid);
-    for attenuation in [0.3, 9.0] {
-        for (name, optics) in optics() {
-            let mut light = light(7, 9, 15, 0.13);
-            light.resin.attenuation_per_mm = attenuation;
-            for is_plain in [false, true] {
-                let params = Params::default();
-                let mut whole = rays(&GLASS, light.clone(), &optics, &params, grid.clone());
-                if is_plain {
-                    whole = whole.plain();
-                }
-                let mut x = LinearOperator::new_patterns(&whole).unwrap();
-                let values = check::model::noise(1, x.len());
-                x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
-                let expected = dose(&whole, &x);
-                let inside = brute_force_where(&whole, x.as_slice(), |leg, t| {
-                    chord(leg.ray.from, leg.ray.direction).is_some_and(|[a, b]| a < t && t < b)
-                });
-                let model = whole.with_cells(Arc::clone(&solid));
-                let mut field = LinearOperator::new_dose(&model).unwrap();
-                DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
-                let layout = &model.outputs[0];
-                let mean = layout.volume_of(field.as_slice());
-                let largest = f64::from(expected.values.iter().copied().fold(0.0, f32::max));
-                for (a, b) in expected.values.iter().zip(&mean.values) {
-                    let error = f64::from((a - b).abs()) / largest;
-                    assert!(error < 1e-6, "{name}, plain {is_plain}: {error:e}");
-                }
-                let cells = &field.as_slice()[layout.voxels()..];
-                for ((voxel, (_, s)), cell) in layout
-                    .cut_voxels()
-                    .into_iter()
-                    .zip(solid.cells().iter())
-                    .zip(cells)
-                {
-                    let error = (inside[voxel] - f64::from(s * cell)).abs() / largest;
-                    assert!(error < 2e-5, "{name}, plain {is_plain}: {error:e}");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
-    let grid = VolumeGrid::centered([6, 7, 7], 0.2);
-    let mut light = light(40, 24, 32, 0.1);
-    light.resin = Resin::pure_radon(1.48);
-    let vial = IndexMatched { radius_mm: 1.7 };
-    let params = Params {
-        rays_per_pixel: Some(100),
-        ..Params::default()
-    };
-    for solid in solids(&grid) {
-        let model = rays(
-            &vial,
-            light.clone(),
-            &Optics::collimated(0.1),
-            &params,
-            grid.clone(),
-        )
-        .with_cells(Arc::clone(&solid));
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
-        x.fill(1.0);
-        let mut field = LinearOperator::new_dose(&model).unwrap();
-        DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
-        let (voxels, cells) = field.as_slice().split_at(model.outputs[0].voxels());
-        // Forty frames of fluence 1
-        let mut worst = 0.0f32;
-        for ((voxel, s), inside) in solid.cells().iter().zip(cells) {
-            for (share, dose) in [(1.0 - s, voxels[voxel]), (s, *inside)] {
-                worst = worst.max((dose / 40.0 - 1.0).abs() * share);
-            }
-        }
-        assert!(worst < 4e-3, "{worst}");
-    }
-}
-
-#[test]
 fn slices_that_fall_between_rows_are_lit_evenly() {
     // A row of 0.1 mm has 16 rays: at four heights they would give a slice of 0.0716 mm two or three, which is 30 % off
     let grid = VolumeGrid::centered([20, 20, 20], 0.0716);
@@ -998,48 +652,6 @@ fn slices_that_fall_between_rows_are_lit_evenly() {
     for (z, slice) in even.values.chunks_exact(400).enumerate() {
         let mean = slice.iter().sum::<f32>() / 400.0 / 40.0;
         assert!((mean - 1.0).abs() < 0.01, "slice {z}: {mean}");
-    }
-}
-
-#[test]
-fn scattered_light_is_an_exact_pair_with_cells_too() {
-    use crate::models::scatter;
-    use crate::optics::phase::{Scattering, rayleigh::Rayleigh};
-    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    let [solid, _] = solids(&grid);
-    let mut light = light(4, 7, 11, 0.2);
-    light.resin.attenuation_per_mm = 0.6;
-    let mut optics = Optics::collimated(0.2);
-    optics.scattering = Some(Scattering {
-        phase: Arc::new(Rayleigh {}),
-        per_mm: 0.3,
-    });
-    let whole = |smooth| {
-        let params = scatter::Params {
-            smooth,
-            ..scatter::Params::default()
-        };
-        scatter::model(
-            &GLASS,
-            &[light.clone()],
-            &[optics.clone()],
-            &params,
-            grid.clone(),
-        )
-        .unwrap()
-    };
-    for smooth in [1, 3] {
-        let mut x = LinearOperator::new_patterns(&whole(smooth)).unwrap();
-        x.fill(1.0);
-        let expected = dose(&whole(smooth), &x);
-        let model = whole(smooth).with_cells(Arc::clone(&solid));
-        let found = check::model::model(&model, 3).unwrap();
-        assert!(found.adjoint_error < 1e-6, "{found:?}");
-        let mean = dose(&model, &x);
-        let largest = expected.values.iter().copied().fold(0.0, f32::max);
-        for (a, b) in expected.values.iter().zip(&mean.values) {
-            assert!((a - b).abs() < 1e-6 * largest);
-        }
     }
 }
 
