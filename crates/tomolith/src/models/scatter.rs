@@ -34,9 +34,10 @@
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
 //! paths and cells half as large, so that a pattern that fits its own noise, or what cells smooth away, shows.
 //!
-//! Scattered light is smoothed over cells of `smooth` voxels, less what `models/smear.rs` brings back: structure of two or three
-//! cells stays too flat. Near a wall some of it lies beyond the resin (1 % of the absorbed energy in a vial of 32 voxels across), where
-//! it counts nowhere.
+//! Scattered light is smoothed over cells of `smooth` voxels, which takes structure of a few cells away. In what is reported
+//! `models/smear.rs` brings most of it back; an optimisation goes without, as the noise of its few paths would grow by 1.4 and costs more.
+//! Near a wall some scattered light lies beyond the resin (1 % of the absorbed energy in a vial of 32 voxels across), where it counts
+//! nowhere.
 //!
 //! # Cost
 //! Paths are traced again in every call, so memory does not grow with their number.
@@ -93,6 +94,9 @@ pub struct Params {
     pub orders: usize,
     /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32; half as large in what is reported.
     pub smooth: usize,
+    /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgement does, which has paths enough.
+    #[serde(skip)]
+    pub is_sharp: bool,
 }
 
 impl Default for Params {
@@ -106,6 +110,7 @@ impl Default for Params {
             reflections: false,
             orders: 64,
             smooth: 4,
+            is_sharp: false,
         }
     }
 }
@@ -114,14 +119,15 @@ impl Default for Params {
 pub(crate) const JUDGING: usize = 16;
 
 impl Params {
-    /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large, so
-    /// that what cells smooth away shows like noise does.
+    /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
+    /// back what they smear out, so that what the optimisation's cells smooth away shows like noise does.
     #[must_use]
     pub fn for_judging(&self, refine: usize) -> Self {
         Params {
             paths_per_pixel: JUDGING * self.paths_per_pixel,
             seed: !self.seed,
             smooth: (self.smooth * refine).div_ceil(2),
+            is_sharp: true,
             ..self.clone()
         }
     }
@@ -177,6 +183,7 @@ pub fn model(
     let scattered = Scattered {
         seed: params.seed,
         smooth: params.smooth,
+        is_sharp: params.is_sharp,
         renew: params.renew,
     };
     Rays::build(

@@ -1,12 +1,12 @@
 //! Scattered light on cells larger than voxels, and from there to voxels.
 //!
-//! Cells hold what legs leave in them; doses of voxels are interpolated ([`Coarse`]), and what both smear out is brought back
+//! Cells hold what legs leave in them; doses of voxels are interpolated ([`Coarse`]), and what both smear out may be brought back
 //! ([`Sharpen`]) in cells that are all resin: those of which all corners are, so a body smaller than a cell may be missed. Where
 //! absorption is a map, cells hold fluence, and a voxel takes its own part of it.
 
-use super::Optics;
 use super::segment::Lattice;
 use super::solid::Solid;
+use super::{Optics, Scattered};
 use crate::models::DoseLayout;
 use crate::models::coarse::Coarse;
 use crate::models::parallel::Light;
@@ -19,7 +19,7 @@ use std::sync::Arc;
 pub(super) struct Haze {
     pub(super) lattice: Lattice,
     coarse: Coarse,
-    /// None where cells are voxels.
+    /// None where cells are voxels, or are left as they are.
     sharpen: Option<Sharpen>,
     voxels: usize,
     /// What every voxel takes of a light's fluence, where cells sum that.
@@ -27,14 +27,15 @@ pub(super) struct Haze {
 }
 
 impl Haze {
-    /// Cells of `smooth` voxels along an edge.
+    /// Cells of some voxels along an edge.
     pub(super) fn new(
         vial: &dyn Vial,
         lights: &[Light],
         optics: &[Optics],
         fine: &DoseLayout,
-        smooth: usize,
+        scattered: &Scattered,
     ) -> Self {
+        let smooth = scattered.smooth;
         let coarse = Coarse::new(fine, smooth);
         let sharpen = || {
             let bodies = || optics.iter().flat_map(|optics| &optics.obstacles);
@@ -49,7 +50,7 @@ impl Haze {
         };
         Haze {
             lattice: Lattice::new(&coarse.layout),
-            sharpen: (smooth > 1).then(sharpen),
+            sharpen: (scattered.is_sharp && smooth > 1).then(sharpen),
             voxels: fine.len(),
             takes: if smooth > 1 {
                 takes(lights, fine)

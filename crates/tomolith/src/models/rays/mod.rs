@@ -233,6 +233,8 @@ pub(super) struct Scattered {
     pub(super) seed: u64,
     /// Voxels along an edge of the cells on which it is summed.
     pub(super) smooth: usize,
+    /// Whether what cells smear out is given back.
+    pub(super) is_sharp: bool,
     /// Iterations of an optimisation after which other paths are drawn; 0: never.
     pub(super) renew: usize,
 }
@@ -359,7 +361,7 @@ impl Rays {
             });
         }
         let of_scattered =
-            |scattered: Scattered| Haze::new(vial, lights, optics, &outputs[0], scattered.smooth);
+            |scattered: Scattered| Haze::new(vial, lights, optics, &outputs[0], &scattered);
         let haze = emission.scattered.map(of_scattered);
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),

@@ -130,6 +130,7 @@ fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
                 let map = Some((shape, pitch_mm, values));
                 let (mut light, mut optics, mut params) = milk(&light(4, 5, 9, 0.2), map, smooth);
                 params.reflections = smooth == 1;
+                params.is_sharp = shape[0] > 1;
                 optics.motion.tilt_rad = 0.1;
                 light.resin.gradient = Some(Gradient {
                     quadratic_per_mm2: -0.05,
@@ -213,6 +214,7 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
     let of = |smooth: usize| {
         let (light, optics, mut params) = milk(&light, None, smooth);
         params.paths_per_pixel = 64;
+        params.is_sharp = true;
         let (lights, optics) = ([light], [optics]);
         let model = scatter::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
         let straight = scatter::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
