@@ -63,17 +63,18 @@ impl Sheet {
 pub(super) struct KeptSheets(Vec<Sheet>);
 
 impl KeptSheets {
-    /// Those of a model; None when their ways have more than `most` voxels.
+    /// Those of a model; None when their ways and rows are more than `most` numbers.
     pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
-        let (mut all, mut voxels) = (Vec::new(), 0);
+        let (mut all, mut numbers) = (Vec::new(), 0);
         for (light, frames) in model.all_frames() {
             for pairs in model.chunks(light, frames) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }
                 let sheets = model.sheets(light, pairs, |_| true);
-                voxels += sheets.iter().map(|sheet| sheet.places.len()).sum::<usize>();
-                if voxels > most {
+                let of_sheet = |sheet: &Sheet| sheet.places.len() + sheet.slices.len();
+                numbers += sheets.iter().map(of_sheet).sum::<usize>();
+                if numbers > most {
                     return Ok(None);
                 }
                 all.extend(sheets);
