@@ -22,13 +22,18 @@ pub fn sample(i: usize, n: usize, pitch: f64) -> f64 {
     (i as f64 - (n as f64 - 1.0) / 2.0) * pitch
 }
 
-/// A box of cubic voxels.
+/// A box of voxels: cubes, or square columns that are lower or higher than wide.
+///
+/// Files, metrics and most models know cubes alone. An optimisation may look at voxels that are as high as a row of pixels and
+/// finer across: collimated light is the same at all heights of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VolumeGrid {
     /// Counts `[nz, ny, nx]`, the order of the arrays.
     pub shape: [usize; 3],
-    /// Edge of a voxel, mm.
+    /// Edge of a voxel along x and y, mm.
     pub pitch_mm: f64,
+    /// Edge of a voxel along z, mm.
+    pub height_mm: f64,
     /// Centre of the box `[x, y, z]` in the resin frame, mm.
     pub center_mm: [f64; 3],
 }
@@ -40,6 +45,7 @@ impl VolumeGrid {
         VolumeGrid {
             shape,
             pitch_mm,
+            height_mm: pitch_mm,
             center_mm: [0.0; 3],
         }
     }
@@ -71,7 +77,7 @@ impl VolumeGrid {
     /// z of the centres of slice `iz`, mm.
     #[must_use]
     pub fn z(&self, iz: usize) -> f64 {
-        self.center_mm[2] + sample(iz, self.shape[0], self.pitch_mm)
+        self.center_mm[2] + sample(iz, self.shape[0], self.height_mm)
     }
 
     /// Position of `[iz, iy, ix]` in an array.
@@ -84,7 +90,8 @@ impl VolumeGrid {
     #[must_use]
     pub fn bounds_mm(&self) -> [[f64; 3]; 2] {
         let n = [self.shape[2], self.shape[1], self.shape[0]];
-        let half = n.map(|n| n as f64 * self.pitch_mm / 2.0);
+        let edges = [self.pitch_mm, self.pitch_mm, self.height_mm];
+        let half: [f64; 3] = std::array::from_fn(|i| n[i] as f64 * edges[i] / 2.0);
         let c = self.center_mm;
         [
             std::array::from_fn(|i| c[i] - half[i]),
@@ -95,15 +102,23 @@ impl VolumeGrid {
     /// Volume of one voxel, mm³.
     #[must_use]
     pub fn voxel_mm3(&self) -> f64 {
-        self.pitch_mm.powi(3)
+        self.pitch_mm * self.pitch_mm * self.height_mm
     }
 
     /// The same box with `factor` times as many voxels along each edge.
     #[must_use]
     pub fn refined(&self, factor: usize) -> Self {
+        self.divided(factor, factor)
+    }
+
+    /// The same box with `across` times as many voxels along x and y, and `along` times as many along z.
+    #[must_use]
+    pub fn divided(&self, across: usize, along: usize) -> Self {
+        let [nz, ny, nx] = self.shape;
         VolumeGrid {
-            shape: self.shape.map(|n| n * factor),
-            pitch_mm: self.pitch_mm / factor as f64,
+            shape: [nz * along, ny * across, nx * across],
+            pitch_mm: self.pitch_mm / across as f64,
+            height_mm: self.height_mm / along as f64,
             center_mm: self.center_mm,
         }
     }

@@ -462,7 +462,7 @@ fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
         bath: None,
         polarisation: light.polarisation,
         kernel: Kernel::default(),
-        sub_angles: light.sub_angles,
+        sub_angles: light.sub_angles.unwrap_or(1),
         active: None,
         selection: Selection::default(),
     }

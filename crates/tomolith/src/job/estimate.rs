@@ -57,8 +57,12 @@ const PASSES: f64 = 5.0;
 /// The extent of the problem, known before anything is built.
 #[derive(Clone, Debug)]
 pub(crate) struct Extent {
-    /// Voxels.
+    /// The job's voxels.
     pub(crate) grid: VolumeGrid,
+    /// The finest voxels of the optimisation.
+    pub(crate) finest: VolumeGrid,
+    /// What its iterations cost, relative to as many on the job's voxels with frames that stand still.
+    pub(crate) effort: f64,
     /// How many times finer the evaluation is.
     pub(crate) refine: usize,
     /// Frames of all lights.
@@ -111,6 +115,8 @@ impl Extent {
         };
         Extent {
             grid: grid.clone(),
+            finest: grid.clone(),
+            effort: 1.0,
             refine,
             frames: optics.lights.iter().map(|l| l.pixels.frames()).sum(),
             active_pixels: optics.lights.iter().map(active).sum(),
@@ -154,8 +160,7 @@ impl Extent {
     }
 
     fn lanes(&self, factor: usize) -> f64 {
-        let [nz, ny, nx] = self.grid.shape.map(|n| n * factor);
-        (row_of(nz) * ny * nx) as f64
+        lanes(&self.grid.refined(factor))
     }
 
     /// Faces of one side of a cube of as many voxels as are evaluated.
@@ -175,7 +180,7 @@ impl Extent {
         let per_voxel =
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
-            self.lanes(1) * per_voxel / 1e6,
+            lanes(&self.finest) * per_voxel / 1e6,
             (self.scratch(1) + self.bytes_of_walks() + patterns) / 1e6,
             self.working_mb[0],
         ]
@@ -219,6 +224,12 @@ impl Extent {
             + checkpoint;
         (10.0 + bytes / 1e6) as u64
     }
+}
+
+/// Elements of a dose field.
+fn lanes(grid: &VolumeGrid) -> f64 {
+    let [nz, ny, nx] = grid.shape;
+    (row_of(nz) * ny * nx) as f64
 }
 
 /// Memory of a stage with what every run needs, MB.
@@ -285,7 +296,8 @@ impl Work<'_> {
         let step_s = own * (rates.doses_per_step * dose_s + adjoint_s)
             + PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
-        let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
+        let optimisation_s = (iterations as f64 * extent.effort * step_s)
+            .min(self.wall_s.unwrap_or(f64::INFINITY))
             + OTHER_CALLS * own * dose_s
             + first_s
             + model_s;
@@ -316,6 +328,8 @@ mod tests {
     fn extent() -> Extent {
         Extent {
             grid: VolumeGrid::centered([10, 10, 10], 0.1),
+            finest: VolumeGrid::centered([10, 10, 10], 0.1),
+            effort: 1.0,
             refine: 2,
             frames: 30,
             active_pixels: 500,

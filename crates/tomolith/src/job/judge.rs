@@ -134,7 +134,7 @@ pub(crate) fn judge(
             let response = scene.responses(dose)?;
             let evaluation = measure(scene, voxels, &response, raw)?;
             room.values = response.values;
-            Some(evaluation.with_sub_angles(scene.spec.light[0].sub_angles))
+            Some(evaluation.with_sub_angles(scene.optics.lights[0].sub_angles))
         }
     };
     let written = match &optimisation {

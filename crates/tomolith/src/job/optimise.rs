@@ -1,23 +1,26 @@
 //! The optimisation of a job: from voxels to patterns.
 
-use super::coarse;
 use super::folder::RunFolder;
+use super::levels::{self, Level};
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
 use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::field::{BLOCK, Field, HostField};
-use crate::grid::{Patterns, Volume};
+use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
+use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
-    self, Checkpoints, Limits, Observer, Outcome, Problem, Row, StepReport, Stop, StopReason,
+    self, Checkpoints, Counters, Limits, Observer, Outcome, Problem, Row, StepReport, Stop,
+    StopReason,
 };
+use crate::units::concise;
 use rayon::prelude::*;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -74,132 +77,255 @@ pub(crate) fn optimise(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimised> {
-    let spec = &scene.spec;
-    let lights = scene.optics.lights.clone();
-    let plan = planner::plan(
-        &scene.optics.model,
-        scene.setup(),
-        lights,
-        scene.grid.clone(),
-        Some(&voxels.wanted()),
-        cancel,
-    )?;
-    progress.event(&Event::Note {
-        text: plan.reason.clone(),
-    });
-    let straight = plan.straight.as_deref();
-    let of_bodies = dark_pixels(
-        scene,
-        straight.unwrap_or(plan.model.as_ref()),
-        progress,
-        cancel,
-    )?;
-    let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
-        Some(dark) => Box::new(Dimmed::new(plan.model, dark)),
-        None => plan.model,
-    };
-    let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);
-    for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
-        *dark |= left_out;
-    }
-    let model = model.as_ref();
-    let objective = scene.objective(&model.outputs()[0], voxels)?;
-    let mut start = match coarse::solve(scene, cancel)? {
-        Some(levels) => {
-            progress.event(&Event::Note { text: levels.note });
-            starting_patterns(scene, voxels, (model, straight), &levels.start, cancel)?
-        }
-        None => {
-            let start = scene.start()?;
-            starting_patterns(scene, voxels, (model, straight), start.as_ref(), cancel)?
-        }
-    };
-    darken(&mut start, &dark);
-    let mut optimizer = scene.optimizer()?;
-    let limits = limits(spec, model, &start, optimizer.normalises());
-    let penalties = scene.penalties(model.patterns())?;
-    let mut problem = Problem::new(model, &objective, &limits, cancel)?
-        .with_penalties(penalties)
-        .with_bits(spec.bounds.bits)?;
-    if optimizer.needs().target.is_some() {
-        problem = problem.with_target(target_field(scene, voxels, model)?);
-    }
-    optimizer.needs().check(&problem)?;
     let tables = tables(&scene.spec)?;
     let mut checkpoints = Checkpoints::new(
         folder.checkpoint(),
         fingerprint(&tables, voxels, &scene.base)?,
-        &spec.checkpoint,
+        &scene.spec.checkpoint,
     )?
     .describing(tables);
-    let mut x = if resumes(&checkpoints, resume, progress)? {
-        model.new_patterns()?
-    } else {
-        start
-    };
-
-    let stop = Stop {
-        iterations: spec.stop.iterations,
-        projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
-        change: spec.stop.change.unwrap_or(0.0),
-        seconds: spec.stop.wall_s,
-    };
-    let updates = model.updates();
-    let layout = model.outputs()[0].clone();
-    let mut labels = layout.field_of(&voxels.labels);
-    labels.truncate(layout.voxels());
-    let mut watch = Watch {
-        scene,
-        updates,
-        labels,
-        layout,
-        is_grey: voxels.target.grey,
-        qualities: Vec::new(),
-        metrics_s: 0.0,
-        progress,
-    };
-    let ran = optimize::run(
-        &mut problem,
-        optimizer.as_mut(),
-        &mut x,
-        &stop,
-        Some(&mut checkpoints),
-        &mut [&mut watch],
-    );
-    let Watch {
-        qualities,
-        metrics_s,
-        ..
-    } = watch;
-    darken(&mut x, &dark);
-    let raw: Vec<Patterns> = model
-        .patterns()
-        .iter()
-        .map(|layout| layout.patterns_of(x.as_slice()))
-        .collect();
-    match ran {
-        Ok(outcome) if outcome.reason != StopReason::Cancelled => {
-            let warning = idle(&outcome.history, spec.bounds.bits);
-            if let Some(text) = warning.clone() {
-                progress.event(&Event::Warning { text });
+    let resumed = resumes(&checkpoints, resume, progress)?;
+    let job_start = scene.start()?;
+    let mut carried: Option<Given> = None;
+    let mut bounds = Vec::new();
+    let mut pixels: Option<Vec<&PatternGrid>> = None;
+    let mut sofar = SoFar::default();
+    for (i, level) in scene.levels.iter().enumerate() {
+        let is_last = i + 1 == scene.levels.len();
+        let stage = Stage::new(scene, voxels, level, progress, cancel)?;
+        let mut start = None;
+        let own = level.lights.iter().map(|light| &light.pixels).collect();
+        if pixels.as_ref() != Some(&own) {
+            let x = stage.start(scene, job_start.as_ref(), cancel)?;
+            bounds = stage.limits(scene, &x)?;
+            (start, pixels) = (Some(x), Some(own));
+        }
+        if resumed && !is_last {
+            continue;
+        }
+        let mut x = match (&carried, start) {
+            (None, Some(x)) => x,
+            (None, None) => stage.model.new_patterns()?,
+            (Some(given), _) => stage.start(scene, given, cancel)?,
+        };
+        let checkpoints = is_last.then_some(&mut checkpoints);
+        let ran = stage.run_and_widen(
+            scene,
+            (&mut x, &bounds),
+            checkpoints,
+            &mut sofar,
+            progress,
+            cancel,
+        );
+        let raw = stage.patterns(&mut x);
+        match ran {
+            Ok(outcome) if outcome.reason == StopReason::Cancelled => {
+                keep(scene, &raw, &folder.checkpoint(), progress)?;
+                return Err(at_section("optimizer", Error::Cancelled));
             }
-            Ok(Optimised {
-                raw,
-                outcome,
-                model: plan.reason,
-                updates,
-                qualities,
-                metrics_s,
-                warning,
-            })
+            Ok(outcome) if is_last => {
+                let warning = idle(&outcome.history, scene.spec.bounds.bits);
+                if let Some(text) = warning.clone() {
+                    progress.event(&Event::Warning { text });
+                }
+                return Ok(Optimised {
+                    raw,
+                    outcome,
+                    updates: stage.model.updates(),
+                    model: stage.reason,
+                    qualities: sofar.qualities,
+                    metrics_s: sofar.metrics_s,
+                    warning,
+                });
+            }
+            Ok(outcome) => {
+                sofar.rows = outcome.history;
+                sofar.counters = outcome.counters;
+                carried = Some(Given(raw));
+            }
+            // A checkpoint that does not fit: nothing was done
+            Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
+            Err(error) => {
+                keep(scene, &raw, &folder.checkpoint(), progress)?;
+                return Err(at_section("optimizer", error));
+            }
         }
-        // A checkpoint that does not fit: nothing was done
-        Err(error @ Error::Format { .. }) => Err(begin_anew(error)),
-        stopped => {
-            keep(scene, &raw, &folder.checkpoint(), progress)?;
-            let error = stopped.err().unwrap_or(Error::Cancelled);
-            Err(at_section("optimizer", error))
+    }
+    unreachable!("a job has a level")
+}
+
+/// What the levels before have done.
+#[derive(Default)]
+struct SoFar {
+    rows: Vec<Row>,
+    counters: Counters,
+    qualities: Vec<Quality>,
+    metrics_s: f64,
+}
+
+/// One level, ready to be optimised.
+struct Stage<'a> {
+    level: &'a Level,
+    voxels: Cow<'a, Voxels>,
+    model: Box<dyn DoseModel<Field = HostField>>,
+    straight: Option<Box<dyn DoseModel<Field = HostField>>>,
+    /// Pixels that stay dark.
+    dark: Vec<bool>,
+    /// Which model, and why.
+    reason: String,
+}
+
+impl<'a> Stage<'a> {
+    fn new(
+        scene: &Scene,
+        voxels: &'a Voxels,
+        level: &'a Level,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Self> {
+        let voxels = if level.grid == scene.grid {
+            Cow::Borrowed(voxels)
+        } else {
+            Cow::Owned(scene.voxels(&level.grid)?)
+        };
+        let plan = planner::plan(
+            &scene.optics.model,
+            scene.setup(),
+            level.lights.clone(),
+            level.grid.clone(),
+            Some(&voxels.wanted()),
+            cancel,
+        )?;
+        let [nz, ny, nx] = level.grid.shape;
+        progress.event(&Event::Note {
+            text: format!(
+                "{} ({nx} × {ny} × {nz} voxels, up to iteration {})",
+                plan.reason, level.until
+            ),
+        });
+        let straight = plan.straight.as_deref();
+        let known = straight.unwrap_or(plan.model.as_ref());
+        let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
+        let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
+            Some(dark) => Box::new(Dimmed::new(plan.model, dark)),
+            None => plan.model,
+        };
+        let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);
+        for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
+            *dark |= left_out;
         }
+        Ok(Stage {
+            level,
+            voxels,
+            model,
+            straight: plan.straight,
+            dark,
+            reason: plan.reason,
+        })
+    }
+
+    fn start(&self, scene: &Scene, start: &dyn Start, cancel: &Run) -> Result<HostField> {
+        let models = (self.model.as_ref(), self.straight.as_deref());
+        let mut x = starting_patterns(scene, &self.voxels, models, start, cancel)?;
+        darken(&mut x, &self.dark);
+        Ok(x)
+    }
+
+    fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
+        let normalises = scene.optimizer()?.normalises();
+        Ok(limits(&scene.spec, self.model.as_ref(), start, normalises))
+    }
+
+    /// The patterns in `x`, whose pixels that are to stay dark are made dark.
+    fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
+        darken(x, &self.dark);
+        let lights = self.model.patterns().iter();
+        lights
+            .map(|layout| layout.patterns_of(x.as_slice()))
+            .collect()
+    }
+
+    /// Runs the optimiser on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
+    fn run_and_widen(
+        &self,
+        scene: &Scene,
+        (x, bounds): (&mut HostField, &[Limits]),
+        checkpoints: Option<&mut Checkpoints>,
+        sofar: &mut SoFar,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Outcome> {
+        let own = (scene, &scene.spec);
+        let mut outcome = self.run(own, (x, bounds), checkpoints, sofar, progress, cancel)?;
+        for steps in 1.. {
+            let at = outcome.history.last().map_or(0, |row| row.iteration);
+            if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
+                break;
+            }
+            let Some(wider) = levels::widened(&scene.spec, steps)? else {
+                break;
+            };
+            progress.event(&Event::Note {
+                text: format!("every voxel is within its thresholds after iteration {at}: from here on they are {} further apart", concise(levels::WIDER * steps as f64)),
+            });
+            sofar.rows = outcome.history;
+            sofar.counters = outcome.counters;
+            outcome = self.run((scene, &wider), (x, bounds), None, sofar, progress, cancel)?;
+        }
+        Ok(outcome)
+    }
+
+    /// Runs the optimiser on this level, after the iterations of those before.
+    fn run(
+        &self,
+        (scene, spec): (&Scene, &JobSpec),
+        (x, bounds): (&mut HostField, &[Limits]),
+        checkpoints: Option<&mut Checkpoints>,
+        sofar: &mut SoFar,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Outcome> {
+        let model = self.model.as_ref();
+        let layout = model.outputs()[0].clone();
+        let objective = scene.objective(spec, &layout, &self.voxels)?;
+        let mut optimizer = scene.optimizer()?;
+        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+            .with_penalties(scene.penalties(model.patterns())?)
+            .with_bits(spec.bounds.bits)?;
+        if optimizer.needs().target.is_some() {
+            problem = problem.with_target(target_field(scene, &self.voxels, model)?);
+        }
+        problem.counters = sofar.counters;
+        let stop = Stop {
+            iterations: self.level.until,
+            projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
+            change: spec.stop.change.unwrap_or(0.0),
+            seconds: spec.stop.wall_s,
+        };
+        let mut labels = layout.field_of(&self.voxels.labels);
+        labels.truncate(layout.voxels());
+        let mut watch = Watch {
+            scene,
+            iterations: scene.levels.last().map_or(0, |level| level.until),
+            updates: model.updates(),
+            labels,
+            layout,
+            is_grey: self.voxels.target.grey,
+            qualities: std::mem::take(&mut sofar.qualities),
+            metrics_s: sofar.metrics_s,
+            progress,
+        };
+        let ran = optimize::run_after(
+            std::mem::take(&mut sofar.rows),
+            &mut problem,
+            optimizer.as_mut(),
+            x,
+            &stop,
+            checkpoints,
+            &mut [&mut watch],
+        );
+        (sofar.qualities, sofar.metrics_s) = (watch.qualities, watch.metrics_s);
+        ran
     }
 }
 
@@ -228,11 +354,12 @@ fn idle(history: &[Row], bits: Option<u32>) -> Option<String> {
 /// [`Error::Config`] when that leaves no pixel.
 fn dark_pixels(
     scene: &Scene,
+    grid: &VolumeGrid,
     model: &dyn DoseModel<Field = HostField>,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<Vec<bool>>> {
-    let Some(shares) = scene.keep_dark(&scene.grid)? else {
+    let Some(shares) = scene.keep_dark(grid)? else {
         return Ok(None);
     };
     let places = Volume {
@@ -439,6 +566,8 @@ fn is_measured(iteration: usize) -> bool {
 /// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
 struct Watch<'a> {
     scene: &'a Scene,
+    /// Iterations of all levels.
+    iterations: usize,
     updates: u64,
     /// Labels in the order of the dose field's voxels; the padding is outside.
     labels: Vec<u8>,
@@ -467,7 +596,7 @@ impl Watch<'_> {
     /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
     fn measure(&mut self, report: &StepReport<'_, HostField>, decides: bool) -> Option<Quality> {
         let iteration = report.row.iteration;
-        let last = iteration == self.scene.spec.stop.iterations;
+        let last = iteration == self.iterations;
         if !(decides || !self.is_grey && (last || is_measured(iteration))) {
             return None;
         }
@@ -511,7 +640,7 @@ impl Observer<HostField> for Watch<'_> {
         let calls = (row.forward + row.adjoint) as f64;
         self.progress.event(&Event::Iteration {
             iteration: row.iteration,
-            iterations: self.scene.spec.stop.iterations,
+            iterations: self.iterations,
             loss: row.loss,
             projected_gradient: report.relative_gradient,
             elapsed_s: row.seconds,

@@ -363,7 +363,7 @@ fn passes(
     x.fill(1.0);
     let zeros = x.zeros_like();
     let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = scene.objective(&model.outputs()[0], voxels)?;
+    let objective = scene.objective(&scene.spec, &model.outputs()[0], voxels)?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
     let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
@@ -384,7 +384,7 @@ fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Resu
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
     let mut cotangent = plan.model.new_dose()?;
     scene
-        .objective(layout, voxels)?
+        .objective(&scene.spec, layout, voxels)?
         .value_and_gradient(&dose, &mut cotangent);
     Ok(cotangent)
 }
@@ -422,6 +422,7 @@ fn resampled<T: Copy>(volume: &Volume<T>, edge: usize) -> Volume<T> {
     let grid = VolumeGrid {
         shape: shape.map(|n| (n * edge).div_ceil(longest)),
         pitch_mm: volume.grid.pitch_mm * longest as f64 / edge as f64,
+        height_mm: volume.grid.pitch_mm * longest as f64 / edge as f64,
         center_mm: volume.grid.center_mm,
     };
     let [nz, ny, nx] = grid.shape;

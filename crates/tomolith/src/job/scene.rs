@@ -5,6 +5,7 @@ use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
+use super::levels::{self, Level};
 use super::named::{
     asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
 };
@@ -51,14 +52,18 @@ pub(crate) struct Scene {
     pub(crate) name: String,
     /// The shape.
     pub(crate) shape: Arc<dyn Shape>,
+    /// Whether its objectives see which share of a voxel is part.
+    pub(crate) sees_fractions: bool,
     /// Whether its surface cuts voxels of the optimisation into cells.
     pub(crate) has_cells: bool,
     /// Vial and lights.
     pub(crate) optics: Optics,
     /// The machine, one per light.
     pub(crate) printers: Option<Vec<Printer>>,
-    /// Voxels of the optimisation.
+    /// The job's voxels.
     pub(crate) grid: VolumeGrid,
+    /// Voxels of the optimisation, from coarse to fine.
+    pub(crate) levels: Vec<Level>,
     /// How large it all is.
     pub(crate) extent: Extent,
     /// Choices that were made.
@@ -68,10 +73,16 @@ pub(crate) struct Scene {
 }
 
 /// The target on a grid.
+#[derive(Clone)]
 pub(crate) struct Voxels {
     pub(crate) target: Target,
     pub(crate) labels: Volume<u8>,
+    /// Smallest inside fraction of voxels that light should reach.
+    least: f32,
 }
+
+/// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
+const SLIVER: f32 = 0.05;
 
 impl Scene {
     /// Reads the target and refuses whatever can be refused before heavy work.
@@ -118,6 +129,7 @@ impl Scene {
                 .check_files(&grid, &job.base())
                 .map_err(|e| e.under(&path))?;
         }
+        let levels = levels::levels(&spec, &optics, &grid, shape.bounds_mm())?;
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let plain = Extent::new(
@@ -129,6 +141,8 @@ impl Scene {
         );
         let setup = optimising(&optics, &shape, has_cells);
         let extent = Extent {
+            finest: levels[levels.len() - 1].grid.clone(),
+            effort: levels::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
             walks: setup.walks(&optics.model, &optics.lights, &grid),
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
@@ -151,9 +165,11 @@ impl Scene {
             ]
             .concat(),
             notes,
-            spec,
             shape,
             has_cells,
+            levels,
+            sees_fractions: levels::sees_fractions(&spec)?,
+            spec,
             optics,
             printers,
             grid,
@@ -283,7 +299,7 @@ impl Scene {
         };
         // There is no resin in an insert
         if let Some(insert) = self.shape.body(Role::Insert) {
-            let inside = insert.sample(grid)?.values;
+            let inside = target::sampled(insert, grid)?.values;
             for (label, inside) in labels.values.iter_mut().zip(inside) {
                 *label = if inside >= 0.5 {
                     label::OUTSIDE
@@ -292,7 +308,12 @@ impl Scene {
                 };
             }
         }
-        Ok(Voxels { target, labels })
+        let least = if self.sees_fractions { SLIVER } else { 0.5 };
+        Ok(Voxels {
+            target,
+            labels,
+            least,
+        })
     }
 
     /// Refuses a start that asks for doses which the material does not have, once the values of a grey target are known.
@@ -322,7 +343,7 @@ impl Scene {
     /// As [`target::voxelise`].
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.shape.body(Role::KeepDark);
-        dark.map(|dark| dark.sample(grid)).transpose()
+        dark.map(|dark| target::sampled(dark, grid)).transpose()
     }
 
     /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.
@@ -362,14 +383,19 @@ impl Scene {
         response(Section::new("response", self.spec.response.clone()).based(&self.base))
     }
 
-    /// The sum of the job's objectives.
+    /// The sum of the objectives of the job, or of one that differs from it in these alone.
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub(crate) fn objective(&self, layout: &DoseLayout, voxels: &Voxels) -> Result<Sum<HostField>> {
-        let Voxels { target, labels } = voxels;
+    pub(crate) fn objective(
+        &self,
+        spec: &JobSpec,
+        layout: &DoseLayout,
+        voxels: &Voxels,
+    ) -> Result<Sum<HostField>> {
+        let Voxels { target, labels, .. } = voxels;
         objectives(
-            &self.spec,
+            spec,
             &ObjectiveInput {
                 layout,
                 labels,
@@ -379,6 +405,7 @@ impl Scene {
             &self.base,
             true,
         )
+        .map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
     }
 
     /// The penalties on the patterns.
@@ -416,11 +443,16 @@ impl Scene {
 }
 
 impl Voxels {
-    /// Voxels that should get dose: 1 where something is to be printed, else 0.
+    /// Voxels that light should reach: 1 where something is to be printed, else 0.
     pub(crate) fn wanted(&self) -> Volume<u8> {
         let (labels, inside) = (&self.labels.values, &self.target.inside.values);
         let wanted = |(&l, &s): (&u8, &f32)| {
-            u8::from(l == label::PART || (self.target.grey && l == label::VOID && s > 0.0))
+            let least = if self.target.grey {
+                f32::MIN_POSITIVE
+            } else {
+                self.least
+            };
+            u8::from(l == label::PART || (l == label::VOID && s >= least))
         };
         Volume {
             grid: self.labels.grid.clone(),
@@ -536,6 +568,7 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
         (Some(pitch), Some([x, y, z])) => Ok(VolumeGrid {
             shape: [*z, *y, *x],
             pitch_mm: pitch.0,
+            height_mm: pitch.0,
             center_mm: [0.0, 0.0, (bounds[0][2] + bounds[1][2]) / 2.0],
         }),
         (None, Some(counts)) => default_grid(bounds, Resolution::Shape(*counts)).map_err(under),
@@ -658,6 +691,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [3, 40, 50],
             pitch_mm: 0.1,
+            height_mm: 0.1,
             center_mm: [0.3, 0.0, 1.0],
         };
         let cut = cut(&grid, 1.95);
@@ -676,6 +710,7 @@ mod tests {
         let grid = |slices, z| VolumeGrid {
             shape: [slices, 4, 4],
             pitch_mm: 0.1,
+            height_mm: 0.1,
             center_mm: [0.0, 0.0, z],
         };
         let rows = |count| PatternGrid::full_turn(3, 0.0, count, 8, 0.1);

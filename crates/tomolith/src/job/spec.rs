@@ -105,6 +105,10 @@ pub struct GridSpec {
     /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shape: Option<[usize; 3]>,
+    /// How many times finer across the optimisation's voxels are; along z they are as high as a row of pixels. When left out: up to a
+    /// quarter of a pixel, as far as the time allows, with `surface = "fraction"` and level light; 1 otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refine: Option<usize>,
     /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
     pub region: Region,
 }
@@ -236,9 +240,10 @@ pub struct LightSpec {
     pub offset_mm: [Mm; 2],
     /// From where the patterns come: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
     pub angles: Angles,
-    /// A frame is exposed while the vial turns through its arc: the optimisation averages it at this many angles.
-    #[serde(default = "one")]
-    pub sub_angles: usize,
+    /// A frame is exposed while the vial turns through its arc: the optimisation averages it at this many angles. When left out: one for
+    /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is no level beam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sub_angles: Option<usize>,
     /// Sense in which the VIAL turns, seen from above.
     #[serde(default)]
     pub rotation: Rotation,
@@ -458,9 +463,6 @@ pub struct OutputSpec {
     pub rpm: f64,
 }
 
-fn one() -> usize {
-    1
-}
 fn is_about_axis(offset: &[Mm; 2]) -> bool {
     offset.iter().all(|mm| mm.0 == 0.0)
 }

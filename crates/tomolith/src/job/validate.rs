@@ -219,7 +219,9 @@ fn light(light: &LightSpec) -> Result<()> {
         within(&key, mm.0, -1000.0, 1000.0, "mm, -1000 to 1000")?;
     }
     selection(light).map_err(|e| e.under("selection"))?;
-    count("sub_angles", light.sub_angles, 1, MOST_SUB_ANGLES)?;
+    if let Some(sub_angles) = light.sub_angles {
+        count("sub_angles", sub_angles, 1, MOST_SUB_ANGLES)?;
+    }
     match &light.angles {
         Angles::Even {
             count: frames,

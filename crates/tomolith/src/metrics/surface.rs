@@ -215,6 +215,7 @@ fn averaged(
     let coarse = VolumeGrid {
         shape,
         pitch_mm,
+        height_mm: pitch_mm,
         // The blocks start at the low corner
         center_mm: std::array::from_fn(|i| low[i] + 0.5 * pitch_mm * shape[2 - i] as f64),
     };

@@ -28,6 +28,7 @@ impl Coarse {
         let grid = VolumeGrid {
             shape,
             pitch_mm,
+            height_mm: pitch_mm,
             center_mm,
         };
         Self::of_grid(grid, fine)

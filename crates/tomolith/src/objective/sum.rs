@@ -23,6 +23,15 @@ impl<F: Field> Sum<F> {
         }
         Ok(Sum { parts })
     }
+
+    /// The same with all weights multiplied by `factor`: voxels of another size then cost the same for their volume.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        for (weight, _) in &mut self.parts {
+            *weight *= factor;
+        }
+        self
+    }
 }
 
 impl<F: Field> Objective<F> for Sum<F> {

@@ -39,7 +39,7 @@ pub struct Params {
     pub part_weight: f64,
     /// Weight of void voxels, 0 or above (default 1)
     pub void_weight: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+    /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
     pub surface: Surface,
 }
 
@@ -52,7 +52,7 @@ impl Default for Params {
             exponent: 2.0,
             part_weight: 1.0,
             void_weight: 1.0,
-            surface: Surface::Voxel,
+            surface: Surface::Fraction,
         }
     }
 }

@@ -116,9 +116,9 @@ impl<F: Field> Projection<F> {
         mut self,
         lights: &[PatternLayout],
         filter: Filter,
-        voxel_mm: f64,
+        voxel_mm3: f64,
     ) -> Result<Self> {
-        filter_patterns(lights, &mut self.patterns, filter, voxel_mm)?;
+        filter_patterns(lights, &mut self.patterns, filter, voxel_mm3)?;
         Ok(self)
     }
 
@@ -143,11 +143,11 @@ pub(super) fn target_projection<F: Field>(
     let mut patterns = x.zeros_like();
     problem.project(x, &wanted, &mut patterns)?;
     let model = problem.model();
-    let (lights, voxel_mm) = (model.patterns(), model.outputs()[0].grid.pitch_mm);
-    Projection::new(patterns, lights, &wanted)?.filtered(lights, filter, voxel_mm)
+    let (lights, voxel_mm3) = (model.patterns(), model.outputs()[0].grid.voxel_mm3());
+    Projection::new(patterns, lights, &wanted)?.filtered(lights, filter, voxel_mm3)
 }
 
-/// Filters the patterns of all lights, and multiplies them by h³/(p²q) for voxels of the edge h; pixels that are no unknowns count as
+/// Filters the patterns of all lights, and multiplies them by V/(p²q) for voxels of the volume V; pixels that are no unknowns count as
 /// dark.
 ///
 /// # Errors
@@ -156,7 +156,7 @@ pub fn filter_patterns<F: Field>(
     lights: &[PatternLayout],
     field: &mut F,
     filter: Filter,
-    voxel_mm: f64,
+    voxel_mm3: f64,
 ) -> Result<()> {
     if filter == Filter::None {
         return Ok(());
@@ -166,7 +166,7 @@ pub fn filter_patterns<F: Field>(
         let mut patterns = light.patterns_of(&values);
         filter_rows(&mut patterns, filter)?;
         let [p, q] = light.grid.pitch_mm;
-        let factor = (voxel_mm.powi(3) / (p * p * q)) as f32;
+        let factor = (voxel_mm3 / (p * p * q)) as f32;
         patterns.values.par_iter_mut().for_each(|v| *v *= factor);
         light.fill_field(&patterns, &mut values);
     }

@@ -30,7 +30,9 @@ pub use checkpoint::{Checkpoints, Contents};
 pub use needs::Needs;
 pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;
-pub use run::{Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run};
+pub use run::{
+    Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run, run_after,
+};
 pub use start::{STARTS, Start, StartInput};
 
 /// One method of solving a problem.

@@ -178,9 +178,34 @@ pub fn run<F: Field>(
     checkpoints: Option<&mut Checkpoints>,
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<Outcome> {
+    run_after(
+        Vec::new(),
+        problem,
+        optimizer,
+        x,
+        stop,
+        checkpoints,
+        observers,
+    )
+}
+
+/// As [`run`], after the steps of another run, on other voxels perhaps: its history goes on, and so do the numbers of iterations. The last
+/// of its rows is replaced by the same patterns' loss here.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_after<F: Field>(
+    earlier: Vec<Row>,
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    stop: &Stop,
+    checkpoints: Option<&mut Checkpoints>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<Outcome> {
     stop.validate()?;
     optimizer.needs().check(problem)?;
-    let Some(mut state) = begin(problem, optimizer, x, checkpoints.as_deref())? else {
+    let Some(mut state) = begin(earlier, problem, optimizer, x, checkpoints.as_deref())? else {
         let history = Vec::new();
         return Ok(Outcome {
             loss: f64::NAN,
@@ -237,6 +262,7 @@ struct State<F> {
 
 /// Resumes, or starts anew; None when cancelled before the first loss.
 fn begin<F: Field>(
+    mut earlier: Vec<Row>,
     problem: &mut Problem<F>,
     optimizer: &mut dyn Optimizer<F>,
     x: &mut F,
@@ -288,15 +314,20 @@ fn begin<F: Field>(
         });
     }
     let best_loss = at.loss;
+    let last = earlier.pop();
+    for row in &mut earlier {
+        // Gradients of other voxels are no measure of these
+        row.projected_gradient = None;
+    }
     let mut state = State {
         at,
-        history: Vec::new(),
+        history: earlier,
         best_loss,
         best: None,
         begin,
-        before_s: 0.0,
+        before_s: last.map_or(0.0, |row| row.seconds),
     };
-    state.record(problem, 0, None);
+    state.record(problem, last.map_or(0, |row| row.iteration), None);
     Ok(Some(state))
 }
 

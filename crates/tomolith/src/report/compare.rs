@@ -303,6 +303,7 @@ fn dose_of(path: &Path, report: &Value) -> Result<Option<Volume<f32>>> {
     let grid = VolumeGrid {
         shape,
         pitch_mm: pitch * fine / shape[2].max(1) as f64,
+        height_mm: pitch * fine / shape[2].max(1) as f64,
         center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
     };
     Ok((!grid.is_empty()).then_some(Volume { grid, values }))

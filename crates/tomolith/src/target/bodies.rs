@@ -339,6 +339,7 @@ fn shared_mm3(one: &MeshShape, other: &MeshShape) -> Result<f64> {
     let grid = VolumeGrid {
         shape: [nz, ny, nx],
         pitch_mm,
+        height_mm: pitch_mm,
         center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
     };
     let [a, b] = [one.sample(&grid)?, other.sample(&grid)?];
@@ -449,6 +450,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [60; 3],
             pitch_mm: (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max) / 60.0,
+            height_mm: (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max) / 60.0,
             center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
         };
         let volume = shape.sample(&grid).unwrap();

@@ -262,6 +262,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [1, 1, 1],
             pitch_mm: 1.0,
+            height_mm: 1.0,
             center_mm: [-0.5, 0.5, 0.0],
         };
         assert!((image.sample(&grid).unwrap().values[0] - 0.15).abs() < 1e-7);
@@ -274,6 +275,7 @@ mod tests {
             let grid = VolumeGrid {
                 shape: [1, 1, 1],
                 pitch_mm: 1e-3,
+                height_mm: 1e-3,
                 center_mm: [x, y, 0.0],
             };
             image.sample(&grid).unwrap().values[0]

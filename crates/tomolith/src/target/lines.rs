@@ -163,6 +163,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [1; 3],
             pitch_mm: 1.0,
+            height_mm: 1.0,
             center_mm: [0.5; 3],
         };
         let scaled = Scaled::new(mesh, &grid);

@@ -42,6 +42,7 @@ pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};
 pub use solid::MeshShape;
+pub(crate) use spec::sampled;
 pub use spec::{TargetSpec, build, voxelise};
 
 use crate::error::Result;

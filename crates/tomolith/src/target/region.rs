@@ -76,6 +76,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
             Ok(VolumeGrid {
                 shape: [z, y, x].map(|n| n as usize),
                 pitch_mm,
+                height_mm: pitch_mm,
                 center_mm,
             })
         }
@@ -97,6 +98,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
             Ok(VolumeGrid {
                 shape: [z, y, x],
                 pitch_mm,
+                height_mm: pitch_mm,
                 center_mm,
             })
         }

@@ -7,7 +7,7 @@ use super::phantom::Phantom;
 use super::placing::Placement;
 use super::{Assembly, BodySpec, GreyImage, MeshShape, PHANTOMS, Shape, Target};
 use crate::error::{Error, Result};
-use crate::grid::VolumeGrid;
+use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::{GreyPixels, read_grey, read_stack};
 use crate::io::mesh::read_mesh;
 use crate::kind::Section;
@@ -249,8 +249,56 @@ fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
 pub fn voxelise(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
     Ok(Target {
         name: name.to_owned(),
-        inside: shape.sample(grid)?,
+        inside: sampled(shape, grid)?,
         grey: shape.is_grey(),
+    })
+}
+
+/// Cubes that are sampled at a time where voxels are no cubes.
+const CUBES: usize = 1 << 24;
+
+/// Inside fractions on any grid: shapes are sampled on cubes, and a voxel higher than wide is the mean of those that fill it.
+///
+/// # Errors
+/// What the shape refuses; [`Error::Unsupported`] for voxels that cubes of their width do not fill.
+pub(crate) fn sampled(shape: &dyn Shape, grid: &VolumeGrid) -> Result<Volume<f32>> {
+    let cubes = (grid.height_mm / grid.pitch_mm).round().max(1.0) as usize;
+    if (grid.height_mm - cubes as f64 * grid.pitch_mm).abs() > 1e-9 * grid.height_mm {
+        return Err(Error::Unsupported {
+            what: format!(
+                "voxels {} mm wide and {} mm high",
+                grid.pitch_mm, grid.height_mm
+            ),
+            reason: "cubes do not fill them".to_owned(),
+        });
+    }
+    if cubes == 1 {
+        return shape.sample(grid);
+    }
+    let [nz, ny, nx] = grid.shape;
+    let plane = ny * nx;
+    let slices = (CUBES / (plane * cubes).max(1)).max(1);
+    let mut values = Vec::with_capacity(grid.len());
+    for first in (0..nz).step_by(slices) {
+        let count = slices.min(nz - first);
+        let mut slab = VolumeGrid {
+            shape: [count * cubes, ny, nx],
+            height_mm: grid.pitch_mm,
+            ..grid.clone()
+        };
+        slab.center_mm[2] = grid.z(first) + (count as f64 - 1.0) / 2.0 * grid.height_mm;
+        let inside = shape.sample(&slab)?.values;
+        for voxels in inside.chunks_exact(plane * cubes) {
+            let mean = |i: usize| {
+                let sum: f32 = voxels.iter().skip(i).step_by(plane).sum();
+                sum / cubes as f32
+            };
+            values.par_extend((0..plane).into_par_iter().map(mean));
+        }
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
     })
 }
 

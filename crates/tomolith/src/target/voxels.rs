@@ -393,6 +393,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [8, 7, 6],
             pitch_mm: 1.0,
+            height_mm: 1.0,
             center_mm: [3.0, 3.5, 4.0],
         };
         let volume = sampled(cuboid(low, high), &grid);
@@ -421,6 +422,7 @@ mod tests {
         let narrow = VolumeGrid {
             shape: [16, 12, 10],
             pitch_mm: 0.1,
+            height_mm: 0.1,
             center_mm: [0.1 * 11.0, 0.1 * 4.0, -0.1 * 12.0],
         };
         let (wide, narrow) = (sampled(mesh.clone(), &wide), sampled(mesh, &narrow));

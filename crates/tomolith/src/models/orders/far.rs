@@ -65,6 +65,7 @@ impl Far {
         let grid = VolumeGrid {
             shape: near.grid.shape.map(|n| n / factor),
             pitch_mm: near.grid.pitch_mm * factor as f64,
+            height_mm: near.grid.pitch_mm * factor as f64,
             center_mm: near.grid.center_mm,
         };
         let coarse = Coarse::of_grid(grid.clone(), fine);

@@ -280,6 +280,7 @@ impl Cells {
             grid: VolumeGrid {
                 shape: [count(high - low), across, across],
                 pitch_mm: edge,
+                height_mm: edge,
                 center_mm: [0.0, 0.0, (low + high) / 2.0],
             },
             factor,

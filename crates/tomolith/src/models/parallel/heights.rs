@@ -116,13 +116,13 @@ impl Heights {
         let (rows, lanes) = (pixels.rows, grid.shape[0]);
         let (low, pitch) = (pixels.field_mm()[0][1], pixels.pitch_mm[1]);
         let row_low = |i: usize| low + i as f64 * pitch;
-        let lane_low = |i: usize| grid.z(i) - grid.pitch_mm / 2.0;
+        let lane_low = |i: usize| grid.z(i) - grid.height_mm / 2.0;
         let overlap = |lane: usize, row: usize| {
-            let high = (row_low(row) + pitch).min(lane_low(lane) + grid.pitch_mm);
+            let high = (row_low(row) + pitch).min(lane_low(lane) + grid.height_mm);
             let width = high - row_low(row).max(lane_low(lane));
             // Touching faces share rounding errors, not light
-            if width > 1e-9 * grid.pitch_mm {
-                width / grid.pitch_mm
+            if width > 1e-9 * grid.height_mm {
+                width / grid.height_mm
             } else {
                 0.0
             }

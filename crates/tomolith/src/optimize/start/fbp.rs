@@ -89,9 +89,9 @@ impl Start for Fbp {
             .model
             .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
         let lights = input.model.patterns();
-        let voxel_mm = input.model.outputs()[0].grid.pitch_mm;
+        let voxel_mm3 = input.model.outputs()[0].grid.voxel_mm3();
         let projection =
-            Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm)?;
+            Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm3)?;
         if run.is_cancelled() {
             return Err(Error::Cancelled);
         }

@@ -41,6 +41,7 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis) {
     let grid = VolumeGrid {
         shape: [count(2), count(1), 1],
         pitch_mm,
+        height_mm: pitch_mm,
         center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
     };
     let scaled = Scaled::new(mesh, &grid);

@@ -10,7 +10,7 @@
 //! let section = Section::new("target.phantom", serde_json::json!("gratings"));
 //! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
 //! use tomolith::grid::VolumeGrid;
-//! let grid = VolumeGrid { shape: [1, 1, 1], pitch_mm: 0.01, center_mm: [1.35, -1.35, 0.0] };
+//! let grid = VolumeGrid { shape: [1, 1, 1], pitch_mm: 0.01, height_mm: 0.01, center_mm: [1.35, -1.35, 0.0] };
 //! assert!(part.is_grey());
 //! // The middle of the lower right grating, 2.3 mm wide: half a period after the last dark line of 5
 //! assert_eq!(part.sample(&grid).unwrap().values[0], 1.0);

@@ -420,6 +420,7 @@ mod tests {
         let grid = VolumeGrid {
             shape: [1, 2000, 2000],
             pitch_mm: 0.0025,
+            height_mm: 0.0025,
             center_mm: [0.0; 3],
         };
         let volume = shape.sample(&grid).unwrap();
