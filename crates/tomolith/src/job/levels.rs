@@ -22,9 +22,11 @@ use crate::models::parallel::Light;
 use crate::objective::emphasis::Common;
 use crate::objective::{OBJECTIVES, threshold};
 
-/// Voxel-angle updates of a dose that voxels finer than the job's, and more angles, may cost: 20 iterations take five to ten seconds on two
-/// cores.
-const BUDGET: f64 = 4e9;
+/// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 20 iterations then take five to ten
+/// seconds on two cores.
+const BUDGET: f64 = 8e9;
+/// Finding the pixels that light a column of voxels takes as long as lighting so many of its voxels.
+const COLUMN: usize = 64;
 /// Voxels across a pixel that are fine enough: a judgement on still finer ones finds the same print (docs/fidelity.md).
 const PER_PIXEL: f64 = 4.0;
 /// Angles at which a frame is averaged at most.
@@ -73,10 +75,11 @@ pub(super) fn effort(
     sum / (iterations.max(1) as f64 * updates(grid, lights))
 }
 
-/// Voxel-angle updates of a dose, before masks.
+/// What a dose costs, in voxel-angle updates before masks.
 fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
     let angles = |light: &Light| light.pixels.frames() * light.sub_angles;
-    grid.len() as f64 * lights.iter().map(angles).sum::<usize>() as f64
+    let [nz, ny, nx] = grid.shape;
+    ((nz + COLUMN) * ny * nx) as f64 * lights.iter().map(angles).sum::<usize>() as f64
 }
 
 /// The levels of a job, the finest last.
@@ -178,7 +181,8 @@ fn finest(
             .iter()
             .map(|light| light.pixels.frames())
             .sum::<usize>();
-        grid.len() as f64 * (frames * angles) as f64
+        let [nz, ny, nx] = grid.shape;
+        ((nz + COLUMN) * ny * nx) as f64 * (frames * angles) as f64
     };
     let turning = fit_angles(spec, lights, bounds_mm, |_| true);
     let fine = (1..=wanted.next_multiple_of(along))
