@@ -47,6 +47,9 @@ impl<'a> Chain<'a> {
     }
 }
 
+/// Floats of two registers: among so many neighbours one instruction looks up sixteen.
+pub(super) const LOOKED_UP: usize = 32;
+
 /// Proof that this machine has AVX-512F.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Avx512(());
@@ -61,10 +64,11 @@ impl Avx512 {
         None
     }
 
-    /// out[i] += weights[i] · source[first[i] + tap]
+    /// out[i] += weights[i] · source[first[i] + tap]; `near` promises that sixteen neighbours of `first` lie within [`LOOKED_UP`]
+    /// elements from the first of them on.
     ///
     /// # Panics
-    /// When an index lies outside `source`, or lengths differ.
+    /// When an index, where they are near plus [`LOOKED_UP`], lies outside `source`, or lengths differ.
     #[cfg_attr(
         not(target_arch = "x86_64"),
         expect(unused_variables, reason = "no such machine")
@@ -74,13 +78,13 @@ impl Avx512 {
         out: &mut [f32],
         weights: &[f32],
         source: &[f32],
-        first: &[u32],
-        tap: usize,
+        (first, tap): (&[u32], usize),
+        near: bool,
     ) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: `self` proves that AVX-512F was detected.
         unsafe {
-            avx512::add_gathered(out, weights, source, first, tap);
+            avx512::add_gathered(out, weights, source, (first, tap), near);
         }
     }
 
@@ -250,7 +254,7 @@ pub(in crate::models) mod avx512 {
     use super::super::comb::{Integrals, Square};
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
-    use super::{Chain, GUARD, LANES, MOST_TAPS, PATCH, PATCHES, Taps, WINDOW};
+    use super::{Chain, GUARD, LANES, LOOKED_UP, MOST_TAPS, PATCH, PATCHES, Taps, WINDOW};
     use std::arch::x86_64::*;
 
     /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
@@ -259,12 +263,13 @@ pub(in crate::models) mod avx512 {
         out: &mut [f32],
         weights: &[f32],
         source: &[f32],
-        first: &[u32],
-        tap: usize,
+        (first, tap): (&[u32], usize),
+        near: bool,
     ) {
-        let highest = first.iter().fold(0, |m, &i| m.max(i));
+        let highest = first.iter().fold(0, |m, &i| m.max(i)) as usize;
+        let behind = if near { LOOKED_UP } else { 1 };
         assert!(out.len() == weights.len() && out.len() == first.len());
-        assert!(highest as usize + tap < source.len() && source.len() < i32::MAX as usize);
+        assert!(highest + tap + behind <= source.len() && source.len() < i32::MAX as usize);
         let from = source[tap..].as_ptr();
         for ((out, weights), first) in out
             .chunks_mut(16)
@@ -273,10 +278,18 @@ pub(in crate::models) mod avx512 {
         {
             let n = out.len();
             let mask: __mmask16 = if n == 16 { 0xffff } else { (1 << n) - 1 };
-            // SAFETY: masked loads and stores touch the n elements of the chunks; gathered indices were checked above.
+            // SAFETY: masked loads and stores touch the n elements of the chunks; gathered indices, and the elements behind the
+            // first of them where they are near, were checked above.
             unsafe {
                 let index = _mm512_maskz_loadu_epi32(mask, first.as_ptr().cast());
-                let values = _mm512_mask_i32gather_ps::<4>(_mm512_setzero_ps(), mask, index, from);
+                let values = if near {
+                    let window = from.add(first[0] as usize);
+                    let place = _mm512_sub_epi32(index, _mm512_set1_epi32(first[0] as i32));
+                    let (low, high) = (_mm512_loadu_ps(window), _mm512_loadu_ps(window.add(16)));
+                    _mm512_permutex2var_ps(low, place, high)
+                } else {
+                    _mm512_mask_i32gather_ps::<4>(_mm512_setzero_ps(), mask, index, from)
+                };
                 let weight = _mm512_maskz_loadu_ps(mask, weights.as_ptr());
                 let sum =
                     _mm512_fmadd_ps(weight, values, _mm512_maskz_loadu_ps(mask, out.as_ptr()));

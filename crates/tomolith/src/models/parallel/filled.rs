@@ -127,13 +127,18 @@ impl Filled {
     }
 }
 
-/// [`bit`]s of the blocks of a row that hold anything but 0.
-fn bits_of(lanes: &[f32], blocks: &[Block]) -> u64 {
+/// Whether whole vectors of lanes hold anything but 0.
+pub(super) fn is_filled(lanes: &[f32]) -> bool {
     // Without a way out in the middle of a vector, so that it becomes one comparison
     let is_filled = |vector: &[f32]| vector.iter().fold(false, |any, &v| any | (v != 0.0));
+    lanes.chunks_exact(LANES).any(is_filled)
+}
+
+/// [`bit`]s of the blocks of a row that hold anything but 0.
+fn bits_of(lanes: &[f32], blocks: &[Block]) -> u64 {
     let filled = blocks.iter().enumerate().filter(|(_, block)| {
         let own = block.first * LANES..(block.first + block.count) * LANES;
-        lanes[own].chunks_exact(LANES).any(is_filled)
+        is_filled(&lanes[own])
     });
     filled.fold(0, |bits, (i, _)| bits | bit(i))
 }

@@ -17,7 +17,7 @@
 //!
 //! # Discretisation
 //! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
-//! exact. A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
+//! exact; where rows of pixels are fewer than slices of voxels, the kernel runs along the rows (`heights.rs`). A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
 //! voxel falls with the square of the pitch. The published kernels of pure Radon, `"line"`, `"linear"` and `"strip"`, are
 //! other enumerators of the same (column, voxel, weight): see [`radon`].
 //!
@@ -88,6 +88,7 @@ use crate::optics::vial::Vial;
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
 use gather::Gatherer;
+use heights::Spread;
 use kernel::Isa;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
@@ -266,22 +267,6 @@ impl Parallel {
         self.outputs[0].row == 1
     }
 
-    fn row(&self) -> usize {
-        self.outputs[0].row / LANES
-    }
-
-    /// Vectors of a row that hold voxels: the rest is padding.
-    fn used(&self) -> usize {
-        self.outputs[0].grid.shape[0].div_ceil(LANES)
-    }
-
-    /// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as
-    /// must their dose. Results do not depend on it.
-    fn neighbours(&self) -> usize {
-        let of_tile = TILE * TILE * self.outputs[0].row;
-        (CACHED / of_tile).clamp(1, BLOCK * BLOCK)
-    }
-
     fn borrow_scratch(&self, len: usize) -> HostField {
         let mut pool = self.scratch.lock().unwrap_or_else(PoisonError::into_inner);
         let found = pool.iter().position(|f| f.len() == len);
@@ -308,7 +293,7 @@ impl Parallel {
             return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
         let plan = &self.lights[light];
-        let row = self.outputs[0].row;
+        let row = plan.levels.row;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
@@ -317,33 +302,90 @@ impl Parallel {
             &mut lanes.as_mut_slice()[GUARD * row..],
             row,
         );
-        let [_, _, nx] = self.outputs[0].grid.shape;
-        let neighbours = self.neighbours();
         let source = lanes.as_slice();
         let slots = &source[GUARD * row..][..plan.lit.len() * row];
-        let filled = Filled::of(slots, self.row(), self.used());
-        tile_rows(&self.tiles, dose, row, nx)
+        let lit = Lit {
+            plan,
+            views,
+            source,
+            filled: Filled::of(slots, row / LANES, plan.levels.used),
+        };
+        let neighbours = neighbours(row);
+        let DoseLayout { row, grid, .. } = &self.outputs[0];
+        tile_rows(&self.tiles, dose, *row, grid.shape[2])
             .par_chunks_mut(neighbours)
             .enumerate()
-            .for_each_init(Gatherer::default, |gatherer, (i, tiles)| {
-                for group in plan.groups(views.clone()) {
-                    for (index, rows) in (i * neighbours..).zip(tiles.iter_mut()) {
-                        if run.is_cancelled() {
-                            return;
-                        }
-                        let tile = (index, &self.tiles[index]);
-                        gatherer.load(self.path, plan, group.clone(), tile, &filled, row / LANES);
-                        for block in 0..filled.blocks.len() {
-                            gatherer.add_block(self.path, &filled, block, source, rows);
-                        }
-                    }
+            .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
+                let first = i * neighbours;
+                match &plan.levels.spread {
+                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, run),
+                    Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, run),
                 }
             });
+        drop(lit);
         self.return_scratch(lanes);
         if run.is_cancelled() {
             Err(Error::Cancelled)
         } else {
             Ok(())
+        }
+    }
+
+    /// Adds to the tiles from `first` on, which are rows of lanes.
+    fn gather(
+        &self,
+        lit: &Lit,
+        first: usize,
+        tiles: &mut [Vec<&mut [f32]>],
+        gatherer: &mut Gatherer,
+        run: &Run,
+    ) {
+        let row = lit.plan.levels.row / LANES;
+        for group in lit.plan.groups(lit.views.clone()) {
+            for (index, rows) in (first..).zip(tiles.iter_mut()) {
+                if run.is_cancelled() {
+                    return;
+                }
+                let tile = (index, &self.tiles[index]);
+                gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
+                for block in 0..lit.filled.blocks.len() {
+                    gatherer.add_block(self.path, &lit.filled, block, lit.source, rows);
+                }
+            }
+        }
+    }
+
+    /// The same where tiles are rows of slices and lanes rows of pixels.
+    fn gather_rows(
+        &self,
+        lit: &Lit,
+        first: usize,
+        (tiles, spread): (&mut [Vec<&mut [f32]>], &Spread),
+        desk: &mut Desk,
+        run: &Run,
+    ) {
+        let Desk {
+            gatherer,
+            lanes,
+            buffer,
+        } = desk;
+        let row = lit.plan.levels.row;
+        let own = &self.tiles[first..first + tiles.len()];
+        let len = own.iter().map(|t| t.size[0] * t.size[1] * row).sum();
+        if lanes.len() < len {
+            *lanes = HostField::zeros(len);
+        }
+        let mut rest = &mut lanes.as_mut_slice()[..len];
+        rest.fill(0.0);
+        let mut of_lanes = Vec::with_capacity(own.len());
+        for tile in own {
+            let (of_tile, others) = rest.split_at_mut(tile.size[0] * tile.size[1] * row);
+            of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
+            rest = others;
+        }
+        self.gather(lit, first, &mut of_lanes, gatherer, run);
+        for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
+            spread.add_to(slices, lanes, buffer);
         }
     }
 
@@ -359,14 +401,21 @@ impl Parallel {
             return self.adjoint_light_of_plane(light, cotangent, grad, run);
         }
         let plan = &self.lights[light];
-        let row = self.outputs[0].row;
+        let row = plan.levels.row;
+        let nx = self.outputs[0].grid.shape[2];
+        let of_rows = plan.levels.spread.as_ref().map(|spread| {
+            let columns = cotangent.len() / self.outputs[0].row;
+            let mut of_rows = self.borrow_scratch(columns * row);
+            spread.collect(cotangent, &mut of_rows);
+            of_rows
+        });
+        let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
         let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
-        let neighbours = self.neighbours();
-        let nx = self.outputs[0].grid.shape[2];
-        let filled = Filled::of(cotangent, self.row(), self.used());
+        let neighbours = neighbours(row);
+        let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         lanes.as_mut_slice()[used.clone()]
             .par_chunks_mut(chunk * plan.columns * row)
@@ -399,12 +448,38 @@ impl Parallel {
             );
         plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
         self.return_scratch(lanes);
+        if let Some(of_rows) = of_rows {
+            self.return_scratch(of_rows);
+        }
         if run.is_cancelled() {
             Err(Error::Cancelled)
         } else {
             Ok(())
         }
     }
+}
+
+/// Light of some views, brought to the lanes of the kernel.
+struct Lit<'a> {
+    plan: &'a LightPlan,
+    views: Range<usize>,
+    source: &'a [f32],
+    filled: Filled,
+}
+
+/// What a thread needs to add light to tiles.
+#[derive(Default)]
+struct Desk {
+    gatherer: Gatherer,
+    /// Tiles as rows of pixels, and what spreading one of them needs.
+    lanes: HostField,
+    buffer: Vec<f32>,
+}
+
+/// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as must
+/// their dose, `row` floats a voxel column. Results do not depend on it.
+fn neighbours(row: usize) -> usize {
+    (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.

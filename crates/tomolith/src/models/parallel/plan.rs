@@ -3,7 +3,7 @@
 use super::chains::{Avx512, Chain};
 use super::comb::Comb;
 use super::filled::{Filled, NeededEntries};
-use super::heights::Heights;
+use super::heights::{Heights, Intervals, Levels};
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
@@ -46,13 +46,13 @@ pub(super) struct LightPlan {
     pub(super) combs: Vec<Option<Comb>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
-    heights: Heights,
+    pub(super) levels: Levels,
     deposit: Deposit,
     pub(super) kernel: Kernel,
     mapped: Option<Mapped>,
     /// Vectors of lanes that an active pixel of (view, column) lights, half-open.
     pub(super) lit: Vec<(u16, u16)>,
-    /// The same of (frame, column).
+    /// Vectors of slices that one of (frame, column) lights.
     lit_by_frame: Vec<(u16, u16)>,
     pub(super) columns: usize,
     pub(super) first_frame: usize,
@@ -139,18 +139,21 @@ impl LightPlan {
                     .map(move |beam| meeting(tile, beam))
             })
             .collect();
-        let heights = Heights::new(&pixels, grid, KernelPath::of(Isa::in_use()).wide);
-        let lit_by_frame: Vec<(u16, u16)> = layout
-            .runs
-            .iter()
-            .map(|&run| {
+        let wide = KernelPath::of(Isa::in_use()).wide;
+        let (rows, slices) = (Intervals::of_rows(&pixels), Intervals::of_slices(grid));
+        let heights = Heights::new(&rows, &slices, wide);
+        let levels = Levels::new(&rows, &slices, &heights, wide);
+        let lit_by = |heights: &Heights| -> Vec<(u16, u16)> {
+            let vectors = |&run| {
                 let (first, end) = heights.lanes_of(run);
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
-            })
-            .collect();
+            };
+            layout.runs.iter().map(vectors).collect()
+        };
+        let lanes_by_frame = lit_by(&levels.heights);
         let lit = (0..views.count() * pixels.columns)
             .map(|slot| {
-                let of_side = |side| lit_by_frame[views.pixel_column(slot, side)];
+                let of_side = |side| lanes_by_frame[views.pixel_column(slot, side)];
                 let lit = views.sides().map(of_side).filter(|lit| lit.1 > lit.0);
                 lit.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
                     .unwrap_or_default()
@@ -162,12 +165,12 @@ impl LightPlan {
             of_view,
             combs,
             meetings,
-            heights,
+            levels,
             deposit,
             kernel: light.kernel,
             mapped,
             lit,
-            lit_by_frame,
+            lit_by_frame: lit_by(&heights),
             columns: light.pixels.columns,
             first_frame,
         }
@@ -204,7 +207,7 @@ impl LightPlan {
             .par_chunks_mut(per_view)
             .zip(views)
             .for_each_init(
-                || vec![0.0; self.heights.buffer()],
+                || vec![0.0; self.levels.heights.buffer()],
                 |buffer, (lanes, view)| {
                     for (column, lanes) in lanes.chunks_mut(row).enumerate() {
                         lanes.fill(0.0);
@@ -213,7 +216,7 @@ impl LightPlan {
                             let run = layout.runs[self.views.pixel_column(slot, side)];
                             if run.count > 0 {
                                 let values = &x[run.offset..][..run.count as usize];
-                                self.heights.add_expanded(values, run, lanes, buffer);
+                                self.levels.heights.add_expanded(values, run, lanes, buffer);
                             }
                         }
                     }
@@ -244,8 +247,8 @@ impl LightPlan {
             .for_each_init(
                 || {
                     [
-                        vec![0.0; self.heights.buffer()],
-                        vec![0.0; self.heights.buffer()],
+                        vec![0.0; self.levels.heights.buffer()],
+                        vec![0.0; self.levels.heights.buffer()],
                     ]
                 },
                 |[buffer, rows], (frame, (mut piece, runs))| {
@@ -253,7 +256,9 @@ impl LightPlan {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {
                             let lanes = &lanes[self.views.slot(frame, column) * row..][..row];
-                            self.heights.collect(lanes, *run, values, buffer, rows);
+                            self.levels
+                                .heights
+                                .collect(lanes, *run, values, buffer, rows);
                         }
                         piece = tail;
                     }
