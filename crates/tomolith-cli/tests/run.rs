@@ -166,6 +166,32 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
 }
 
 #[test]
+fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
+    let bench = Bench::new();
+    // Steps too long for a low threshold: the loss falls from step 2 to 3, the print is best after the first
+    let set = "--set optimizer.cal.learning_rate=0.5 --set optimizer.cal.momentum=0.5 --set optimizer.cal.d_h=0.4";
+    let line = "iteration 1 of 6 (best IoU on the job's voxels)";
+    let said = bench.expect(0, &format!("run job.toml {set} --output best"));
+    assert!(said.contains(line), "{said}");
+    let report = json(&bench.path("best/report.json"));
+    let kept = |report: &Value| report["history"]["kept"].clone();
+    let expected = serde_json::json!({ "iteration": 1, "by": "print" });
+    assert_eq!(kept(&report), expected);
+    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.88);
+    let page = fs::read_to_string(bench.path("best/report.html")).unwrap();
+    assert!(page.contains("iteration 1 of 6"));
+
+    let said = bench.expect(
+        0,
+        &format!("run job.toml {set} --set stop.keep=last --output last"),
+    );
+    assert!(!said.contains("kept"), "{said}");
+    let report = json(&bench.path("last/report.json"));
+    assert_eq!(kept(&report)["iteration"], 6);
+    assert!(report["optimisation"]["iou"].as_f64().unwrap() < 0.8);
+}
+
+#[test]
 fn doses_are_energies_where_the_resin_says_what_it_needs() {
     let bench = Bench::new();
     let line = "run job.toml --quiet --set resin.critical_dose_mj_per_mm3=2";

@@ -124,7 +124,8 @@ pub(crate) fn optimise(
                 return Err(at_section("optimizer", Error::Cancelled));
             }
             Ok(outcome) if is_last => {
-                let warning = idle(&outcome.history, scene.spec.bounds.bits);
+                let normalises = scene.optimizer()?.normalises();
+                let warning = idle(&outcome.history, normalises, scene.spec.bounds.bits);
                 if let Some(text) = warning.clone() {
                     progress.event(&Event::Warning { text });
                 }
@@ -301,6 +302,7 @@ impl<'a> Stage<'a> {
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
             seconds: spec.stop.wall_s,
+            keep: spec.stop.keep,
         };
         let mut labels = layout.field_of(&self.voxels.labels);
         labels.truncate(layout.voxels());
@@ -329,10 +331,12 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// What to say when no step was better than the start, whose patterns are then the result.
-fn idle(history: &[Row], bits: Option<u32>) -> Option<String> {
-    let (start, steps) = history.split_first()?;
-    if steps.is_empty() || start.loss == 0.0 || steps.iter().any(|row| row.loss < start.loss) {
+/// What to say when no step was better than the start, whose patterns are then the result. A method that normalises its doses
+/// begins with its first step, and is idle when its loss never changes.
+fn idle(history: &[Row], normalises: bool, bits: Option<u32>) -> Option<String> {
+    let (start, steps) = history.get(usize::from(normalises)..)?.split_first()?;
+    let moves = |row: &Row| row.loss < start.loss || normalises && row.loss != start.loss;
+    if steps.is_empty() || start.loss == 0.0 || steps.iter().any(moves) {
         return None;
     }
     let why = bits.map_or_else(
@@ -823,11 +827,15 @@ mod tests {
             };
             losses.iter().enumerate().map(row).collect()
         };
-        assert_eq!(idle(&history(&[2.0, 3.0, 1.9]), None), None);
-        assert_eq!(idle(&history(&[2.0]), Some(4)), None);
-        assert_eq!(idle(&history(&[0.0, 0.0]), None), None);
-        let said = idle(&history(&[2.0, 2.0, 2.5]), Some(4)).unwrap();
+        assert_eq!(idle(&history(&[2.0, 3.0, 1.9]), false, None), None);
+        assert_eq!(idle(&history(&[2.0]), false, Some(4)), None);
+        assert_eq!(idle(&history(&[0.0, 0.0]), false, None), None);
+        let said = idle(&history(&[2.0, 2.0, 2.5]), false, Some(4)).unwrap();
         assert!(said.contains("bounds.bits = 4"), "{said}");
+        // Row 0 of a method with a start and a scale of its own says nothing of its steps
+        assert_eq!(idle(&history(&[2.0, 9.0, 9.5]), true, None), None);
+        assert!(idle(&history(&[2.0, 9.0, 9.0]), true, None).is_some());
+        assert_eq!(idle(&history(&[2.0]), true, None), None);
     }
 
     /// A job whose light spreads: its voxels, its models, and where it begins.

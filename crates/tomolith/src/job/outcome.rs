@@ -1,7 +1,7 @@
 //! What a run and a check tell at their end.
 
 use crate::metrics::Measure;
-use crate::optimize::StopReason;
+use crate::optimize::{Kept, StopReason};
 use crate::units::concise;
 use serde::Serialize;
 use std::fmt;
@@ -68,6 +68,8 @@ pub struct Summary {
     pub iterations: Option<usize>,
     /// Why the optimisation ended; None for a simulation.
     pub stopped: Option<StopReason>,
+    /// Which iterate the patterns are; None for a simulation.
+    pub kept: Option<Kept>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
@@ -98,6 +100,9 @@ impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
             writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
+            if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
+                writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
+            }
         }
         let ([a, b, c, d], _) = self.evaluation.columns();
         writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
@@ -219,6 +224,12 @@ impl fmt::Display for Plan {
         }
         Ok(())
     }
+}
+
+/// Which iterate was kept, and why, when it is not the last one.
+pub(crate) fn earlier(kept: Kept, iterations: usize) -> String {
+    let (iteration, why) = (kept.iteration, kept.by.words());
+    format!("iteration {iteration} of {iterations} ({why})")
 }
 
 /// Why an optimisation ended, in words.

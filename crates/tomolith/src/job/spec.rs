@@ -15,7 +15,7 @@ use crate::optics::interface::Polarisation;
 use crate::optics::obstacle::Material;
 use crate::optics::projector::{PROJECTORS, Projector};
 use crate::optics::vial::ended::EndSpec;
-use crate::optimize::checkpoint;
+use crate::optimize::{Keep, checkpoint};
 use crate::target::TargetSpec;
 use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
@@ -427,6 +427,9 @@ pub struct StopSpec {
     /// Wall time of the optimisation, s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_s: Option<f64>,
+    /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
+    /// the job's voxels, and where that is 1 the process window), or those of the "last" iteration.
+    pub keep: Keep,
 }
 
 /// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
@@ -523,6 +526,7 @@ impl Default for StopSpec {
             loss: 0.0,
             iou: None,
             wall_s: None,
+            keep: Keep::Best,
         }
     }
 }

@@ -327,6 +327,7 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
         stopped: optimised.map(|o| o.outcome.reason),
+        kept: optimised.map(|o| o.outcome.kept),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),

@@ -4,7 +4,7 @@ use super::device::{self, Written};
 use super::folder::RunFolder;
 use super::judge::Judged;
 use super::optimise::Optimised;
-use super::outcome::large;
+use super::outcome::{earlier, large};
 use super::progress::Progress;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -172,6 +172,7 @@ fn report(
         optimisation: judged.optimisation.as_ref(),
         published: published(done, exposures.lights())?,
         history,
+        kept: done.optimised.as_ref().map(|o| o.outcome.kept),
         movies,
         job_text: &resolved.to_toml()?,
         warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
@@ -275,6 +276,11 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         let calls = optimised.outcome.counters.forward + optimised.outcome.counters.adjoint;
         let speed = large(calls as f64 * optimised.updates as f64 / seconds);
         facts.push(("Optimiser", kind(&spec.optimizer)));
+        let (kept, history) = (optimised.outcome.kept, &optimised.outcome.history);
+        let last = history.last().map_or(0, |row| row.iteration);
+        if kept.iteration != last {
+            facts.push(("Kept", earlier(kept, last)));
+        }
         facts.push(("Model", optimised.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
     }

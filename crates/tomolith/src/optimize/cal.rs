@@ -9,8 +9,8 @@
 //! b ← max(b − learning_rate·g, 0)             rounded to `bounds.bits` levels between 0 and its largest pixel
 //! ```
 //!
-//! It is the gradient of no objective: the slope of σ is left out. The job's objective only says which step was the best. The
-//! average has two terms, since δ_before is the last δ itself, not a running mean.
+//! It is the gradient of no objective: the slope of σ is left out. The job's objective only watches; the iterate with the best
+//! print is [kept](super::keep). The average has two terms, since δ_before is the last δ itself, not a running mean.
 //!
 //! **Units** learning rates are published for sums over angles of line integrals in voxels. Here b is the pattern in units of the
 //! exact inversion ([`Projection::inverse`](super::filter::Projection::inverse)), c = π/(2Nφ²), in which the published step is

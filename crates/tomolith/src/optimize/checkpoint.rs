@@ -10,6 +10,7 @@
 //! (and ten seconds), so that they cost less than 2 % of the time. The first is taken to cost what its bytes take at
 //! 300 MB/s.
 
+use super::keep::Best;
 use super::run::Row;
 use super::{Counters, Memory, Recall, SavedArray};
 use crate::error::{Error, Result};
@@ -114,21 +115,21 @@ struct Header {
     #[serde(default)]
     job: Value,
     contents: Contents,
-    best_loss: f64,
+    best: Best,
     counters: Counters,
     history: Vec<Row>,
     numbers: Value,
 }
 
 /// The format of this file.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// What a run gives to a checkpoint.
 pub(super) struct Saved<'a, F> {
     pub(super) patterns: &'a F,
+    pub(super) best: Best,
     /// The best patterns, when they are others.
-    pub(super) best: Option<&'a F>,
-    pub(super) best_loss: f64,
+    pub(super) best_patterns: Option<&'a F>,
     pub(super) dose: &'a F,
     pub(super) memory: Memory<'a>,
     pub(super) counters: Counters,
@@ -191,7 +192,7 @@ impl Checkpoints {
 
     /// Size of the arrays.
     fn bytes<F: Field>(&self, saved: &Saved<'_, F>) -> usize {
-        let fields = 1 + usize::from(saved.best.is_some());
+        let fields = 1 + usize::from(saved.best_patterns.is_some());
         let patterns = fields * saved.patterns.len() * size_of::<f32>();
         let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
         match self.contents {
@@ -211,7 +212,7 @@ impl Checkpoints {
             fingerprint: self.fingerprint.clone(),
             job: self.job.clone(),
             contents: self.contents,
-            best_loss: saved.best_loss,
+            best: saved.best,
             counters: saved.counters,
             history: saved.history.to_vec(),
             numbers: saved.memory.numbers,
@@ -219,7 +220,7 @@ impl Checkpoints {
         let mut arrays = vec![("patterns".to_owned(), SavedArray::of_field(saved.patterns))];
         arrays.extend(
             saved
-                .best
+                .best_patterns
                 .map(|best| ("best".to_owned(), SavedArray::of_field(best))),
         );
         if self.contents == Contents::All {
@@ -414,8 +415,8 @@ impl Checkpoint {
         self.header.counters
     }
 
-    pub(super) fn best_loss(&self) -> f64 {
-        self.header.best_loss
+    pub(super) fn best(&self) -> Best {
+        self.header.best
     }
 
     /// Fills a field from an array of the file.

@@ -13,6 +13,7 @@ pub mod fista;
 #[cfg(test)]
 pub(crate) mod follow;
 pub mod gradient;
+pub mod keep;
 pub mod lbfgs;
 pub mod needs;
 pub mod osmo;
@@ -27,6 +28,7 @@ use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::kind::{Kind, Section};
 pub use checkpoint::{Checkpoints, Contents};
+pub use keep::{Keep, Kept, KeptBy};
 pub use needs::Needs;
 pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;
@@ -50,7 +52,7 @@ pub trait Optimizer<F: Field>: Send {
     /// What it needs of a problem: [`run()`] refuses another one before any work.
     fn needs(&self) -> Needs;
     /// Whether it is published with doses divided by their largest: then its patterns have that scale, it follows a rule of its
-    /// own, and the loss only says which of its steps was the best.
+    /// own, and the loss only watches.
     fn normalises(&self) -> bool {
         false
     }

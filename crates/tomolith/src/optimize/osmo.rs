@@ -28,7 +28,7 @@
 //!
 //! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; Li et al. (2024), eqs. 11–20.
 //!
-//! **Parameters** see [`Params`]. **Limits** linear models; the loss may rise, the best patterns are kept; a dose that is zero
+//! **Parameters** see [`Params`]. **Limits** linear models; the loss may rise, the iterate with the best print is [kept](super::keep); a dose that is zero
 //! everywhere ends the run (thresholds so low that the void half takes all light). **Cost** two forward and two adjoint calls a
 //! double step, one of each more at the first; three pattern fields and the target.
 //!

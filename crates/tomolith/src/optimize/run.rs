@@ -1,6 +1,7 @@
 //! The loop around an optimiser: stopping, history, observers, the best patterns, checkpoints.
 
 use super::checkpoint::{Checkpoints, Contents, Saved};
+use super::keep::{Keep, Keeper, Kept, KeptBy};
 use super::{Counters, Optimizer, Position, Problem};
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -23,6 +24,8 @@ pub struct Stop {
     pub change: f64,
     /// Stop after this many seconds, above 0; no limit when it is not given
     pub seconds: Option<f64>,
+    /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
+    pub keep: Keep,
 }
 
 impl Default for Stop {
@@ -32,6 +35,7 @@ impl Default for Stop {
             projected_gradient: 0.0,
             change: 0.0,
             seconds: None,
+            keep: Keep::Best,
         }
     }
 }
@@ -127,7 +131,7 @@ pub struct StepReport<'a, F> {
     pub row: &'a Row,
     /// The projected gradient of the newest row, relative to the first; a resumed run knows the first of the run before.
     pub relative_gradient: Option<f64>,
-    /// Lowest loss so far.
+    /// Loss of the best patterns so far.
     pub best_loss: f64,
     /// The patterns.
     pub patterns: &'a F,
@@ -152,8 +156,10 @@ impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
 /// What a run came to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Loss of the patterns that were kept, the best.
+    /// Loss of the patterns that were kept.
     pub loss: f64,
+    /// Which patterns these are.
+    pub kept: Kept,
     /// Why it stopped.
     pub reason: StopReason,
     /// A row per step, and one for the start.
@@ -162,7 +168,7 @@ pub struct Outcome {
     pub counters: Counters,
 }
 
-/// Runs an optimiser from `x` until something stops it; `x` is left at the best patterns found, also after an error.
+/// Runs an optimiser from `x` until something stops it; `x` is left at the best patterns found ([`Keep`]), also after an error.
 ///
 /// With checkpoints, a checkpoint of the same job in their folder is resumed first (`x` is then overwritten).
 ///
@@ -205,10 +211,22 @@ pub fn run_after<F: Field>(
 ) -> Result<Outcome> {
     stop.validate()?;
     optimizer.needs().check(problem)?;
-    let Some(mut state) = begin(earlier, problem, optimizer, x, checkpoints.as_deref())? else {
+    let Some(mut state) = begin(
+        earlier,
+        problem,
+        optimizer,
+        x,
+        stop.keep,
+        checkpoints.as_deref(),
+    )?
+    else {
         let history = Vec::new();
         return Ok(Outcome {
             loss: f64::NAN,
+            kept: Kept {
+                iteration: 0,
+                by: KeptBy::Last,
+            },
             reason: StopReason::Cancelled,
             history,
             counters: problem.counters,
@@ -237,11 +255,11 @@ pub fn run_after<F: Field>(
         }
     };
     problem.set_patient(false);
-    if let Some(best) = state.best.take() {
-        *x = best;
-    }
+    let loss = state.keeper.best().loss;
+    let kept = state.keeper.end(x);
     Ok(Outcome {
-        loss: state.best_loss,
+        loss,
+        kept,
         reason: result?,
         history: state.history,
         counters: problem.counters,
@@ -252,9 +270,7 @@ pub fn run_after<F: Field>(
 struct State<F> {
     at: Position<F>,
     history: Vec<Row>,
-    best_loss: f64,
-    /// The best patterns, when they are not the present ones.
-    best: Option<F>,
+    keeper: Keeper<F>,
     begin: Instant,
     /// Seconds before a resume.
     before_s: f64,
@@ -266,6 +282,7 @@ fn begin<F: Field>(
     problem: &mut Problem<F>,
     optimizer: &mut dyn Optimizer<F>,
     x: &mut F,
+    keep: Keep,
     checkpoints: Option<&Checkpoints>,
 ) -> Result<Option<State<F>>> {
     let begin = Instant::now();
@@ -278,22 +295,22 @@ fn begin<F: Field>(
             let at = problem.place_at(x, dose)?;
             optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
+            let mut keeper = Keeper::new(problem, optimizer, keep, &at);
             let mut best = None;
             if checkpoint.has("best") {
                 let mut field = x.zeros_like();
                 checkpoint.read_field("best", &mut field)?;
                 best = Some(field);
             }
+            keeper.resume(checkpoint.best(), best);
             let history = checkpoint.history().to_vec();
             let done = history.last().map_or(0, |row| row.iteration);
             problem.model().renew(done.max(1));
             let before_s = history.last().map_or(0.0, |row| row.seconds);
-            let best_loss = checkpoint.best_loss();
             return Ok(Some(State {
                 at,
                 history,
-                best_loss,
-                best,
+                keeper,
                 begin,
                 before_s,
             }));
@@ -313,17 +330,15 @@ fn begin<F: Field>(
             iteration: 0,
         });
     }
-    let best_loss = at.loss;
     let last = earlier.pop();
     for row in &mut earlier {
         // Gradients of other voxels are no measure of these
         row.projected_gradient = None;
     }
     let mut state = State {
+        keeper: Keeper::new(problem, optimizer, keep, &at),
         at,
         history: earlier,
-        best_loss,
-        best: None,
         begin,
         before_s: last.map_or(0.0, |row| row.seconds),
     };
@@ -356,7 +371,7 @@ impl<F: Field> State<F> {
         let report = StepReport {
             row,
             relative_gradient: relative_gradient(&self.history, row),
-            best_loss: self.best_loss,
+            best_loss: self.keeper.best().loss,
             patterns: x,
             dose: &self.at.dose,
             counters: &problem.counters,
@@ -410,33 +425,19 @@ impl<F: Field> State<F> {
             // Losses of other paths are no measure of these
             optimizer.forget();
             self.at = problem.place(x)?;
-            (self.best_loss, self.best) = (self.at.loss, None);
+            self.keeper.begin_anew(problem, &self.at, iteration - 1);
         }
         // A method that may raise the loss could lose its best patterns by the step
-        let keep = !optimizer.is_monotone() && self.best.is_none();
-        let kept = keep.then(|| x.clone());
+        let before = self.keeper.before(x);
         let step = optimizer.step(problem, x, &mut self.at);
-        let loss = self.at.loss;
-        if keep && !(step.is_ok() && loss <= self.best_loss) {
-            self.best = kept;
-        }
-        let step = step?;
-        for (what, value) in [
-            ("the loss", loss),
-            ("the gradient", step.projected_gradient),
-        ] {
-            if !value.is_finite() {
-                return Err(Error::NonFinite {
-                    what: what.to_owned(),
-                    value,
-                    iteration,
-                });
+        let step = match step.and_then(|step| finite(step, self.at.loss, iteration)) {
+            Ok(step) => step,
+            Err(error) => {
+                self.keeper.go_back(before);
+                return Err(error);
             }
-        }
-        if loss <= self.best_loss {
-            self.best_loss = loss;
-            self.best = None;
-        }
+        };
+        self.keeper.after(problem, &self.at, iteration, before);
         self.record(problem, iteration, Some(step));
         Ok(())
     }
@@ -449,14 +450,31 @@ impl<F: Field> State<F> {
     ) -> Saved<'a, F> {
         Saved {
             patterns: x,
-            best: self.best.as_ref(),
-            best_loss: self.best_loss,
+            best: self.keeper.best(),
+            best_patterns: self.keeper.patterns(),
             dose: &self.at.dose,
             memory: optimizer.memory(),
             counters: problem.counters,
             history: &self.history,
         }
     }
+}
+
+/// A step that led to numbers.
+fn finite(step: super::Step, loss: f64, iteration: usize) -> Result<super::Step> {
+    for (what, value) in [
+        ("the loss", loss),
+        ("the gradient", step.projected_gradient),
+    ] {
+        if !value.is_finite() {
+            return Err(Error::NonFinite {
+                what: what.to_owned(),
+                value,
+                iteration,
+            });
+        }
+    }
+    Ok(step)
 }
 
 #[cfg(test)]

@@ -13,7 +13,8 @@
 //!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
-//! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first
+//! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
+//!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
 //! movies        what a decoder makes of each movie
 //! warnings      sentences
 //! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
@@ -69,6 +70,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "projected_gradient": number(last.projected_gradient),
             "forward_calls": last.forward_calls,
             "adjoint_calls": last.adjoint_calls,
+            "kept": data.kept,
         })
     });
     let movies: Vec<Value> = data

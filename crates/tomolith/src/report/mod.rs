@@ -19,6 +19,7 @@ use crate::io::csv::HistoryRow;
 use crate::io::mp4::MovieCheck;
 use crate::io::write_whole;
 use crate::metrics::Evaluation;
+use crate::optimize::Kept;
 use std::io::Write;
 use std::path::Path;
 
@@ -93,6 +94,8 @@ pub struct ReportData<'a> {
     pub published: serde_json::Map<String, serde_json::Value>,
     /// What happened in the optimisation.
     pub history: &'a [HistoryRow],
+    /// Which of its iterates the patterns are.
+    pub kept: Option<Kept>,
     /// Movies.
     pub movies: Vec<MovieReport>,
     /// The resolved job.
@@ -256,6 +259,7 @@ mod tests {
                 optimisation: None,
                 published: serde_json::Map::new(),
                 history: &self.history,
+                kept: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
                 warnings: vec!["x < y".to_owned()],

@@ -215,7 +215,12 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
         losses: vec![3.0, 2.0, 5.0, 2.5],
     };
     let (x, outcome) = go(&model, &*objective, &mut straight, steps(4), None, &mut []);
-    assert_eq!(outcome.unwrap().loss, 2.0);
+    let outcome = outcome.unwrap();
+    let by = KeptBy::Loss;
+    assert_eq!(
+        (outcome.loss, outcome.kept),
+        (2.0, Kept { iteration: 2, by })
+    );
     assert_eq!(x.as_slice()[0], 2.0);
     let mut straight = Straight {
         steps: Cell::new(0),
