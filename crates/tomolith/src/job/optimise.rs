@@ -16,7 +16,7 @@ use crate::models::dimmed::{Dimmed, darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
-    self, Checkpoints, Limits, Observer, Outcome, Problem, Row, StepReport, Stop, StopReason,
+    self, Checkpoints, Limits, Observer, Outcome, Problem, Room, Row, StepReport, Stop, StopReason,
 };
 use rayon::prelude::*;
 use serde_json::Value;
@@ -40,8 +40,8 @@ pub(crate) struct Optimised {
     qualities: Vec<Quality>,
     /// How long measuring them took, s.
     pub(crate) metrics_s: f64,
-    /// That it did nothing, when it did nothing.
-    pub(crate) warning: Option<String>,
+    /// That it did nothing, or could not be kept.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Optimised {
@@ -156,6 +156,7 @@ pub(crate) fn optimise(
         is_grey: voxels.target.grey,
         qualities: Vec::new(),
         metrics_s: 0.0,
+        warnings: Vec::new(),
         progress,
     };
     let ran = optimize::run(
@@ -169,6 +170,7 @@ pub(crate) fn optimise(
     let Watch {
         qualities,
         metrics_s,
+        mut warnings,
         ..
     } = watch;
     darken(&mut x, &dark);
@@ -179,8 +181,8 @@ pub(crate) fn optimise(
         .collect();
     match ran {
         Ok(outcome) if outcome.reason != StopReason::Cancelled => {
-            let warning = idle(&outcome.history, spec.bounds.bits);
-            if let Some(text) = warning.clone() {
+            if let Some(text) = idle(&outcome.history, spec.bounds.bits) {
+                warnings.push(text.clone());
                 progress.event(&Event::Warning { text });
             }
             Ok(Optimised {
@@ -190,7 +192,7 @@ pub(crate) fn optimise(
                 updates,
                 qualities,
                 metrics_s,
-                warning,
+                warnings,
             })
         }
         // A checkpoint that does not fit: nothing was done
@@ -448,6 +450,7 @@ struct Watch<'a> {
     is_grey: bool,
     qualities: Vec<Quality>,
     metrics_s: f64,
+    warnings: Vec<String>,
     progress: &'a mut dyn Progress,
 }
 
@@ -523,6 +526,23 @@ impl Observer<HostField> for Watch<'_> {
             ControlFlow::Continue(())
         }
     }
+
+    fn on_room(&mut self, room: &Room) {
+        match room {
+            Room::None(error) => {
+                let text = format!(
+                    "no checkpoint can be written ({error}): the run goes on, but what a crash or Ctrl-C ends is lost from here on; \
+                     make room, and the next checkpoint is written again"
+                );
+                self.warnings.push(text.clone());
+                self.progress.event(&Event::Warning { text });
+            }
+            Room::Again => {
+                let text = "there is room again: a checkpoint is written".to_owned();
+                self.progress.event(&Event::Note { text });
+            }
+        }
+    }
 }
 
 /// The tables of a job that a checkpoint depends on, with every default written out.
@@ -539,7 +559,7 @@ fn tables(spec: &JobSpec) -> Result<Value> {
 }
 
 /// 2 and 2.0 are the same number, however a job writes it.
-fn as_floats(value: &mut Value) {
+pub(super) fn as_floats(value: &mut Value) {
     match value {
         Value::Number(number) => {
             if let Some(float) = number.as_f64() {

@@ -14,6 +14,7 @@ use super::run::Row;
 use super::{Counters, Memory, Recall, SavedArray};
 use crate::error::{Error, Result};
 use crate::field::Field;
+use crate::units::exact;
 use safetensors::tensor::{Dtype, Metadata, View};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -100,6 +101,8 @@ pub struct Checkpoints {
     last: Instant,
     /// Of the last one written.
     cost: Option<Duration>,
+    /// Whether the last one did not fit on the disk.
+    is_without_room: bool,
 }
 
 /// Bytes per second that the first checkpoint is taken to reach.
@@ -120,8 +123,20 @@ struct Header {
     numbers: Value,
 }
 
+/// Name of the file.
+pub(crate) const CHECKPOINT: &str = "state.safetensors";
+
 /// The format of this file.
 const FORMAT: u32 = 1;
+
+/// What has become of the room for checkpoints.
+#[derive(Debug)]
+pub enum Room {
+    /// The disk is full: the run goes on without them.
+    None(Error),
+    /// There is room again, and a checkpoint is written.
+    Again,
+}
 
 /// What a run gives to a checkpoint.
 pub(super) struct Saved<'a, F> {
@@ -147,7 +162,7 @@ impl Checkpoints {
         {
             return Err(Error::config(
                 "checkpoint.every_s",
-                format!("found {every}"),
+                format!("found {}", exact(every)),
                 "a finite number above 0",
             ));
         }
@@ -159,6 +174,7 @@ impl Checkpoints {
             contents: params.contents,
             last: Instant::now(),
             cost: None,
+            is_without_room: false,
         })
     }
 
@@ -172,7 +188,7 @@ impl Checkpoints {
     /// The file.
     #[must_use]
     pub fn file(&self) -> PathBuf {
-        self.folder.join("state.safetensors")
+        self.folder.join(CHECKPOINT)
     }
 
     /// Whether it is time for the next one, which would hold what is `saved`.
@@ -200,6 +216,33 @@ impl Checkpoints {
             }
             Contents::Patterns => patterns,
         }
+    }
+
+    /// Writes a checkpoint where there is room for it; on a full disk the next one comes when it would have come anyway. Tells when
+    /// that begins and when it is over.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write), but for a full disk.
+    pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
+        let error = match self.write(saved) {
+            Ok(()) => {
+                let again = std::mem::take(&mut self.is_without_room);
+                return Ok(again.then_some(Room::Again));
+            }
+            Err(error) if error.is_full_disk() => error,
+            Err(error) => return Err(error),
+        };
+        // What was half written would keep the disk full
+        let _ = std::fs::remove_file(self.aside());
+        self.clear_leftovers();
+        self.last = Instant::now();
+        let before = std::mem::replace(&mut self.is_without_room, true);
+        Ok((!before).then_some(Room::None(error)))
+    }
+
+    /// Where a checkpoint is written before it takes its place.
+    fn aside(&self) -> PathBuf {
+        self.folder.join("state.safetensors.part")
     }
 
     /// Writes a checkpoint.
@@ -250,7 +293,7 @@ impl Checkpoints {
     /// Writes aside, then renames.
     fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
         let file = self.file();
-        let aside = self.folder.join("state.safetensors.part");
+        let aside = self.aside();
         self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
         let arrays = arrays.into_iter().map(|(name, array)| {
@@ -322,7 +365,7 @@ impl Checkpoints {
 }
 
 /// Key paths at which two jobs differ, with both values.
-fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
+pub(crate) fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
     if was == is {
         return;
     }
@@ -347,7 +390,7 @@ fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
             let word = |value: &Value| match value {
                 Value::Null => "not there".to_owned(),
                 Value::Object(_) => "there".to_owned(),
-                Value::Number(number) => number.as_f64().unwrap_or_default().to_string(),
+                Value::Number(number) => exact(number.as_f64().unwrap_or_default()),
                 other => other.to_string(),
             };
             found.push(format!("{path} was {}, is {}", word(was), word(is)));
