@@ -113,6 +113,17 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     // Relative doses are no energies, and say so
     assert_eq!(report["published"]["light_sent"]["unit"], "dose × mm³");
     assert!(report["published"]["unit_systems"].is_null());
+    // Published numbers are found by keys that stay, whatever their definitions say
+    let keys = report["published"].as_object().unwrap();
+    let is_key = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    assert!(
+        keys.keys().all(|key| key.chars().all(is_key)),
+        "{:?}",
+        keys.keys()
+    );
+    for key in ["bclp_l0_part_eps0", "pw_overlap_max1", "jaccard_0_1"] {
+        assert!(keys[key]["note"].is_string(), "{key}");
+    }
     // Which model it was can be read, and the job is still a job
     let models = &report["run"]["models"];
     assert!(
