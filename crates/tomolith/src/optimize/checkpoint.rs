@@ -224,7 +224,13 @@ impl Checkpoints {
     /// # Errors
     /// As [`write`](Self::write), but for a full disk.
     pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
-        let error = match self.write(saved) {
+        let written = self.write(saved);
+        self.settle(written)
+    }
+
+    /// What a checkpoint that was or was not written means for the next ones.
+    fn settle(&mut self, written: Result<()>) -> Result<Option<Room>> {
+        let error = match written {
             Ok(()) => {
                 let again = std::mem::take(&mut self.is_without_room);
                 return Ok(again.then_some(Room::Again));
@@ -561,6 +567,31 @@ mod tests {
         assert_eq!(auto.wait(600_000_000), Duration::from_secs(150));
         let asked = with(Some(2.5));
         assert_eq!(asked.wait(600_000_000), Duration::from_millis(2500));
+    }
+
+    #[test]
+    fn a_full_disk_is_told_once_and_once_when_it_is_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
+        let failed = |kind: std::io::ErrorKind| Err(Error::io("state", kind.into()));
+        let full = || failed(std::io::ErrorKind::StorageFull);
+        // Half of a checkpoint would keep the disk full
+        std::fs::write(checkpoints.aside(), "half").unwrap();
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        assert!(matches!(
+            checkpoints.settle(full()),
+            Ok(Some(Room::None(_)))
+        ));
+        assert!(!checkpoints.aside().exists());
+        assert!(matches!(checkpoints.settle(full()), Ok(None)));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(Some(Room::Again))));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        // Anything else ends the run
+        assert!(
+            checkpoints
+                .settle(failed(std::io::ErrorKind::PermissionDenied))
+                .is_err()
+        );
     }
 
     #[test]
