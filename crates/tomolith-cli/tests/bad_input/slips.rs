@@ -641,8 +641,8 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "[stop]",
         "[printer]\nrefresh_hz = 4.0\n[stop]",
-        "[output]",
-        &["output.rpm", "5 frames a second", "at most 8 turns"],
+        "refresh_hz",
+        &["printer.refresh_hz", "5 frames a second", "at most 8 turns"],
     ),
     (
         "\"FOLDER\"",
@@ -717,11 +717,11 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "angles = 30",
         "angles = 30\noffset_mm = [0, -0.9]",
-        "pixels",
+        "offset_mm",
         &[
-            "light[0].pixels",
+            "light[0].offset_mm",
             "the field reaches 0.3 mm along the axis",
-            "another offset_mm",
+            "a smaller offset",
         ],
     ),
     (
@@ -742,8 +742,11 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "angles = 30",
         "angles = 30\nselection.rows = [0, 14]",
-        "pixels",
-        &["light[0].pixels", "the field reaches 0.2 mm along the axis"],
+        "selection",
+        &[
+            "light[0].selection",
+            "the field reaches 0.2 mm along the axis",
+        ],
     ),
     (
         "angles = 30",
