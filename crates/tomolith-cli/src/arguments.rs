@@ -112,6 +112,9 @@ pub(crate) struct RunArguments {
     /// Go on from the checkpoint in the run folder
     #[arg(long)]
     pub(crate) resume: bool,
+    /// Replace a finished run of another job in the run folder
+    #[arg(long)]
+    pub(crate) overwrite: bool,
     #[command(flatten)]
     pub(crate) manner: Manner,
 }

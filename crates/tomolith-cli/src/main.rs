@@ -17,6 +17,7 @@ mod voxelize;
 use arguments::{Arguments, Command, JobArguments, Manner, RunArguments, SimulateArguments};
 use clap::Parser;
 use screen::{Screen, say};
+use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -33,7 +34,10 @@ const REFUSED: u8 = 2;
 const CANCELLED: u8 = 130;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match arguments() {
+        Ok(arguments) => arguments,
+        Err(code) => return code,
+    };
     let (manner, done) = match &arguments.command {
         Command::Run(given) => (given.manner, run(given)),
         Command::Simulate(given) => (given.manner, simulate(given)),
@@ -65,7 +69,7 @@ fn main() -> ExitCode {
         Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
         Command::Compare(given) => quick(given.manner, || compare::compare(given)),
     };
-    match done {
+    let code = match done {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(NOT_MET),
         Err(error) => {
@@ -76,7 +80,26 @@ fn main() -> ExitCode {
                 REFUSED
             })
         }
+    };
+    match screen::unsaid() {
+        Some(error) => refused_output(error),
+        None => code,
     }
+}
+
+/// What was typed, or the end of the command: help and version are printed here, and slips of the keyboard.
+fn arguments() -> Result<Arguments, ExitCode> {
+    Arguments::try_parse().map_err(|said| match said.print() {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => refused_output(&error),
+        _ if said.use_stderr() => ExitCode::from(REFUSED),
+        _ => ExitCode::SUCCESS,
+    })
+}
+
+/// Standard output that cannot be written to: what was asked for has not arrived.
+fn refused_output(error: &std::io::Error) -> ExitCode {
+    screen::mutter(&format!("  × standard output: {error}"));
+    ExitCode::from(REFUSED)
 }
 
 /// A command that is met when it ends without an error.
@@ -87,7 +110,10 @@ fn quick(manner: Manner, work: impl FnOnce() -> Result<()>) -> (Manner, Result<b
 /// `tomolith run`: whether the asked quality was met.
 fn run(given: &RunArguments) -> Result<bool> {
     prepare(given.manner)?;
-    let job = read(&given.job, given.output.as_deref())?;
+    let mut job = read(&given.job, given.output.as_deref())?;
+    if given.overwrite {
+        job = job.overwriting();
+    }
     let cancel = cancel_on_ctrl_c();
     let mut screen = Screen::new(given.manner);
     let summary = job::run(&job, given.resume, &mut screen, &cancel)?;

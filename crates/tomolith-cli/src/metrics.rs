@@ -110,7 +110,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     if given.manner.json {
         let line = json!({
             "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
-            "unit_systems": systems,
+            "unit_systems": systems, "lengths_in": if given.pitch_mm.is_some() { "mm" } else { "voxel" },
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
@@ -275,12 +275,17 @@ fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
         "mm" | "mm³" if !scaled => unit.replace("mm", "voxel"),
         other => other.to_owned(),
     };
+    // Lengths in voxels are no lengths in mm, whatever the key says
+    let name = |key: &'static str| {
+        let bare = key.strip_suffix("_mm").or_else(|| key.strip_suffix("_mm3"));
+        bare.filter(|_| !scaled).unwrap_or(key)
+    };
     for kind in METRICS {
         let value = evaluation.measures.get(kind.name);
         if value.is_some() {
             say(&format!(
                 "{:>26} {:>14} {:<8} {}",
-                kind.name,
+                name(kind.name),
                 number(value),
                 unit(kind.unit),
                 kind.summary
@@ -292,7 +297,7 @@ fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {
         let (side, unit) = (farthest.side.words(), unit("mm"));
         say(&format!(
             "{:>26} ({x}, {y}, {z}) {unit}: {side}",
-            "hausdorff_mm is at"
+            format!("{} is at", name("hausdorff_mm"))
         ));
     }
     say("");

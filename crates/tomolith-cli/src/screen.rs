@@ -2,7 +2,8 @@
 
 use crate::arguments::Manner;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use tomolith::job::outcome::large;
 use tomolith::job::{Event, Progress, Summary};
@@ -10,12 +11,25 @@ use tomolith::job::{Event, Progress, Summary};
 /// Plain lines: at most one iteration per this time.
 const PAUSE: Duration = Duration::from_secs(2);
 
+/// Why standard output takes no more: the first error that is not a reader who has gone.
+static REFUSED: OnceLock<std::io::Error> = OnceLock::new();
+
 /// Writes a line to standard output; a closed pipe is the reader's business.
 pub(crate) fn say(line: &str) {
-    let _ = writeln!(std::io::stdout(), "{line}");
+    if let Err(error) = writeln!(std::io::stdout(), "{line}")
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        let _ = REFUSED.set(error);
+    }
 }
 
-fn mutter(line: &str) {
+/// Tells why something that was said did not arrive; None when all of it did.
+pub(crate) fn unsaid() -> Option<&'static std::io::Error> {
+    REFUSED.get()
+}
+
+/// Writes a line to standard error, which nobody may be reading.
+pub(crate) fn mutter(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 

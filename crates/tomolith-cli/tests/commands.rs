@@ -178,11 +178,16 @@ fn anybodys_arrays_are_measured() {
     assert_eq!(found["slices"].as_array().unwrap().len(), 1);
     near(&found["slices"][0]["pw"], 0.4);
     near(&published("ipdr_from_max1"), 1.0 - 0.8 / 0.9);
+    let said = bench.expect(0, "metrics dose.npy target.npy");
+    assert!(said.contains("as published:"), "{said}");
+    // Lengths in voxels are not called mm
     assert!(
-        bench
-            .expect(0, "metrics dose.npy target.npy")
-            .contains("as published:")
+        said.contains(" hausdorff ") && !said.contains("_mm"),
+        "{said}"
     );
+    assert_eq!(found["lengths_in"], "voxel");
+    let said = bench.expect(0, "metrics dose.npy target.npy --pitch-mm 0.1");
+    assert!(said.contains(" hausdorff_mm "), "{said}");
 
     fs::write(bench.path("other.npy"), npy("1, 4", &[0.0; 4])).unwrap();
     assert!(
@@ -271,6 +276,20 @@ fn runs_are_compared_and_exported() {
             .expect(2, "export a --printer job.toml --output c")
             .contains("holds no [printer]")
     );
+    // What an export does not read changes nothing, and is refused
+    for key in [
+        "resin.absorption_per_mm",
+        "light[0].angles",
+        "output.folder",
+        "outputs.rpm",
+    ] {
+        let said = bench.expect(2, &format!("export a --output c --json --set {key}=3"));
+        assert!(
+            said.contains(&format!("an export does not read `{key}`"))
+                && said.contains("keys of [printer]"),
+            "{said}"
+        );
+    }
     let said = bench.expect(2, "export a --output c --set printer.canvas=[20,20]");
     assert!(
         said.contains("printer.canvas") && said.contains("need 32 × 16"),
@@ -479,7 +498,7 @@ fn waves_have_no_matrix_and_light_that_spreads_says_how_large_its_is() {
         "{said}"
     );
     assert!(!bench.path("m.npz").exists());
-    let small = "--set grid.shape=[4,4,2] --set light.pixels=[32,16] --set light.angles=3";
+    let small = "--set grid.shape=[4,4,2] --set grid.clip=true --set light.pixels=[32,16] --set light.angles=3";
     let line = format!("export-matrix {job} {small} --set model={{spread={{}}}}");
     let said = bench.expect(0, &line);
     // 32 voxels, 1536 pixels
@@ -604,4 +623,42 @@ fn pixels_that_may_not_be_lit_or_cannot_be_or_bring_little_stay_dark() {
     let count = |values: &[f32]| values.iter().filter(|v| **v > 0.0).count();
     let (few, all) = (count(&chosen), count(&plain));
     assert!(few > 0 && few + 48 < all, "{few} {all}");
+}
+
+/// Where nothing can be written, every command that prints ends with 2 and one line.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_standard_output_is_told() {
+    let bench = Bench::new();
+    fs::write(bench.path("job.toml"), JOB).unwrap();
+    for line in [
+        "schema",
+        "schema --markdown",
+        "kinds",
+        "kinds vial --json",
+        "check job.toml",
+        "phantom gear --pitch-mm 0.5 --output a.npy",
+        "--help",
+        "--version",
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .current_dir(bench.temp.path())
+            .args(line.split(' '))
+            .stdout(full)
+            .output()
+            .unwrap();
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+        let last = message.lines().last().unwrap_or_default();
+        assert!(
+            last.contains("standard output: No space left"),
+            "{line}: {message}"
+        );
+        assert_eq!(
+            message.matches("standard output").count(),
+            1,
+            "{line}: {message}"
+        );
+    }
 }

@@ -337,7 +337,7 @@ fn the_movie_alone_makes_the_right_part_on_machines_of_all_flips_and_turns() {
     }
 }
 
-/// A machine with everything: other pixels, a turn, a curve, an axis that is off and wobbles, two copies.
+/// A machine with everything: other pixels, a turn, a curve, an axis that is off, a vial beside its axis, two copies.
 const EVERYTHING: &str = r#"canvas = [300, 260]
 pixel_pitch_mm = 0.05
 offset_px = [3.3, -8.6]
@@ -345,8 +345,8 @@ flip_vertical = true
 quarter_turns = 3
 rotation_deg = 1.7
 axis_offset_mm = 0.13
-wobble_mm = 0.21
-wobble_deg = 40.0
+eccentricity_mm = 0.21
+eccentricity_deg = 40.0
 copies_px = [[-70, 0], [70, 0]]
 sense = "counterclockwise"
 start_deg = 78.0
@@ -374,7 +374,7 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         format!("{JOB}[printer]\n{EVERYTHING}").replace("\"run\"", "\"everything\""),
     )
     .unwrap();
-    bench.expect(0, &["run", "machine.toml", "--quiet"]);
+    bench.expect(0, &["run", "machine.toml", "--quiet", "--overwrite"]);
     let report = json(&bench.path("everything/report.json"));
     let plain = json(&bench.path("run/report.json"));
     let iou = |report: &Value| report["evaluation"]["iou"].as_f64().unwrap();

@@ -75,14 +75,15 @@ pub enum Error {
         accepted: String,
     },
     /// Memory or disk would not be enough.
-    #[error("{what}: {needed_mb} MB needed, {available_mb} MB available; {advice}")]
+    #[error("{what}: {needed_mb} MB needed, {}; {advice}",
+        available_mb.map_or("which the system does not give".to_owned(), |mb| format!("{mb} MB available")))]
     Resources {
         /// `memory` or `disk`, and for what.
         what: String,
         /// The estimate in MB (10⁶ bytes).
         needed_mb: u64,
-        /// What there is, in MB.
-        available_mb: u64,
+        /// What there is, in MB; None where the system does not say.
+        available_mb: Option<u64>,
         /// What the user can do.
         advice: String,
     },
@@ -131,6 +132,14 @@ impl Error {
             path: path.into(),
             source,
         }
+    }
+
+    /// Whether a file could not be written because no more fits: the disk or a quota is full, or the file is as large as files may be.
+    #[must_use]
+    pub fn is_full_disk(&self) -> bool {
+        use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        let kinds = [StorageFull, QuotaExceeded, FileTooLarge];
+        matches!(self, Error::Io { source, .. } if kinds.contains(&source.kind()))
     }
 
     /// Puts `prefix` before the key of a [`Error::Config`]; other errors pass unchanged.

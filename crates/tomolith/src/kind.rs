@@ -18,6 +18,8 @@ pub struct Section {
     pub value: Value,
     /// The folder that its relative paths begin in; empty for the current one.
     base: PathBuf,
+    /// A section of its kind that works, for messages; empty where it is of no kind.
+    example: &'static str,
 }
 
 impl Section {
@@ -27,6 +29,7 @@ impl Section {
             path: path.into(),
             value,
             base: PathBuf::new(),
+            example: "",
         }
     }
 
@@ -52,8 +55,39 @@ impl Section {
             let inner = e.path().to_string();
             let inner = if inner == "." { "" } else { &inner };
             let in_table = value_at(&self.value, e.path()).is_none_or(Value::is_object);
-            config_error(&self.path, inner, in_table, &e.inner().to_string())
+            let message = e.inner().to_string();
+            let error = config_error(&self.path, inner, in_table, &message);
+            match error {
+                Error::Config {
+                    key,
+                    found,
+                    mut accepted,
+                    nearest,
+                    place,
+                } => {
+                    if CHOICES.iter().any(|words| message.ends_with(words)) {
+                        accepted = choices::<T>(&self.value, e.path()).unwrap_or(accepted);
+                    } else if let Some(line) = self.example_of(&key).filter(|_| found == MISSING) {
+                        accepted = format!("a value, for example `{line}`");
+                    }
+                    Error::Config {
+                        key,
+                        found,
+                        accepted,
+                        nearest,
+                        place,
+                    }
+                }
+                other => other,
+            }
         })
+    }
+
+    /// The line of the example that gives a key.
+    fn example_of(&self, key: &str) -> Option<&'static str> {
+        let name = key.rsplit('.').next()?;
+        let gives = |line: &&str| line.split('=').next().is_some_and(|key| key.trim() == name);
+        self.example.lines().find(gives).map(str::trim)
     }
 
     /// The single kind named in an externally tagged table, and its section: `{cylinder = {…}}` → `("cylinder", {…})`.
@@ -106,8 +140,9 @@ impl Section {
                 nearest: nearest_name(name, names()).map(str::to_owned),
                 place: None,
             })?;
-        let inner = Section::new(format!("{}.{name}", self.path), value);
-        Ok((row, inner.based(&self.base)))
+        let mut inner = Section::new(format!("{}.{name}", self.path), value).based(&self.base);
+        inner.example = row.example;
+        Ok((row, inner))
     }
 }
 
@@ -120,6 +155,43 @@ fn value_at<'v>(root: &'v Value, path: &serde_path_to_error::Path) -> Option<&'v
         Segment::Unknown => None,
     })
 }
+
+/// The same, to be changed.
+fn value_at_mut<'v>(
+    root: &'v mut Value,
+    path: &serde_path_to_error::Path,
+) -> Option<&'v mut Value> {
+    use serde_path_to_error::Segment;
+    path.iter().try_fold(root, |value, segment| match segment {
+        Segment::Map { key } | Segment::Enum { variant: key } => value.get_mut(key),
+        Segment::Seq { index } => value.get_mut(index),
+        Segment::Unknown => None,
+    })
+}
+
+/// How serde's messages end where one of several names was expected, but not which.
+const CHOICES: [&str; 2] = ["string or map", "map with a single key"];
+
+/// The names that are accepted at a path: serde tells them only to a name that is none of them.
+fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path) -> Option<String> {
+    let mut value = value.clone();
+    *value_at_mut(&mut value, path)? = Value::String("?".to_owned());
+    let message = serde_json::from_value::<T>(value).err()?.to_string();
+    let names = message.strip_prefix("unknown variant `?`, expected ")?;
+    let names: Vec<&str> = names.split('`').skip(1).step_by(2).collect();
+    Some(names.join(", "))
+}
+
+/// What is found where a key is missing.
+pub(crate) const MISSING: &str = "the key is missing";
+
+/// Keys that had another name, and the name that they have now.
+const RENAMED: [(&str, &str); 4] = [
+    ("motion.wobble_mm", "axis_runout_mm"),
+    ("motion.wobble_phase_deg", "axis_runout_deg"),
+    ("printer.wobble_mm", "eccentricity_mm"),
+    ("printer.wobble_deg", "eccentricity_deg"),
+];
 
 /// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
 ///
@@ -145,11 +217,18 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
             [] => "nothing: this table has no keys".to_owned(),
             names => names.join(", "),
         };
+        let renamed = RENAMED.iter().find(|(old, _)| *old == key);
+        let renamed = renamed.map(|(_, name)| *name);
         return Error::Config {
+            found: renamed.map_or_else(
+                || format!("unknown name `{word}`"),
+                |name| format!("`{word}` is now called `{name}`"),
+            ),
             key,
-            found: format!("unknown name `{word}`"),
             accepted,
-            nearest: nearest_name(word, names.iter().copied()).map(str::to_owned),
+            nearest: renamed
+                .or_else(|| nearest_name(word, names.iter().copied()))
+                .map(str::to_owned),
             place: None,
         };
     }
@@ -161,21 +240,45 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
             } else {
                 format!("{key}.{word}")
             },
-            "the key is missing",
-            "a value (`tomolith kinds` shows an example, docs/job.md its range)",
+            MISSING,
+            "a value: docs/job.md and `tomolith kinds` say which",
         );
     }
     let (found, accepted) = match message.split_once(", expected ") {
-        Some((found @ "invalid type: map", "a sequence")) => {
-            (found, format!("a list, whose tables are written [[{key}]]"))
-        }
-        Some((found, expected)) => (found, in_words(expected)),
+        Some((found @ "invalid type: map", "a sequence")) => (
+            found_in_words(found),
+            format!("a list, whose tables are written [[{key}]]"),
+        ),
+        Some((found, expected)) => (found_in_words(found), in_words(expected)),
         None => match message.split_once("; accepted: ") {
-            Some((found, accepted)) => (found, accepted.to_owned()),
-            None => (message, "see `tomolith schema`".to_owned()),
+            Some((found, accepted)) => (found.to_owned(), accepted.to_owned()),
+            None => (message.to_owned(), "see `tomolith schema`".to_owned()),
         },
     };
     Error::config(key, found, accepted)
+}
+
+/// What serde found, without the names of Rust's types.
+fn found_in_words(message: &str) -> String {
+    if let Some(length) = message.strip_prefix("invalid length ") {
+        return match length {
+            "0" => "found an empty list".to_owned(),
+            length => format!("found a list of {length}"),
+        };
+    }
+    let kinds = ["invalid type: ", "invalid value: "];
+    let Some(found) = kinds.iter().find_map(|kind| message.strip_prefix(kind)) else {
+        return message.to_owned();
+    };
+    let ticked = found.split('`').nth(1);
+    let found = match (found, ticked) {
+        ("map", _) => "a table",
+        ("sequence", _) => "a list",
+        (_, Some(ticked)) => ticked,
+        (text, None) => text.strip_prefix("string ").unwrap_or(text),
+    };
+    // serde writes 1e+30, a job 1e30
+    format!("found {}", found.replace("e+", "e"))
 }
 
 /// What serde expects, without the names of Rust's types.
@@ -187,7 +290,7 @@ fn in_words(expected: &str) -> String {
         "a string" | "str" | "path string" => "text in quotes",
         "a boolean" => "true or false",
         "a sequence" => "a list",
-        "a map" => "a table",
+        "a map" | "map" => "a table",
         other if other.starts_with("struct ") => "a table",
         "fewer elements in array" => "a list with fewer entries",
         other if other.starts_with("an array of length ") => {
@@ -296,6 +399,87 @@ mod tests {
         assert_eq!(accepted, "iterations");
     }
 
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    enum Way {
+        Up,
+        Down,
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Walk {
+        #[serde(rename = "ways")]
+        _ways: Vec<Way>,
+        #[serde(rename = "size", default)]
+        _size: [f64; 2],
+    }
+
+    #[test]
+    fn what_is_accepted_is_said_in_words_of_a_job() {
+        let text = |value| {
+            let section = Section::new("walk", value);
+            section.parse::<Walk>().unwrap_err().to_string()
+        };
+        for (value, expected) in [
+            (
+                serde_json::json!({ "ways": ["up", 3] }),
+                "walk.ways[1]: found 3; accepted: up, down",
+            ),
+            (
+                serde_json::json!({ "ways": [{}] }),
+                "walk.ways[0]: found a table; accepted: up, down",
+            ),
+            (
+                serde_json::json!({ "ways": 1e30 }),
+                "walk.ways: found 1e30; accepted: a list",
+            ),
+            (
+                serde_json::json!({ "ways": [], "size": [1.0, 2.0, 3.0] }),
+                "walk.size: found a list of 3; accepted: a list with fewer entries",
+            ),
+            (
+                serde_json::json!({ "ways": [], "size": [] }),
+                "walk.size: found an empty list; accepted: a list of 2",
+            ),
+        ] {
+            assert_eq!(text(value), expected);
+        }
+    }
+
+    #[test]
+    fn a_missing_key_of_a_kind_is_shown_as_in_its_example() {
+        static ROWS: &[Kind<()>] = &[Kind {
+            name: "fixed",
+            summary: "",
+            example: "[stop.fixed]\niterations = 40",
+            schema: || schemars::schema_for!(bool),
+            build: (),
+        }];
+        let section = Section::new("stop", serde_json::json!("fixed"));
+        let (_, inner) = section.kind(ROWS).unwrap();
+        assert_eq!(
+            inner.parse::<Stop>().unwrap_err().to_string(),
+            "stop.fixed.iterations: the key is missing; accepted: a value, for example `iterations = 40`"
+        );
+    }
+
+    #[test]
+    fn an_old_name_is_refused_with_the_new_one() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Motion {
+            #[serde(rename = "axis_runout_mm", default)]
+            _axis_runout_mm: f64,
+        }
+        let section = Section::new("motion", serde_json::json!({ "wobble_mm": 0.1 }));
+        assert_eq!(
+            section.parse::<Motion>().unwrap_err().to_string(),
+            "motion.wobble_mm: `wobble_mm` is now called `axis_runout_mm`; accepted: axis_runout_mm; \
+             did you mean `axis_runout_mm`?"
+        );
+    }
+
     #[test]
     fn a_missing_key_and_a_wrong_type_are_named() {
         let section = Section::new("stop", serde_json::json!({}));
@@ -307,7 +491,7 @@ mod tests {
         let section = Section::new("stop", serde_json::json!({ "iterations": "many" }));
         let text = section.parse::<Stop>().unwrap_err().to_string();
         assert!(
-            text.starts_with("stop.iterations: invalid type: string \"many\""),
+            text.starts_with("stop.iterations: found \"many\"; accepted: a whole number"),
             "{text}"
         );
         assert_eq!(

@@ -21,7 +21,7 @@ use std::fmt;
 /// assert_eq!([0.054, 2.0, 1.0000001, 1e300].map(exact), ["0.054", "2", "1.0000001", "1e300"]);
 /// ```
 #[must_use]
-pub fn exact(value: f64) -> String {
+pub fn exact(value: impl fmt::LowerExp + fmt::Debug) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }

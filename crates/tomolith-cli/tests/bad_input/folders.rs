@@ -37,6 +37,55 @@ fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
 }
 
 #[test]
+fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
+    let bench = Bench::new();
+    let before = bench.earlier();
+    let file = bench.path("job.toml");
+    fs::write(
+        &file,
+        JOB.replace("FOLDER", &bench.run_folder().display().to_string()),
+    )
+    .unwrap();
+    let refused = |more: &[&str], parts: &[&str]| {
+        let output = tomolith(&file, more);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for part in [
+            "output.folder",
+            "holds a finished run of another job",
+            "--overwrite",
+        ]
+        .iter()
+        .chain(parts)
+        {
+            assert!(flat(&message).contains(part), "{part}: {message}");
+        }
+    };
+    refused(&[], &["cannot be read"]);
+    assert_eq!(bench.earlier(), before);
+    assert!(
+        tomolith(&file, &["--quiet", "--overwrite"])
+            .status
+            .success()
+    );
+    // The same job again, however it is written
+    assert!(
+        tomolith(&file, &["--quiet", "--set", "grid.pitch_mm=\"100 um\""])
+            .status
+            .success()
+    );
+    let done = bench.earlier();
+    refused(&["--toy"], &["grid.pitch_mm was 0.1, is 0.3", "more"]);
+    refused(
+        &["--set", "stop.iterations=3"],
+        &["stop.iterations was 2, is 3"],
+    );
+    assert_eq!(bench.earlier(), done);
+    let third = ["--quiet", "--overwrite", "--set", "stop.iterations=3"];
+    assert!(tomolith(&file, &third).status.success());
+}
+
+#[test]
 fn too_little_memory_is_said_with_the_estimate() {
     let bench = Bench::new();
     let before = bench.earlier();
@@ -207,7 +256,7 @@ fn a_full_disk_ends_with_one_message() {
     // Patterns take 277 kB, the checkpoint of the patterns alone less than 150 kB (blocks of 512 or 1024 bytes)
     let checkpoint = "--set checkpoint.contents=patterns";
     let line = format!(
-        "trap '' XFSZ; ulimit -f 260; exec {} run {} --quiet {checkpoint}",
+        "trap '' XFSZ; ulimit -f 260; exec {} run {} --quiet --overwrite {checkpoint}",
         env!("CARGO_BIN_EXE_tomolith"),
         bench.path("job.toml").display()
     );
@@ -219,6 +268,10 @@ fn a_full_disk_ends_with_one_message() {
         "{message}"
     );
     assert!(!message.contains("ZipWriter"), "{message}");
+    assert!(
+        flat(&message).contains("print and report of this run are missing"),
+        "{message}"
+    );
     // A matrix of some megabytes stops in the same place
     let line = format!(
         "trap '' XFSZ; ulimit -f 260; exec {} export-matrix {} --output {}",
@@ -242,4 +295,62 @@ fn a_full_disk_ends_with_one_message() {
         .filter(|(path, _)| !path.to_string_lossy().contains(".new"))
         .collect();
     assert_eq!(now, unchanged(before));
+}
+
+/// A file system without room for checkpoints: the run goes on and says so.
+#[test]
+#[cfg(unix)]
+fn a_disk_that_is_full_during_the_optimisation_is_a_warning() {
+    let bench = Bench::new();
+    let file = bench.path("job.toml");
+    fs::write(
+        &file,
+        JOB.replace("FOLDER", &bench.run_folder().display().to_string()),
+    )
+    .unwrap();
+    // With thirty pairs a checkpoint takes 1.4 MB, the largest output 0.7 MB; the limit is 1 MB
+    let settings = "--set stop.iterations=30 --set optimizer.lbfgs.memory=30 --set checkpoint.every_s=0.0001 \
+                    --set objective.threshold.lower=0.99 --set objective.threshold.upper=1.0";
+    let line = format!(
+        "trap '' XFSZ; ulimit -f 2000; exec {} run {} --overwrite {settings}",
+        env!("CARGO_BIN_EXE_tomolith"),
+        file.display()
+    );
+    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert_eq!(
+        message.matches("no checkpoint can be written").count(),
+        1,
+        "{message}"
+    );
+    let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
+    assert!(
+        report.contains("no checkpoint can be written"),
+        "not in the report"
+    );
+    let left = fs::read_dir(bench.run_folder().join("checkpoint")).unwrap();
+    let names: Vec<_> = left.map(|entry| entry.unwrap().file_name()).collect();
+    assert!(
+        names.iter().all(|name| name == "state.safetensors"),
+        "{names:?}"
+    );
+}
+
+#[test]
+fn dead_pixels_that_leave_the_part_in_the_dark_are_blamed() {
+    let bench = Bench::new();
+    let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (24, 48), }";
+    let header = format!("{header:<117}\n");
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend([1.0f32.to_le_bytes(); 24 * 48].concat());
+    fs::write(bench.path("dead.npy"), bytes).unwrap();
+    let job = JOB.replace("[stop]", "[printer]\ndead_pixels = \"dead.npy\"\n[stop]");
+    let parts = [
+        "× printer.dead_pixels: the field reaches 0 mm sideways",
+        "another map",
+    ];
+    refused(&bench, &job, &parts);
 }

@@ -76,7 +76,8 @@ impl Bench {
             job.replace("FOLDER", &self.run_folder().display().to_string()),
         )
         .unwrap();
-        tomolith(&file, more)
+        // The earlier run is of no job that could be compared
+        tomolith(&file, &[more, &["--overwrite"]].concat())
     }
 }
 

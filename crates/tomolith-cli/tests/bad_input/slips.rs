@@ -143,6 +143,31 @@ pub(super) const WRONG: &[Wrong] = &[
         &["light[0].pixels", "a list of 2"],
     ),
     ("[[light]]", "[light]", "[light]", &["light", "a list"]),
+    // Names that were
+    (
+        "[stop]",
+        "[motion]\nwobble_mm = 0.1\n[stop]",
+        "wobble",
+        &["motion.wobble_mm", "did you mean `axis_runout_mm`?"],
+    ),
+    (
+        "[stop]",
+        "[motion]\nwobble_phase_deg = 0.1\n[stop]",
+        "wobble",
+        &["motion.wobble_phase_deg", "did you mean `axis_runout_deg`?"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nwobble_mm = 0.1\n[stop]",
+        "wobble",
+        &["printer.wobble_mm", "did you mean `eccentricity_mm`?"],
+    ),
+    (
+        "[stop]",
+        "[printer]\nwobble_deg = 0.1\n[stop]",
+        "wobble",
+        &["printer.wobble_deg", "did you mean `eccentricity_deg`?"],
+    ),
     // Numbers that cannot be
     (
         "0.05",
@@ -203,6 +228,90 @@ pub(super) const WRONG: &[Wrong] = &[
         "inner_radius_mm = 3.5",
         "inner_r",
         &["vial.cylinder.inner_radius_mm", "outer_radius_mm = 3.5"],
+    ),
+    // Indices of a resin whose index changes
+    (
+        "[stop]",
+        "[resin.gradient]\nquadratic_per_mm2 = 0.9\n[stop]",
+        "[resin.gradient",
+        &[
+            "resin.gradient",
+            "3 mm from the axis n² is 20.475",
+            "from 1 to 4",
+        ],
+    ),
+    (
+        "[stop]",
+        "[resin.gradient]\nquadratic_per_mm2 = -0.08\n[stop]",
+        "[resin.gradient",
+        &[
+            "resin.gradient",
+            "3 mm from the axis n² is 0.63",
+            "from 1 to 4",
+        ],
+    ),
+    // Grids that cut the part
+    (
+        "pitch_mm = 0.1\n\n",
+        "pitch_mm = 0.1\nshape = [10, 10, 10]\n\n",
+        "shape = [10",
+        &[
+            "grid.shape",
+            "10 × 10 × 10 voxels of 0.1 mm are 1 × 1 × 1 mm, but the part is 2 × 2 × ",
+            "% of its volume would be cut off",
+            "grid.clip = true",
+        ],
+    ),
+    // Movies: what the job sets is at fault
+    (
+        "[stop]",
+        "[printer]\nrefresh_hz = 2\n[stop]",
+        "refresh_hz",
+        &[
+            "printer.refresh_hz",
+            "no device of 2 images a second shows",
+            "at least 5 images a second",
+        ],
+    ),
+    (
+        "angles = 30",
+        "angles = 3000",
+        "angles",
+        &[
+            "light[0].angles",
+            "no device of 240 images a second",
+            "at most 1440 frames",
+        ],
+    ),
+    // What is within a table of the vial
+    (
+        "[stop]",
+        "[vial.bottom]\nthickness_mm = 1.0\n[stop]",
+        "[vial.bottom",
+        &[
+            "vial.bottom.z_mm",
+            "the key is missing",
+            "for example z_mm = -10.0",
+        ],
+    ),
+    // Numbers without thirty digits
+    (
+        "[stop]",
+        "[model.rays]\nleast_power = 1e30\n[stop]",
+        "least_power",
+        &["model.rays.least_power: found 1e30"],
+    ),
+    (
+        "lower = 0.85",
+        "lower = 1e-30\nceiling = 1e-30",
+        "ceiling",
+        &["objective.threshold.ceiling: ceiling 1e-30 is below upper 0.95"],
+    ),
+    (
+        "size_mm = 2.0",
+        "size_mm = -1e30",
+        "-1e30",
+        &["target.size_mm: found -1e30"],
     ),
     // Bands
     (
@@ -392,6 +501,17 @@ pub(super) const WRONG: &[Wrong] = &[
         &["optimizer.fista", "not convex together", "accepted: lbfgs"],
     ),
     (
+        "[objective.threshold]\nlower = 0.85\nupper = 0.95",
+        "[optimizer.osmo]\n[objective.l2]",
+        "[optimizer",
+        &[
+            "optimizer.osmo",
+            "wants no dose at all in the void",
+            "in the end all light",
+            "accepted: lbfgs, gradient, fista",
+        ],
+    ),
+    (
         "[stop]",
         "[optimizer.osmo]\n[[penalties]]\nweight = 1.0\nsparsity = { exponent = 2 }\n[stop]",
         "[[penalties",
@@ -450,7 +570,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[light]",
         &[
             "light",
-            "invalid type: map",
+            "found a table",
             "a list, whose tables are written [[light]]",
         ],
     ),
@@ -521,8 +641,8 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "[stop]",
         "[printer]\nrefresh_hz = 4.0\n[stop]",
-        "[output]",
-        &["output.rpm", "5 frames a second", "at most 8 turns"],
+        "refresh_hz",
+        &["printer.refresh_hz", "5 frames a second", "at most 8 turns"],
     ),
     (
         "\"FOLDER\"",
@@ -597,11 +717,11 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "angles = 30",
         "angles = 30\noffset_mm = [0, -0.9]",
-        "pixels",
+        "offset_mm",
         &[
-            "light[0].pixels",
+            "light[0].offset_mm",
             "the field reaches 0.3 mm along the axis",
-            "another offset_mm",
+            "a smaller offset",
         ],
     ),
     (
@@ -622,8 +742,11 @@ pub(super) const WRONG: &[Wrong] = &[
     (
         "angles = 30",
         "angles = 30\nselection.rows = [0, 14]",
-        "pixels",
-        &["light[0].pixels", "the field reaches 0.2 mm along the axis"],
+        "selection",
+        &[
+            "light[0].selection",
+            "the field reaches 0.2 mm along the axis",
+        ],
     ),
     (
         "angles = 30",

@@ -16,7 +16,7 @@
 //! ```
 
 use crate::error::{Error, Result};
-use crate::units::exact;
+use crate::units::{concise, exact};
 use std::f64::consts::TAU;
 
 /// Frames a second, when `frames` frames fill an `arc` (rad) of the vial's turn at `rpm` turns a minute.
@@ -68,8 +68,9 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
         Err(Error::config(
             "output.rpm",
             format!(
-                "{rpm} turns per minute make a movie of {} frames a second, which {why}",
-                short(rate)
+                "{} turns per minute make a movie of {} frames a second, which {why}",
+                exact(rpm),
+                concise(rate)
             ),
             accepted,
         ))
@@ -77,10 +78,16 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
     if rate > refresh_hz * (1.0 + 1e-9) {
         let most = (frames as f64 * refresh_hz / rate).floor();
         return refuse(
-            &format!("no screen of {refresh_hz} images a second shows"),
+            &format!("no device of {} images a second shows", exact(refresh_hz)),
             format!(
-                "at most {} turns per minute, or at most {most} frames",
-                short(speed(refresh_hz))
+                "at most {} turns per minute (output.rpm){}, or a device of at least {} images a second (printer.refresh_hz)",
+                concise(speed(refresh_hz)),
+                if most < 1.0 {
+                    String::new()
+                } else {
+                    format!(", at most {most} frames (light.angles)")
+                },
+                concise(rate)
             ),
         );
     }
@@ -89,17 +96,13 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
         return refuse(
             "players do not show evenly",
             format!(
-                "at least {} turns per minute, or at least {least} frames",
-                short(speed(SLOWEST))
+                "at least {} turns per minute (output.rpm), or at least {} frames (light.angles)",
+                concise(speed(SLOWEST)),
+                exact(least)
             ),
         );
     }
     Ok(rate)
-}
-
-/// At most four digits behind the point.
-fn short(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4
 }
 
 /// `<part>_<rpm>rpm.mp4`; what is no letter, digit, `-`, `_` or `.` in the part's name becomes `_`.

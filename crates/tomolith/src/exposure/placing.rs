@@ -9,8 +9,8 @@
 //! ```
 //!
 //! S = diag(±1, ±1) the flips, R a counter-clockwise turn of the image as it is looked at (row 0 on top), a the axis
-//! offset, w and φ size and azimuth of the wobble, α_k the azimuth of frame k, P = diag(right, up) the size of a device pixel
-//! at the vial. The wobble is that of a vial whose middle is w away from the axis of the stage, at azimuth φ of the resin frame:
+//! offset, w and φ size and azimuth of the eccentricity, α_k the azimuth of frame k, P = diag(right, up) the size of a device pixel
+//! at the vial. The middle of the vial is w away from the axis of the stage, at azimuth φ of the resin frame:
 //! seen from α_k it lies w·sin(φ − α_k) to the right.
 //!
 //! # Light between pixels

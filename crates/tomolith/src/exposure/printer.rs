@@ -24,7 +24,7 @@
 //! several copies each lies on its own part of the device; what is simulated is the first.
 //!
 //! # Cost
-//! One pass over the shared areas of device and pattern pixels per frame; with a wobble these are found for every frame.
+//! One pass over the shared areas of device and pattern pixels per frame; for a vial off its axis these are found for every frame.
 //!
 //! # Example
 //! A device of 6 × 4 pixels mounted on its side, driven by a gamma of about 2: the pattern's right end is up, and half of
@@ -100,9 +100,9 @@ pub struct PrinterSpec {
     /// How far right (along the columns of the patterns) the axis of rotation lies of where it should.
     pub axis_offset_mm: Mm,
     /// How far the middle of the vial is from the axis of the stage.
-    pub wobble_mm: Mm,
+    pub eccentricity_mm: Mm,
     /// Azimuth, in the resin frame, at which the middle of the vial is off the axis, degrees.
-    pub wobble_deg: f64,
+    pub eccentricity_deg: f64,
     /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
     pub copies_px: Vec<[f64; 2]>,
     /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
@@ -147,8 +147,8 @@ impl Default for PrinterSpec {
             quarter_turns: 0,
             rotation_deg: 0.0,
             axis_offset_mm: Mm(0.0),
-            wobble_mm: Mm(0.0),
-            wobble_deg: 0.0,
+            eccentricity_mm: Mm(0.0),
+            eccentricity_deg: 0.0,
             copies_px: vec![[0.0; 2]],
             sense: None,
             start_deg: None,
@@ -241,10 +241,16 @@ impl PrinterSpec {
             1000.0,
             "mm, -1000 to 1000",
         )?;
-        finite("wobble_mm", self.wobble_mm.0, 0.0, 1000.0, "mm, 0 or more")?;
         finite(
-            "wobble_deg",
-            self.wobble_deg,
+            "eccentricity_mm",
+            self.eccentricity_mm.0,
+            0.0,
+            1000.0,
+            "mm, 0 or more",
+        )?;
+        finite(
+            "eccentricity_deg",
+            self.eccentricity_deg,
             -360.0,
             360.0,
             "degrees, -360 to 360",
@@ -274,7 +280,7 @@ impl PrinterSpec {
             if self.peak_irradiance_mw_per_cm2.is_none() {
                 return Err(Error::config(
                     "printer.time_s",
-                    format!("{time} s without a peak irradiance"),
+                    format!("{} s without a peak irradiance", exact(time)),
                     "printer.peak_irradiance_mw_per_cm2 beside it, or no such key",
                 ));
             }
@@ -353,9 +359,10 @@ impl Printer {
     ) -> Result<Self> {
         spec.ranges()?;
         let mut notes = Vec::new();
-        let phase = spec.wobble_deg.to_radians();
-        let shift =
-            |azimuth: &f64| spec.axis_offset_mm.0 + spec.wobble_mm.0 * (phase - azimuth).sin();
+        let phase = spec.eccentricity_deg.to_radians();
+        let shift = |azimuth: &f64| {
+            spec.axis_offset_mm.0 + spec.eccentricity_mm.0 * (phase - azimuth).sin()
+        };
         let shifts: Vec<f64> = pattern.azimuths.iter().map(shift).collect();
         let placings = placings(spec, pattern, &shifts)?;
         let order = order(spec, pattern, rotation, &mut notes)?;
@@ -369,7 +376,7 @@ impl Printer {
             pattern: pattern.clone(),
             notes,
         };
-        if spec.wobble_mm.0 == 0.0 {
+        if spec.eccentricity_mm.0 == 0.0 {
             printer.note_blur();
             let shift = printer.shifts.first().copied().unwrap_or(0.0);
             printer.overlaps = Some(printer.placings.iter().map(|p| p.overlaps(shift)).collect());

@@ -6,6 +6,7 @@
 
 use crate::error::{Error, Result};
 use crate::io::frames::top_level;
+use crate::units::exact;
 
 /// What a curve must be, for messages.
 const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
@@ -29,7 +30,11 @@ impl Curve {
         }
         let (first, last) = (points[0], points[points.len() - 1]);
         if first[0] != 0.0 || last[0] != 1.0 {
-            return refuse(format!("values from {} to {}", first[0], last[0]));
+            return refuse(format!(
+                "values from {} to {}",
+                exact(first[0]),
+                exact(last[0])
+            ));
         }
         if first[1] < 0.0 {
             return refuse(format!("an intensity of {}", first[1]));

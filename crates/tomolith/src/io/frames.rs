@@ -24,6 +24,7 @@
 use super::whole::{Refused, write_folder_whole};
 use crate::error::{Error, Result};
 use crate::grid::PatternGrid;
+use crate::units::exact;
 use rayon::prelude::*;
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter};
@@ -180,17 +181,7 @@ pub fn read_frames(folder: &Path) -> Result<Frames> {
         {
             return Err(format_error(
                 path,
-                &format!(
-                    "{}×{} pixels of {} bits, scale {:?}; the first frame has {}×{} pixels of {} bits, scale {:?}",
-                    image.size[1],
-                    image.size[0],
-                    image.bits,
-                    image.full_scale,
-                    first.size[1],
-                    first.size[0],
-                    first.bits,
-                    first.full_scale,
-                ),
+                &format!("{}; the first frame has {}", image.words(), first.words()),
             ));
         }
     }
@@ -217,6 +208,17 @@ struct Image {
     bits: u32,
     full_scale: Option<f32>,
     values: Vec<u16>,
+}
+
+impl Image {
+    fn words(&self) -> String {
+        let [rows, columns] = self.size;
+        let scale = self.full_scale.map_or_else(
+            || "no scale".to_owned(),
+            |white| format!("a scale of {}", exact(white)),
+        );
+        format!("{columns}×{rows} pixels of {} bits, {scale}", self.bits)
+    }
 }
 
 fn read_frame(path: &Path) -> Result<Image> {

@@ -27,6 +27,9 @@ use crate::units::{concise, exact};
 use std::path::Path;
 use std::sync::Arc;
 
+/// Rounding of a square of an index.
+const ROUNDING: f64 = 1e-9;
+
 /// What stands between the projectors and the resin.
 pub(crate) struct Optics {
     /// The vial.
@@ -244,7 +247,7 @@ fn with_ends(vial: Box<dyn Vial>, spec: &VialCommon) -> Result<Box<dyn Vial>> {
     Ok(Box::new(Ended::new(vial, bottom, top)?))
 }
 
-/// How the resin's index changes, with the chords that suit the vial; refused where no index is left, or where a chord is no length.
+/// How the resin's index changes, with the chords that suit the vial; refused where the index leaves the range of an even resin, or where a chord is no length.
 fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
     let Some(params) = &spec.resin.gradient else {
         return Ok(None);
@@ -269,16 +272,16 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
         0.0
     };
     for rho in [vertex, farthest] {
-        let square = gradient.relative_square(rho);
-        if !(square > 0.0 && square.is_finite()) {
+        let square = spec.resin.refractive_index.powi(2) * gradient.relative_square(rho);
+        if !(1.0 - ROUNDING..=16.0 + ROUNDING).contains(&square) {
             return Err(Error::config(
                 "resin.gradient",
                 format!(
-                    "at {} mm from the axis n² is {} times that on it",
+                    "{} mm from the axis n² is {}",
                     concise(rho),
                     concise(square)
                 ),
-                "an index above 0 everywhere in the resin",
+                "an index from 1 to 4 (n² from 1 to 16) everywhere in the resin",
             ));
         }
     }
@@ -340,8 +343,8 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
         ("tilt_deg", motion.tilt_deg, -80.0, 80.0),
         ("offset_mm[0]", x, -1e3, 1e3),
         ("offset_mm[1]", y, -1e3, 1e3),
-        ("wobble_mm", motion.wobble_mm, 0.0, 1e3),
-        ("wobble_phase_deg", motion.wobble_phase_deg, -360.0, 360.0),
+        ("axis_runout_mm", motion.axis_runout_mm, 0.0, 1e3),
+        ("axis_runout_deg", motion.axis_runout_deg, -360.0, 360.0),
     ] {
         if !(least..=most).contains(&value) {
             return Err(Error::config(
@@ -354,8 +357,8 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
     Ok(Motion {
         tilt_rad: motion.tilt_deg.to_radians(),
         offset_mm: motion.offset_mm,
-        wobble_mm: motion.wobble_mm,
-        wobble_phase_rad: motion.wobble_phase_deg.to_radians(),
+        axis_runout_mm: motion.axis_runout_mm,
+        axis_runout_rad: motion.axis_runout_deg.to_radians(),
     })
 }
 

@@ -18,6 +18,7 @@ use crate::io::write_whole;
 use crate::models::parallel::Light;
 use crate::report::MovieReport;
 use crate::response::Response;
+use crate::units::exact;
 use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -74,7 +75,9 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
         return Err(Error::config(
             "printer.time_s",
             format!(
-                "a time, but the resin would be solid at {threshold:.3} and its response goes from {low} to {high}"
+                "a time, but the resin would be solid at {threshold:.3} and its response goes from {} to {}",
+                exact(low),
+                exact(high)
             ),
             "bands within the response's range, or evaluate.threshold there",
         ));

@@ -409,7 +409,7 @@ pub(crate) fn join(path: &str, key: &str) -> String {
 }
 
 /// Whether a key path is `outer` or leads into it.
-fn is_within(path: &str, outer: &str) -> bool {
+pub(super) fn is_within(path: &str, outer: &str) -> bool {
     let rest = path.strip_prefix(outer);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

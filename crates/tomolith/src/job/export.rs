@@ -2,6 +2,7 @@
 
 use super::build::Optics;
 use super::device::{self, Shown};
+use super::document::is_within;
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::resources::{available_memory_mb, require};
@@ -43,11 +44,38 @@ pub struct ExportedLight {
     pub budget: Budget,
 }
 
+/// What an export reads of a job: all else is in the patterns.
+const READ: [&str; 5] = [
+    "printer",
+    "output.rpm",
+    "evaluate.bit_depth",
+    "target.name",
+    "resin.critical_dose_mj_per_mm3",
+];
+
+/// Refuses an override that would change nothing.
+fn must_be_read(assignment: &str) -> Result<()> {
+    let key = assignment.split('=').next().unwrap_or_default().trim();
+    if key == assignment.trim() || READ.iter().any(|read| is_within(key, read)) {
+        return Ok(());
+    }
+    Err(Error::config(
+        format!("--set {assignment}"),
+        format!("an export does not read `{key}`: the patterns are those of the run"),
+        format!(
+            "keys of [printer], and {}; `tomolith run` and `tomolith simulate` read all keys",
+            READ[1..].join(", ")
+        ),
+    ))
+}
+
 /// The job of a run folder, with the `[printer]` of another file when one is given, and overrides.
 ///
 /// # Errors
-/// As [`Job::read`]; [`Error::Config`] when the folder is no run, or the file holds no `[printer]`.
+/// As [`Job::read`]; [`Error::Config`] when the folder is no run, the file holds no `[printer]`, or an override is of a key that
+/// an export does not read.
 pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> Result<Job> {
+    overrides.iter().try_for_each(|set| must_be_read(set))?;
     let file = run.join("job.toml");
     if !file.is_file() {
         return Err(Error::config(

@@ -74,7 +74,7 @@ impl Optics {
     ///
     /// # Errors
     /// [`Error::Config`] with both sizes.
-    pub(crate) fn must_hold(&self, shape: &dyn Shape) -> Result<()> {
+    pub(crate) fn must_hold(&self, spec: &JobSpec, shape: &dyn Shape) -> Result<()> {
         let [low, high] = shape.bounds_mm();
         // A shape touches every face of its box, so some of it is this far from the axis
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
@@ -94,21 +94,28 @@ impl Optics {
             let field = field_mm(light);
             // Seen by a projector that the axis leans towards or away from, it is at least this high
             let seen = |up: f64| up * self.tilt_rad().cos();
-            for (name, extent, field) in [
+            for (name, axis, extent, field) in [
                 // A field on one side of the axis lights all of a part that turns
-                ("sideways", out, field[1][0].max(-field[0][0])),
-                ("along the axis", seen(high[2]), field[1][1]),
-                ("along the axis", seen(-low[2]), -field[0][1]),
+                ("sideways", 0, out, field[1][0].max(-field[0][0])),
+                ("along the axis", 1, seen(high[2]), field[1][1]),
+                ("along the axis", 1, seen(-low[2]), -field[0][1]),
             ] {
                 if extent > field * (1.0 + 1e-9) {
+                    let whole = PatternGrid {
+                        offset_mm: [0.0; 2],
+                        ..light.pixels.clone()
+                    };
+                    // Pixels that would do are cut down by something else
+                    let is_cut = extent <= whole.field_mm()[1][axis] * (1.0 + 1e-9);
+                    let (key, accepted) = narrowed(spec, i, is_cut);
                     return Err(Error::config(
-                        format!("light[{i}].pixels"),
+                        key,
                         format!(
                             "the field reaches {} mm {name}, the target {} mm",
-                            concise(field),
+                            concise(field.max(0.0)),
                             concise(extent)
                         ),
-                        accepted(light),
+                        accepted,
                     ));
                 }
             }
@@ -143,6 +150,40 @@ impl Optics {
             }
         }
         warnings
+    }
+
+    /// Warns of a part that turns out of the field, because the vial stands beside the rotation axis or the axis runs out.
+    pub(crate) fn moved_away(&self, shape: &dyn Shape) -> Vec<String> {
+        let Some(motion) = self.paths.first().map(|path| path.motion) else {
+            return Vec::new();
+        };
+        let [low, high] = shape.bounds_mm();
+        // A shape touches every face of its box, so some of it goes round as far from the axis as that face
+        let out = |[x, y]: [f64; 2]| {
+            let faces = [(0, x), (1, y)].map(|(i, by)| (high[i] + by).max(-low[i] - by));
+            faces.into_iter().fold(0.0, f64::max)
+        };
+        let reach = out(motion.offset_mm) + motion.axis_runout_mm;
+        if reach <= out([0.0; 2]) {
+            return Vec::new();
+        }
+        let ends = |light: &Light| {
+            let field = field_mm(light);
+            field[1][0].max(-field[0][0])
+        };
+        let beyond = self.lights.iter().map(ends).enumerate();
+        let beyond = beyond.filter(|(_, end)| reach > end * (1.0 + 1e-9));
+        beyond
+            .map(|(i, end)| {
+                format!(
+                    "motion.offset_mm and motion.axis_runout_mm take the part up to {} mm from the rotation axis, but the \
+                     field of light[{i}] ends at {} mm: in some frames no light meets what lies beyond; use more columns in \
+                     light[{i}].pixels, or move the vial less",
+                    concise(reach),
+                    concise(end),
+                )
+            })
+            .collect()
     }
 
     /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
@@ -220,10 +261,10 @@ impl Optics {
         }
         if beyond > 0 {
             warnings.push(format!(
-                "the target reaches {} mm from the axis, but light[{light}] is tangent only up to {} mm: \
-                 {:.1} % of it cannot be lit from all sides",
-                concise(farthest),
+                "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
+                 part lies outside and is not lit from all sides; use more columns in `pixels`",
                 concise(reach),
+                concise(farthest),
                 100.0 * beyond as f64 / part as f64
             ));
         }
@@ -280,13 +321,38 @@ fn field_mm(light: &Light) -> [[f64; 2]; 2] {
     light.selection.field_mm(&light.pixels)
 }
 
-/// What would make the field of a light larger than a target.
-fn accepted(light: &Light) -> &'static str {
-    if light.selection.masks.is_empty() && light.pixels.offset_mm == [0.0; 2] {
-        "a field larger than the target: more pixels, a larger pitch, or a smaller target"
-    } else {
-        "a field larger than the target: more pixels, another offset_mm or selection of the light, or a smaller target"
+/// The key that makes the field of a light too small for a target, and what would make it larger. `is_cut`: all of its pixels
+/// would do.
+fn narrowed(spec: &JobSpec, i: usize, is_cut: bool) -> (String, &'static str) {
+    let light = &spec.light[i];
+    if !is_cut {
+        let accepted =
+            "a field larger than the target: more pixels, a larger pitch, or a smaller target";
+        return (format!("light[{i}].pixels"), accepted);
     }
+    let selection = &light.selection;
+    if selection.columns.is_some() || selection.rows.is_some() || selection.mask.is_some() {
+        let accepted = "pixels that may be lit up to the edge of the target";
+        return (format!("light[{i}].selection"), accepted);
+    }
+    if light.offset_mm.iter().any(|mm| mm.0 != 0.0) {
+        let accepted = "an image that still reaches the edge of the target: a smaller offset, or more light.pixels";
+        return (format!("light[{i}].offset_mm"), accepted);
+    }
+    let printer = spec.printer.as_ref();
+    let map = match printer.map(|printer| (&printer.dead_pixels, &printer.flat_field)) {
+        Some((Some(_), _)) => "dead_pixels",
+        Some((None, Some(_))) => "flat_field",
+        _ => {
+            return (
+                format!("light[{i}].selection"),
+                "pixels that may be lit up to the edge of the target",
+            );
+        }
+    };
+    let accepted =
+        "a device that can light the target up to its edge: another map, or printer.offset_px";
+    (format!("printer.{map}"), accepted)
 }
 
 #[cfg(test)]
@@ -370,7 +436,7 @@ mod tests {
         .parse()
         .unwrap();
         let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let held = |changes: &[&str]| optics(changes).must_hold(gear.as_ref());
+        let held = |changes: &[&str]| optics(changes).must_hold(&spec(changes), gear.as_ref());
         // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
         assert_eq!(
             key(held(&["light.pixels=[60, 64]"]).unwrap_err()),
@@ -379,11 +445,43 @@ mod tests {
         held(&["light.pixels=[60, 64]", "light.offset_mm=[1.01, 0]"]).unwrap();
         // 64 rows reach 1.6 mm up and down, the gear 1.5 mm
         held(&["light.offset_mm=[0, -0.09]"]).unwrap();
-        for change in ["light.offset_mm=[0, 0.11]", "light.selection.rows=[3, 61]"] {
-            assert_eq!(
-                key(held(&[change]).unwrap_err()),
-                "light[0].pixels",
-                "{change}"
+        for (change, blamed) in [
+            ("light.offset_mm=[0, 0.11]", "light[0].offset_mm"),
+            ("light.selection.rows=[3, 61]", "light[0].selection"),
+            ("light.pixels=[128, 50]", "light[0].pixels"),
+        ] {
+            assert_eq!(key(held(&[change]).unwrap_err()), blamed, "{change}");
+        }
+    }
+
+    #[test]
+    fn a_part_that_turns_out_of_the_field_is_told() {
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let warned = |change: &str| {
+            let optics = Optics::new(&spec(&[change]), Path::new("")).unwrap();
+            optics.moved_away(gear.as_ref())
+        };
+        // The field ends at 3.2 mm, the gear reaches 2.5 mm
+        for within in [
+            "motion.offset_mm=[0, 0]",
+            "motion.offset_mm=[0.6, 0]",
+            "motion.axis_runout_mm=0.6",
+        ] {
+            assert_eq!(warned(within), [""; 0], "{within}");
+        }
+        for beyond in ["motion.offset_mm=[0, -0.8]", "motion.axis_runout_mm=0.8"] {
+            let [text] = &warned(beyond)[..] else {
+                panic!("{beyond}: one warning");
+            };
+            assert!(
+                text.contains("up to 3.3 mm") && text.contains("ends at 3.2 mm"),
+                "{text}"
             );
         }
     }

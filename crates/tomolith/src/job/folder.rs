@@ -64,6 +64,13 @@ impl RunFolder {
         ))
     }
 
+    /// The job of the run that has ended here; None where none has.
+    #[must_use]
+    pub fn finished(path: &Path) -> Option<PathBuf> {
+        let is_finished = LAST.iter().all(|name| path.join(name).is_file());
+        is_finished.then(|| path.join(JOB))
+    }
+
     /// Whether an optimisation has left its outputs here: a simulation would mix with them.
     #[must_use]
     pub fn holds_a_run(path: &Path) -> bool {

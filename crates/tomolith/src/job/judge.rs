@@ -4,6 +4,7 @@
 //! numbers to the last bit.
 
 use super::agreement::{self, Agreement};
+use super::doubts;
 use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
@@ -232,6 +233,8 @@ pub(crate) fn judge(
         .into_iter()
         .chain(noise.and_then(|noise| noise.warning()))
         .chain(agreement.and_then(|agreement| agreement.warning()))
+        .chain(doubts::of_light(shown))
+        .chain(doubts::of_threshold(&scene.spec, &evaluation))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -289,17 +292,38 @@ impl Steps<'_> {
         if (own - turning).abs() <= WORTH_SAYING {
             return None;
         }
-        let by = |from: f64, to: f64| format!("{:+.4}", to - from).replace('-', "−");
+        let parts = [
+            (
+                format!("{bits} bits"),
+                written - own,
+                "raise `evaluate.bit_depth`",
+            ),
+            (
+                format!(
+                    "voxels of {} mm instead of {} mm",
+                    concise(self.turning.grid.pitch_mm),
+                    concise(self.optimised?.grid.pitch_mm)
+                ),
+                standing - written,
+                "lower `grid.pitch_mm`",
+            ),
+            (
+                "rotation during each frame".to_owned(),
+                turning - standing,
+                "use more `light.angles` or `light.sub_angles`",
+            ),
+        ];
+        let by = |change: f64| format!("{change:+.4}").replace('-', "−");
+        let parts = parts.iter().filter(|(_, change, _)| *change != 0.0);
+        let said = parts
+            .clone()
+            .map(|(name, change, _)| format!("{name} {}", by(*change)));
+        let said = said.collect::<Vec<_>>().join(", ");
+        let largest = parts.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let remedy = largest.map_or("", |(_, _, remedy)| remedy);
         Some(format!(
-            "{}: {own:.4} is what the patterns reach before they are written, on the job's own grid, {turning:.4} is what the written patterns print. \
-             {} comes from writing them with {bits} bits ({written:.4} on the same voxels), \
-             {} from looking at voxels of {} mm instead of {} mm ({standing:.4}), {} from the vial turning during each frame.",
+            "Predicted {} {turning:.4} (the optimiser saw {own:.4}): {said}. To improve, {remedy}.",
             self.kind.title,
-            by(own, written),
-            by(written, standing),
-            concise(self.turning.grid.pitch_mm),
-            concise(self.optimised?.grid.pitch_mm),
-            by(standing, turning),
         ))
     }
 }
@@ -509,11 +533,9 @@ mod tests {
         };
         let text = sentence(0.9605).unwrap();
         for part in [
-            "IoU: 0.9900 is",
-            "0.9605 is",
-            "−0.0020 comes",
-            "−0.0180 from looking at voxels of 0.1 mm instead of 0.2 mm (0.9700)",
-            "−0.0095 from the vial",
+            "Predicted IoU 0.9605 (the optimiser saw 0.9900): 8 bits −0.0020, ",
+            "voxels of 0.1 mm instead of 0.2 mm −0.0180, ",
+            "rotation during each frame −0.0095. To improve, lower `grid.pitch_mm`.",
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }

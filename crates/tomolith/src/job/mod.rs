@@ -14,9 +14,11 @@
 mod agreement;
 mod build;
 mod cells;
+mod clip;
 mod coarse;
 mod device;
 pub mod document;
+mod doubts;
 mod estimate;
 pub mod export;
 mod fit;
@@ -34,6 +36,7 @@ pub mod page;
 pub mod progress;
 mod rates;
 pub mod read;
+mod replace;
 pub mod resources;
 mod scene;
 pub mod schema;
@@ -56,6 +59,7 @@ pub use stages::{check, run, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use super::spec::with_example;
     use super::*;
     use crate::error::Error;
 
@@ -150,6 +154,34 @@ folder = "out/part"
     }
 
     #[test]
+    fn every_required_key_has_an_example_for_its_message() {
+        let full: toml::Table = FULL.parse().unwrap();
+        for table in ["target", "resin", "vial", "light"] {
+            let mut without = full.clone();
+            without.remove(table);
+            let message = read(&without.to_string()).unwrap_err().to_string();
+            let start = format!("{table}: the table is missing; accepted: a table [");
+            assert!(message.starts_with(&start), "{message}");
+        }
+        let schema = schema::schema();
+        for (name, table) in schema["$defs"].as_object().unwrap() {
+            let keys = table["required"].as_array().into_iter().flatten();
+            for key in keys.map(|key| key.as_str().unwrap()) {
+                let path = match name.as_str() {
+                    "LightSpec" => format!("light.{key}"),
+                    "BathSpec" => format!("bath.{key}"),
+                    "MapSpec" => format!("resin.map.{key}"),
+                    "ObstacleSpec" => format!("obstacles.{key}"),
+                    _ => continue, // kinds have examples of their own
+                };
+                let missing = with_example(Error::config(path.clone(), crate::kind::MISSING, ""));
+                let message = missing.to_string();
+                assert!(message.contains("for example"), "{path}: {message}");
+            }
+        }
+    }
+
+    #[test]
     fn slips_are_named_with_key_line_and_neighbour() {
         for (from, to, mark, expected) in [
             (
@@ -193,6 +225,18 @@ folder = "out/part"
                 "\"50 kg\"",
                 "50 kg",
                 ["pixel_pitch_mm", "unknown unit of length `kg`"],
+            ),
+            (
+                "\n[vial]",
+                "\n[vial.bottom]\n[vial]",
+                "[vial.bottom",
+                ["vial.bottom.z_mm: the key is missing", "z_mm = -10.0"],
+            ),
+            (
+                "= 1.0",
+                "= \"air\"",
+                "\"air\"",
+                ["vial.surrounding_index: found \"air\"", "a number"],
             ),
             (
                 "[128, 64]",

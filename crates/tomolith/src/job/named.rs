@@ -4,7 +4,7 @@ use super::cells;
 use super::scene::at_section;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
-use crate::field::HostField;
+use crate::field::{Field, HostField};
 use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
@@ -15,7 +15,8 @@ use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{STARTS, Start};
 use crate::optimize::{BuildOptimizer, Needs, OPTIMIZERS, Optimizer};
 use crate::response::{RESPONSES, Response, dose_for};
-use crate::target::{Target, label_voxels};
+use crate::target::{Target, label, label_voxels};
+use crate::units::exact;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
@@ -143,6 +144,7 @@ pub(super) fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path)
     let is = Are {
         linear: model.is_linear(),
         convex: objective.is_convex(),
+        tolerant: grey || tolerates_dose(&objective, &layout, &labels),
     };
     fit_together(spec, &optimizer(spec)?.needs(), is)?;
     start(spec)?;
@@ -151,6 +153,23 @@ pub(super) fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path)
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
     }
     Ok(())
+}
+
+/// A dose that no void of a print can do without.
+const LITTLE: f32 = 1e-3;
+
+/// Whether an objective leaves some void voxel alone that has a little dose.
+fn tolerates_dose(
+    objective: &dyn Objective<HostField>,
+    layout: &DoseLayout,
+    labels: &Volume<u8>,
+) -> bool {
+    let dose = HostField::from_slice(&vec![LITTLE; layout.len()]);
+    let mut slope = dose.zeros_like();
+    objective.value_and_gradient(&dose, &mut slope);
+    let labels = layout.field_of(labels);
+    let mut voxels = labels.iter().zip(slope.as_slice()).take(layout.voxels());
+    voxels.any(|(&label, &slope)| label == label::VOID && slope <= 0.0)
 }
 
 /// Whether the start asks for the doses with which the material responds as the target wants.
@@ -165,7 +184,12 @@ fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
     match spec.evaluate.threshold {
         Some(threshold) if threshold <= low || threshold >= high => Err(Error::config(
             "evaluate.threshold",
-            format!("found {threshold}, but the response goes from {low} to {high}"),
+            format!(
+                "found {}, but the response goes from {} to {}",
+                exact(threshold),
+                exact(low),
+                exact(high)
+            ),
             "a response between these two",
         )),
         _ => Ok(()),
@@ -177,6 +201,7 @@ fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
 struct Are {
     linear: bool,
     convex: bool,
+    tolerant: bool,
 }
 
 /// Refuses what an optimiser cannot have beside it, with the key of the other.
@@ -207,9 +232,13 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
     let not_convex = "an objective and a response that are not convex together";
     let convex = |needs: &Needs| needs.convex;
     let linear = |needs: &Needs| needs.linear;
-    let cases: [(Reason, bool, &str); 2] = [
+    let tolerant = |needs: &Needs| needs.tolerant;
+    let no_dose = "an objective that wants no dose at all in the void ([objective.osmo] and \
+                   [objective.threshold] allow some)";
+    let cases: [(Reason, bool, &str); 3] = [
         (convex, !is.convex, not_convex),
         (linear, !is.linear, "waves"),
+        (tolerant, !is.tolerant, no_dose),
     ];
     for (need, is_there, other) in cases {
         if let Some(reason) = need(needs).filter(|_| is_there) {

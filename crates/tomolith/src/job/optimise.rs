@@ -17,7 +17,7 @@ use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
-    self, Checkpoints, Counters, Limits, Observer, Outcome, Problem, Row, StepReport, Stop,
+    self, Checkpoints, Counters, Limits, Observer, Outcome, Problem, Room, Row, StepReport, Stop,
     StopReason,
 };
 use crate::units::concise;
@@ -43,8 +43,8 @@ pub(crate) struct Optimised {
     qualities: Vec<Quality>,
     /// How long measuring them took, s.
     pub(crate) metrics_s: f64,
-    /// That it did nothing, when it did nothing.
-    pub(crate) warning: Option<String>,
+    /// That it did nothing, or could not be kept.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Optimised {
@@ -125,8 +125,9 @@ pub(crate) fn optimise(
             }
             Ok(outcome) if is_last => {
                 let normalises = scene.optimizer()?.normalises();
-                let warning = idle(&outcome.history, normalises, scene.spec.bounds.bits);
-                if let Some(text) = warning.clone() {
+                let mut warnings = sofar.warnings;
+                if let Some(text) = idle(&outcome.history, normalises, scene.spec.bounds.bits) {
+                    warnings.push(text.clone());
                     progress.event(&Event::Warning { text });
                 }
                 return Ok(Optimised {
@@ -136,7 +137,7 @@ pub(crate) fn optimise(
                     model: stage.reason,
                     qualities: sofar.qualities,
                     metrics_s: sofar.metrics_s,
-                    warning,
+                    warnings,
                 });
             }
             Ok(outcome) => {
@@ -162,6 +163,7 @@ struct SoFar {
     counters: Counters,
     qualities: Vec<Quality>,
     metrics_s: f64,
+    warnings: Vec<String>,
 }
 
 /// One level, ready to be optimised.
@@ -315,6 +317,7 @@ impl<'a> Stage<'a> {
             is_grey: self.voxels.target.grey,
             qualities: std::mem::take(&mut sofar.qualities),
             metrics_s: sofar.metrics_s,
+            warnings: std::mem::take(&mut sofar.warnings),
             progress,
         };
         let ran = optimize::run_after(
@@ -327,6 +330,7 @@ impl<'a> Stage<'a> {
             &mut [&mut watch],
         );
         (sofar.qualities, sofar.metrics_s) = (watch.qualities, watch.metrics_s);
+        sofar.warnings = watch.warnings;
         ran
     }
 }
@@ -581,6 +585,7 @@ struct Watch<'a> {
     is_grey: bool,
     qualities: Vec<Quality>,
     metrics_s: f64,
+    warnings: Vec<String>,
     progress: &'a mut dyn Progress,
 }
 
@@ -656,6 +661,23 @@ impl Observer<HostField> for Watch<'_> {
             ControlFlow::Continue(())
         }
     }
+
+    fn on_room(&mut self, room: &Room) {
+        match room {
+            Room::None(error) => {
+                let text = format!(
+                    "no checkpoint can be written ({error}): the run goes on, but what a crash or Ctrl-C ends is lost from here on; \
+                     make room, and the next checkpoint is written again"
+                );
+                self.warnings.push(text.clone());
+                self.progress.event(&Event::Warning { text });
+            }
+            Room::Again => {
+                let text = "there is room again: a checkpoint is written".to_owned();
+                self.progress.event(&Event::Note { text });
+            }
+        }
+    }
 }
 
 /// The tables of a job that a checkpoint depends on, with every default written out.
@@ -672,7 +694,7 @@ fn tables(spec: &JobSpec) -> Result<Value> {
 }
 
 /// 2 and 2.0 are the same number, however a job writes it.
-fn as_floats(value: &mut Value) {
+pub(super) fn as_floats(value: &mut Value) {
     match value {
         Value::Number(number) => {
             if let Some(float) = number.as_f64() {

@@ -80,6 +80,12 @@ pub struct Summary {
     pub required_iou: Option<f64>,
     /// The share of voxels in their bands that was asked for.
     pub required_in_band: Option<f64>,
+    /// Voxels [x, y, z] of `evaluation` and `standing`.
+    pub evaluation_voxels: [usize; 3],
+    /// Their edge, mm.
+    pub evaluation_pitch_mm: f64,
+    /// How many times finer they are than the job's; 1 for the job's own.
+    pub refine: usize,
     /// Seconds in all.
     pub seconds: f64,
 }
@@ -120,6 +126,17 @@ impl fmt::Display for Summary {
         }
         row("written, standing still", &self.standing)?;
         row("written, turning", &self.evaluation)?;
+        let [x, y, z] = self.evaluation_voxels;
+        let finer = match self.refine {
+            1 => "the job's own: nothing finer was looked at (evaluate.refine = 1)".to_owned(),
+            refine => format!("{refine}× finer than the job's"),
+        };
+        writeln!(
+            f,
+            "{:>28} {x} × {y} × {z} voxels of {} mm, {finer}",
+            "evaluated on",
+            concise(self.evaluation_pitch_mm)
+        )?;
         for (key, asked) in [
             ("require_iou", self.required_iou),
             ("require_in_band", self.required_in_band),

@@ -21,6 +21,8 @@ pub struct Job {
     pub document: Document,
     /// The tables.
     pub spec: JobSpec,
+    /// Whether a finished run of another job may be replaced.
+    pub(super) overwrite: bool,
 }
 
 impl Job {
@@ -43,7 +45,11 @@ impl Job {
     pub fn from_document(document: Document) -> Result<Self> {
         let spec = JobSpec::from_document(&document)?;
         validate::ranges(&spec).map_err(|e| document.locate(e))?;
-        Ok(Job { document, spec })
+        Ok(Job {
+            document,
+            spec,
+            overwrite: false,
+        })
     }
 
     /// Its name: the file's, without ending.
@@ -63,6 +69,13 @@ impl Job {
         let option = format!("{option} {}", folder.display());
         self.document.overridden("output.folder", option);
         self.spec.output.folder = Some(folder.to_owned());
+        self
+    }
+
+    /// The same job, which may replace a finished run of another one.
+    #[must_use]
+    pub fn overwriting(mut self) -> Self {
+        self.overwrite = true;
         self
     }
 

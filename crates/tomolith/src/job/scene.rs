@@ -12,7 +12,7 @@ use super::named::{
 use super::read::Job;
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, coarse, light};
+use super::{cells, clip, coarse, light};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -31,6 +31,7 @@ use crate::response::{Response, dose_for};
 use crate::target::{
     self, Resolution, Role, Shape, Target, default_grid, label, label_columns, label_voxels,
 };
+use crate::units::concise;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -110,11 +111,14 @@ impl Scene {
         try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
-        optics.must_hold(shape.as_ref())?;
+        optics.must_hold(&spec, shape.as_ref())?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
-        let grid = grid_of(&spec, &optics, shape.as_ref())?;
+        let (grid, moved_mm) = grid_of(&spec, &optics, shape.as_ref())?;
+        notes.extend(moved(moved_mm));
+        notes.extend(on_its_own_grid(&spec));
+        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         let covered = optics
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
@@ -159,7 +163,10 @@ impl Scene {
             name: spec.target.name(),
             warnings: [
                 shape.warnings(),
+                cut_off.into_iter().collect(),
+                few_angles(&spec).into_iter().collect(),
                 optics.leaning(shape.as_ref()),
+                optics.moved_away(shape.as_ref()),
                 light,
                 covered,
             ]
@@ -234,7 +241,7 @@ impl Scene {
             let memory = self.extent.memory;
             set_quasi_newton_memory(&mut self.spec.optimizer, memory);
             self.notes.push(format!(
-                "memory is short: optimizer.lbfgs.memory is {memory}, not {asked}"
+                "too little memory: optimizer.lbfgs.memory is {memory}, not {asked}"
             ));
         }
         let asked = self.extent.refine;
@@ -245,7 +252,11 @@ impl Scene {
         if self.extent.refine < asked {
             let refine = self.extent.refine;
             self.notes.push(format!(
-                "memory is short: the evaluation's grid is {refine} times as fine, not {asked}"
+                "too little memory: evaluating on {}, not on a {asked}× finer one",
+                match refine {
+                    1 => "the job's own grid".to_owned(),
+                    refine => format!("a {refine}× finer grid"),
+                }
             ));
         }
         for (what, parts) in [
@@ -507,14 +518,17 @@ fn at_grid(spec: &JobSpec, error: Error) -> Error {
             advice,
         } => Error::config(
             grid_key(spec),
-            format!("{what}: {needed_mb} MB needed, {available_mb} MB available"),
+            match available_mb {
+                Some(mb) => format!("{what}: {needed_mb} MB needed, {mb} MB available"),
+                None => format!("{what}: {needed_mb} MB needed, which the system does not give"),
+            },
             advice,
         ),
         other => other,
     }
 }
 
-/// Says which key named what cannot be used with this target.
+/// Finds the key of the first setting that this target does not support.
 pub(super) fn at_section(path: &str, error: Error) -> Error {
     match error {
         Error::Unsupported { what, reason } => {
@@ -555,8 +569,8 @@ fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     optics.setup().working_mb(&choice, &optics.lights, &grid)
 }
 
-/// The grid of a job: given, or round the target and cut by the resin.
-fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeGrid> {
+/// The grid of a job: given, or round the target and cut by the resin; and how far it was moved up to lie on the rows, mm.
+fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<(VolumeGrid, f64)> {
     let bounds = shape.bounds_mm();
     let under = |e: Error| e.under("grid");
     let GridSpec {
@@ -579,8 +593,55 @@ fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<VolumeG
             Ok(cut(&grid, optics.vial.resin_wall().inscribed_radius()))
         }
     }?;
+    if !spec.grid.on_rows {
+        return Ok((grid, 0.0));
+    }
     let rows = &optics.lights[0].pixels;
-    Ok(on_rows(grid, rows, [bounds[0][2], bounds[1][2]]))
+    let before = grid.center_mm[2];
+    let grid = on_rows(grid, rows, [bounds[0][2], bounds[1][2]]);
+    let moved_mm = grid.center_mm[2] - before;
+    Ok((grid, moved_mm))
+}
+
+/// Says that the grid does not stand where the target is.
+fn moved(moved_mm: f64) -> Option<String> {
+    let way = if moved_mm > 0.0 { "up" } else { "down" };
+    (moved_mm != 0.0).then(|| {
+        format!(
+            "the grid is moved {way} by {} mm, so that its slices lie on rows of pixels (grid.on_rows = false leaves it)",
+            concise(moved_mm.abs())
+        )
+    })
+}
+
+/// Says that no finer voxels will be looked at.
+fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
+    (spec.evaluate.refine == 1).then(|| {
+        "evaluate.refine = 1: the print is judged on the job's own voxels, where an IoU of 1 is easier than on finer ones"
+            .to_owned()
+    })
+}
+
+/// Directions from which light comes, below which a part cannot take its shape.
+const FEW_ANGLES: usize = 12;
+
+/// Warns of light that comes from a handful of directions.
+fn few_angles(spec: &JobSpec) -> Option<String> {
+    let azimuths = spec.light.iter().flat_map(|light| {
+        let (azimuths, _) = light.angles.azimuths(light.rotation);
+        // Directions that differ by less than a thousandth of a degree are one
+        azimuths
+            .into_iter()
+            .map(|azimuth| (azimuth.to_degrees().rem_euclid(360.0) * 1e3).round() as u64 % 360_000)
+    });
+    let count = azimuths.collect::<std::collections::BTreeSet<_>>().len();
+    (count < FEW_ANGLES).then(|| {
+        let from = if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
+        format!(
+            "light.angles: light comes from {from} only, so doses add up along stripes and no part takes its shape; \
+             use some hundred angles"
+        )
+    })
 }
 
 /// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.

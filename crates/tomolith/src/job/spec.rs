@@ -9,7 +9,7 @@ use super::document::Document;
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
 pub use crate::exposure::Rotation;
-use crate::kind::Section;
+use crate::kind::{MISSING, Section};
 use crate::optics::gradient;
 use crate::optics::interface::Polarisation;
 use crate::optics::obstacle::Material;
@@ -96,7 +96,7 @@ pub struct JobSpec {
 /// Where the dose is computed: cubic voxels.
 ///
 /// Without a shape, the grid is the target's box with a margin of 10 % and at least 4 voxels on each side.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct GridSpec {
     /// Edge of a voxel; the (smaller) pixel pitch of the first light when neither pitch nor shape is given.
@@ -111,6 +111,23 @@ pub struct GridSpec {
     pub refine: Option<usize>,
     /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
     pub region: Region,
+    /// Goes on where `shape` voxels of `pitch_mm` do not hold the part, and prints what is left of it.
+    pub clip: bool,
+    /// Moves the grid along z, by half a voxel at most, so that its slices lie on rows of pixels of the first light.
+    pub on_rows: bool,
+}
+
+impl Default for GridSpec {
+    fn default() -> Self {
+        GridSpec {
+            pitch_mm: None,
+            refine: None,
+            shape: None,
+            region: Region::Box,
+            clip: false,
+            on_rows: true,
+        }
+    }
 }
 
 /// Which voxels of the grid count.
@@ -136,7 +153,7 @@ pub struct ResinSpec {
     /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
-    /// Refractive index that changes with the distance from the axis.
+    /// Refractive index that changes with the distance from the axis; from 1 to 4 everywhere in the resin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gradient: Option<gradient::Params>,
     /// Absorption that changes from place to place.
@@ -273,7 +290,7 @@ pub struct SelectionSpec {
     /// Pixels whose middle ray meets the vial nearer than this to an edge of its outer wall stay dark (square vials and meshes).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<Mm>,
-    /// Pixels that bring the part less light than this share of the best pixel's stay dark, 0 to below 1.
+    /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
     pub least_contribution: f64,
 }
 
@@ -330,9 +347,9 @@ pub struct MotionSpec {
     /// Axis of the vial [x, y], seen from the rotation axis, in the frame that turns with it.
     pub offset_mm: [f64; 2],
     /// Largest run-out of the rotation axis along the columns.
-    pub wobble_mm: f64,
+    pub axis_runout_mm: f64,
     /// Azimuth of the light at which it runs out farthest.
-    pub wobble_phase_deg: f64,
+    pub axis_runout_deg: f64,
 }
 
 impl MotionSpec {
@@ -556,19 +573,35 @@ impl Default for OutputSpec {
 
 impl<'de> Deserialize<'de> for VialSpec {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        use serde::de::Error as _;
-        let mut kind = Value::deserialize(deserializer)?;
-        let mut common = Map::new();
-        for key in ["surrounding_index", "bottom", "top"] {
-            if let Some(value) = kind.as_object_mut().and_then(|map| map.remove(key)) {
-                let alone = Value::from_iter([(key, value.clone())]);
-                serde_json::from_value::<VialCommon>(alone)
-                    .map_err(|e| D::Error::custom(format!("{key}: {e}")))?;
-                common.insert(key.to_owned(), value);
+        struct VialVisitor;
+        impl<'de> Visitor<'de> for VialVisitor {
+            type Value = VialSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a table [vial.KIND]; `tomolith kinds vial` lists the kinds")
+            }
+            fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<VialSpec, E> {
+                Ok(VialSpec {
+                    common: VialCommon::default(),
+                    kind: Value::String(name.to_owned()),
+                })
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<VialSpec, A::Error> {
+                let (mut common, mut kind) = (VialCommon::default(), Map::new());
+                while let Some(key) = map.next_key::<String>()? {
+                    match key.as_str() {
+                        "surrounding_index" => common.surrounding_index = map.next_value()?,
+                        "bottom" => common.bottom = map.next_value()?,
+                        "top" => common.top = map.next_value()?,
+                        _ => drop(kind.insert(key, map.next_value()?)),
+                    }
+                }
+                Ok(VialSpec {
+                    common,
+                    kind: Value::Object(kind),
+                })
             }
         }
-        let common = serde_json::from_value(Value::Object(common)).map_err(D::Error::custom)?;
-        Ok(VialSpec { common, kind })
+        deserializer.deserialize_any(VialVisitor)
     }
 }
 
@@ -744,6 +777,82 @@ pub(crate) fn default_objective(target: &TargetSpec) -> Value {
     Value::String(name.to_owned())
 }
 
+/// What no job may leave out, without the parameters of kinds: the key, and how it may look.
+const REQUIRED: [(&str, &str); 13] = [
+    (
+        "target",
+        "a table [target], for example with phantom = \"gear\" and size_mm = 5.0",
+    ),
+    (
+        "resin",
+        "a table [resin], for example with refractive_index = 1.5 and absorption_per_mm = 0.05",
+    ),
+    (
+        "vial",
+        "a table [vial.KIND], for example [vial.index_matched] with radius_mm = 8.0; `tomolith kinds vial` lists the kinds",
+    ),
+    (
+        "light",
+        "a table [[light]], for example with pixels = [128, 128], angles = 360 and \
+         projector.collimated = { pixel_pitch_mm = 0.05 }",
+    ),
+    (
+        "light.pixels",
+        "columns and rows, for example pixels = [128, 128]",
+    ),
+    ("light.angles", "how many frames, for example angles = 360"),
+    (
+        "light.projector",
+        "the optics, for example projector.collimated = { pixel_pitch_mm = 0.05 }; `tomolith kinds projector` lists them",
+    ),
+    (
+        "bath.absorption_per_mm",
+        "a number in 1/mm, for example absorption_per_mm = 0.01",
+    ),
+    (
+        "bath.radius_mm",
+        "where the bath ends, for example radius_mm = 20.0",
+    ),
+    (
+        "resin.map.absorption",
+        "a file, for example absorption = \"absorption.npy\"",
+    ),
+    (
+        "resin.map.pitch_mm",
+        "the edge of a cell, for example pitch_mm = 0.1",
+    ),
+    ("obstacles.mesh", "a file, for example mesh = \"rod.stl\""),
+    (
+        "vial.bottom.z_mm",
+        "the height at which the resin ends, for example z_mm = -10.0",
+    ),
+];
+
+/// Says of a missing key what it is and how it may look.
+pub(super) fn with_example(mut error: Error) -> Error {
+    if let Error::Config {
+        key,
+        found,
+        accepted,
+        ..
+    } = &mut error
+        && found == MISSING
+    {
+        let mut name = key.clone();
+        while let (Some(from), Some(to)) = (name.find('['), name.find(']')) {
+            name.replace_range(from..=to, "");
+        }
+        let name = name.replace("vial.top", "vial.bottom");
+        if let Some((_, example)) = REQUIRED.iter().find(|(key, _)| *key == name) {
+            if !name.contains('.') {
+                *found = "the table is missing".to_owned();
+            }
+            *accepted = (*example).to_owned();
+        }
+    }
+    error
+}
+
 impl JobSpec {
     /// Reads the tables of a document; ranges are not checked yet.
     ///
@@ -759,7 +868,7 @@ impl JobSpec {
             }
             Ok(spec)
         };
-        read().map_err(|e| document.locate(e))
+        read().map_err(|e| document.locate(with_example(e)))
     }
 
     /// The objectives, one section each, with their key paths.

@@ -9,6 +9,7 @@ use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
 use super::rates;
 use super::read::Job;
+use super::replace::must_be_same;
 use super::scene::{Scene, Voxels};
 use super::trial::try_orders;
 use super::write::{self, Done};
@@ -16,6 +17,7 @@ use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
 use crate::optimize::Counters;
+use crate::optimize::checkpoint::CHECKPOINT;
 use crate::report::Timing;
 use crate::units::concise;
 use std::path::Path;
@@ -27,12 +29,14 @@ const OPTIMISING: &str = "optimising";
 /// Runs a job from end to end; outputs appear in its run folder.
 ///
 /// # Errors
-/// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used;
+/// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used, or a folder
+/// that holds a finished run of another job;
 /// [`Error::NonFinite`] and [`Error::Cancelled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
     let mut clock = Clock::new(progress);
     clock.stage("reading the job");
     let mut scene = Scene::new(job)?;
+    must_be_same(job, resume)?;
     let folder = open(job, &scene, clock.progress)?;
     clock.stage("sampling the target");
     let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
@@ -41,7 +45,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
     clock.stage(OPTIMISING);
     let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
         .map_err(|e| job.locate(e))?;
-    warnings.extend(optimised.warning.clone());
+    warnings.extend(optimised.warnings.clone());
     clock.stage("evaluating the written patterns");
     let patterns = Written::of_raw(optimised.raw.clone(), &scene)?;
     let judged = judge(
@@ -142,10 +146,32 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
     clock.stage("writing");
     let timings = clock.timings(done.optimised.as_ref());
-    write::all(&done, &folder, timings, clock.progress)?;
+    write::all(&done, &folder, timings, clock.progress)
+        .map_err(|e| missing(e, &done.scene, &folder))?;
     let summary = summary(&done, folder.path(), clock.begin);
     folder.publish()?;
     Ok(summary)
+}
+
+/// Says of a disk that is full what is missing now, and what is left to go on from.
+fn missing(error: Error, scene: &Scene, folder: &RunFolder) -> Error {
+    let is_full = error.is_full_disk();
+    match error {
+        Error::Io { path, source } if is_full => {
+            let rest = if folder.checkpoint().join(CHECKPOINT).exists() {
+                "`--resume` then goes on from the checkpoint"
+            } else {
+                "there was no room for a checkpoint either, so the run must begin anew"
+            };
+            let text = format!(
+                "{source}; patterns, frames, dose, print and report of this run are missing, and what the folder held before is as \
+                 it was: make room for {} MB, {rest}",
+                scene.extent.disk_mb()
+            );
+            Error::io(path, std::io::Error::new(source.kind(), text))
+        }
+        other => other,
+    }
 }
 
 /// Tells the stages, and keeps how long they took.
@@ -333,6 +359,9 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
         optimisation: done.judged.optimisation.as_ref().map(quality),
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
+        evaluation_voxels: [2, 1, 0].map(|axis| done.judged.evaluation.grid.shape[axis]),
+        evaluation_pitch_mm: done.judged.evaluation.grid.pitch_mm,
+        refine: done.scene.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
 }

@@ -1,11 +1,11 @@
 //! Ranges of every key, before any work.
 
 use super::spec::{
-    Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, ResinSpec, SelectionSpec,
+    Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, OutputSpec, ResinSpec, SelectionSpec,
 };
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
-use crate::exposure::shown_rate;
+use crate::exposure::{PrinterSpec, shown_rate};
 use crate::units::exact;
 use std::collections::BTreeSet;
 
@@ -67,9 +67,10 @@ fn printer(spec: &JobSpec) -> Result<()> {
             printer.refresh_hz
         }
     };
-    for light in &spec.light {
+    for (i, light) in spec.light.iter().enumerate() {
         if let Angles::Even { count, arc_deg, .. } = light.angles {
-            shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)?;
+            shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)
+                .map_err(|e| at_speed(spec, i, e))?;
         }
     }
     if spec
@@ -85,6 +86,20 @@ fn printer(spec: &JobSpec) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// Blames a movie that cannot be shown on the key that the job sets: the speed, the device, else the frames of the light.
+fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
+    let device = spec.printer.as_ref().map(|printer| printer.refresh_hz);
+    if let Error::Config { key, .. } = &mut error
+        && spec.output.rpm == OutputSpec::default().rpm
+    {
+        *key = match device {
+            Some(hz) if hz != PrinterSpec::default().refresh_hz => "printer.refresh_hz".to_owned(),
+            _ => format!("light[{i}].angles"),
+        };
+    }
+    error
 }
 
 fn grid(spec: &JobSpec) -> Result<()> {
@@ -528,7 +543,8 @@ mod tests {
             ("output.rpm=0.03", "output.rpm"),
             ("printer.quarter_turns=4", "printer.quarter_turns"),
             ("printer.canvas=[0, 9]", "printer.canvas[0]"),
-            ("printer.refresh_hz=20", "output.rpm"),
+            ("printer.refresh_hz=20", "printer.refresh_hz"),
+            ("light.angles=7200", "light[0].angles"),
             ("printer.time_s=60", "printer.time_s"),
             (
                 "printer={ time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 }",

@@ -55,7 +55,7 @@ impl Choice {
         !matches!(self, Choice::Wave(_))
     }
 
-    /// Whether its kernel takes neighbouring frames together, so that a few of them say nothing of what many take.
+    /// Whether its kernel takes neighbouring frames together, so that timing a few frames does not predict the time of many.
     #[must_use]
     pub fn joins_frames(&self) -> bool {
         !matches!(self, Choice::Wave(_) | Choice::Spread(_))

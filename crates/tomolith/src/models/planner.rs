@@ -33,7 +33,7 @@ pub struct Plan {
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
     pub dark: Vec<bool>,
-    /// Where light that spreads is asked often: straight light through the same pixels, which starts and shadows are found with.
+    /// Linear surrogate used for initial patterns and pixel selection; None when the model itself is to be used.
     pub straight: Option<Box<dyn DoseModel<Field = HostField>>>,
 }
 

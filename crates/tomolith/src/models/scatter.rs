@@ -71,6 +71,7 @@ use crate::grid::VolumeGrid;
 use crate::kind::Kind;
 use crate::optics::space::Limits;
 use crate::optics::vial::Vial;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -153,7 +154,7 @@ pub const KIND: Kind<ChooseModel> = Kind {
             return refuse("paths_per_pixel", found, "1 to 4096");
         }
         if !(1e-6..=0.5).contains(&params.least_power) {
-            let found = format!("found {}", params.least_power);
+            let found = format!("found {}", exact(params.least_power));
             return refuse("least_power", found, "1e-6 to 0.5");
         }
         if params.renew > 10_000 {

@@ -129,14 +129,18 @@ impl Band {
         {
             return Err(Error::config(
                 "band",
-                format!("lower {} and upper {}", self.lower, self.upper),
+                format!(
+                    "lower {} and upper {}",
+                    exact(self.lower),
+                    exact(self.upper)
+                ),
                 "lower ≤ upper, neither a NaN",
             ));
         }
         if !(self.weight >= 0.0 && self.weight.is_finite()) {
             return Err(Error::config(
                 "weight",
-                format!("found {}", self.weight),
+                format!("found {}", exact(self.weight)),
                 "a finite number, 0 or above",
             ));
         }
@@ -799,8 +803,8 @@ impl Objective<HostField> for BandObjective {
         else {
             return Ok(());
         };
-        let [low, high] = self.response.range();
-        let (lower, upper) = (band.lower, band.upper);
+        let [low, high] = self.response.range().map(exact);
+        let [lower, upper] = [band.lower, band.upper].map(exact);
         Err(Error::config(
             "",
             format!("the band from {lower} to {upper} asks for what the response cannot reach"),

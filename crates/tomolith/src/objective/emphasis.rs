@@ -35,7 +35,7 @@ use crate::kind::Section;
 use crate::models::DoseLayout;
 use crate::objective::preset::not_negative;
 use crate::target::{Target, label};
-use crate::units::Mm;
+use crate::units::{Mm, exact};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -205,7 +205,7 @@ impl Common {
                 if let Some([low, high]) = range.filter(|[low, high]| low.0 >= high.0) {
                     return Err(Error::config(
                         key,
-                        format!("from {} to {}", low.0, high.0),
+                        format!("from {} to {}", exact(low.0), exact(high.0)),
                         "[from, to] with from < to",
                     ));
                 }

@@ -7,6 +7,7 @@ use crate::field::HostField;
 use crate::grid::Volume;
 use crate::models::DoseLayout;
 use crate::target::label;
+use crate::units::exact;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -298,7 +299,11 @@ pub(crate) fn below(low_key: &str, low: f64, high_key: &str, high: f64) -> Resul
     }
     Err(Error::config(
         low_key,
-        format!("{low_key} {low} is not below {high_key} {high}"),
+        format!(
+            "{low_key} {} is not below {high_key} {}",
+            exact(low),
+            exact(high)
+        ),
         format!("{low_key} < {high_key}"),
     ))
 }

@@ -20,6 +20,7 @@ use super::preset::{PartAndVoid, Surface, below, finite, not_negative, positive}
 use super::{BuildObjective, ObjectiveInput};
 use crate::error::Result;
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +71,11 @@ impl Params {
         if self.ceiling < self.upper {
             return Err(crate::Error::config(
                 "ceiling",
-                format!("ceiling {} is below upper {}", self.ceiling, self.upper),
+                format!(
+                    "ceiling {} is below upper {}",
+                    exact(self.ceiling),
+                    exact(self.upper)
+                ),
                 "ceiling ≥ upper",
             ));
         }

@@ -14,8 +14,8 @@
 //! # Parameters
 //! | key | unit | range | default | meaning |
 //! |---|---|---|---|---|
-//! | `quadratic_per_mm2` | 1/mm² | n² > 0 in the resin | 0 | q |
-//! | `quartic_per_mm4` | 1/mm⁴ | n² > 0 in the resin | 0 | p |
+//! | `quadratic_per_mm2` | 1/mm² | n from 1 to 4 in the resin | 0 | q |
+//! | `quartic_per_mm4` | 1/mm⁴ | n from 1 to 4 in the resin | 0 | p |
 //! | `step_mm` | mm | 1e-3 to 10 | a curve is at most 1e-3 mm beside its chord; a quarter of the resin's radius | length of a chord |
 //!
 //! # Limits

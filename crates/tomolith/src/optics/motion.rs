@@ -5,7 +5,7 @@
 //! - `tilt`: the axis leans away from the perpendicular of the light. Light of tilt τ > 0 comes from above and
 //!   travels along −(cos τ cos α, cos τ sin α, sin τ). The pixels' columns keep their direction; their rows lean along.
 //! - `offset`: where the axis of the vial stands, seen from the rotation axis, in the frame that turns.
-//! - `wobble`: a rotation axis that runs out: at azimuth α it stands `amplitude`·cos(α − `phase`) aside along the columns.
+//! - `axis_runout`: a rotation axis that runs out: at azimuth α it stands `amplitude`·cos(α − `phase`) aside along the columns.
 //!
 //! # Equation
 //! A point p of the projector's frame becomes R_z(α)·(R_y(τ)·p − (0, amplitude·cos(α − phase), 0)) − offset.
@@ -34,16 +34,16 @@ pub struct Motion {
     /// Axis of the vial, seen from the rotation axis, mm.
     pub offset_mm: [f64; 2],
     /// Largest run-out of the rotation axis, mm.
-    pub wobble_mm: f64,
+    pub axis_runout_mm: f64,
     /// Azimuth at which it runs out farthest along the columns, rad.
-    pub wobble_phase_rad: f64,
+    pub axis_runout_rad: f64,
 }
 
 impl Motion {
     /// Whether a round vial looks the same from every azimuth.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
-        self.offset_mm == [0.0; 2] && self.wobble_mm == 0.0
+        self.offset_mm == [0.0; 2] && self.axis_runout_mm == 0.0
     }
 
     /// A ray of the projector, as the vial sees it in a frame from this azimuth (rad).
@@ -54,7 +54,7 @@ impl Motion {
             [cos * x - sin * z, y, sin * x + cos * z]
         };
         let turned = |v| turned(v, azimuth);
-        let aside = self.wobble_mm * (azimuth - self.wobble_phase_rad).cos();
+        let aside = self.axis_runout_mm * (azimuth - self.axis_runout_rad).cos();
         let [x, y, z] = leaning(ray.from);
         let [x, y, z] = turned([x, y - aside, z]);
         Ray {
@@ -112,10 +112,10 @@ mod tests {
     }
 
     #[test]
-    fn a_wobble_shifts_along_the_columns_most_at_its_phase() {
+    fn a_runout_shifts_along_the_columns_most_at_its_phase() {
         let motion = Motion {
-            wobble_mm: 0.1,
-            wobble_phase_rad: 0.7,
+            axis_runout_mm: 0.1,
+            axis_runout_rad: 0.7,
             ..Motion::default()
         };
         let lateral = |azimuth: f64| turned(motion.seen_from_vial(RAY, azimuth).from, -azimuth)[1];

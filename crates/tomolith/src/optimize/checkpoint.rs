@@ -15,6 +15,7 @@ use super::run::Row;
 use super::{Counters, Memory, Recall, SavedArray};
 use crate::error::{Error, Result};
 use crate::field::Field;
+use crate::units::exact;
 use safetensors::tensor::{Dtype, Metadata, View};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -101,6 +102,8 @@ pub struct Checkpoints {
     last: Instant,
     /// Of the last one written.
     cost: Option<Duration>,
+    /// Whether the last one did not fit on the disk.
+    is_without_room: bool,
 }
 
 /// Bytes per second that the first checkpoint is taken to reach.
@@ -121,8 +124,20 @@ struct Header {
     numbers: Value,
 }
 
+/// Name of the file.
+pub(crate) const CHECKPOINT: &str = "state.safetensors";
+
 /// The format of this file.
 const FORMAT: u32 = 2;
+
+/// What has become of the room for checkpoints.
+#[derive(Debug)]
+pub enum Room {
+    /// The disk is full: the run goes on without them.
+    None(Error),
+    /// There is room again, and a checkpoint is written.
+    Again,
+}
 
 /// What a run gives to a checkpoint.
 pub(super) struct Saved<'a, F> {
@@ -148,7 +163,7 @@ impl Checkpoints {
         {
             return Err(Error::config(
                 "checkpoint.every_s",
-                format!("found {every}"),
+                format!("found {}", exact(every)),
                 "a finite number above 0",
             ));
         }
@@ -160,6 +175,7 @@ impl Checkpoints {
             contents: params.contents,
             last: Instant::now(),
             cost: None,
+            is_without_room: false,
         })
     }
 
@@ -173,7 +189,7 @@ impl Checkpoints {
     /// The file.
     #[must_use]
     pub fn file(&self) -> PathBuf {
-        self.folder.join("state.safetensors")
+        self.folder.join(CHECKPOINT)
     }
 
     /// Whether it is time for the next one, which would hold what is `saved`.
@@ -201,6 +217,39 @@ impl Checkpoints {
             }
             Contents::Patterns => patterns,
         }
+    }
+
+    /// Writes a checkpoint where there is room for it; on a full disk the next one comes when it would have come anyway. Tells when
+    /// that begins and when it is over.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write), but for a full disk.
+    pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
+        let written = self.write(saved);
+        self.settle(written)
+    }
+
+    /// What a checkpoint that was or was not written means for the next ones.
+    fn settle(&mut self, written: Result<()>) -> Result<Option<Room>> {
+        let error = match written {
+            Ok(()) => {
+                let again = std::mem::take(&mut self.is_without_room);
+                return Ok(again.then_some(Room::Again));
+            }
+            Err(error) if error.is_full_disk() => error,
+            Err(error) => return Err(error),
+        };
+        // What was half written would keep the disk full
+        let _ = std::fs::remove_file(self.aside());
+        self.clear_leftovers();
+        self.last = Instant::now();
+        let before = std::mem::replace(&mut self.is_without_room, true);
+        Ok((!before).then_some(Room::None(error)))
+    }
+
+    /// Where a checkpoint is written before it takes its place.
+    fn aside(&self) -> PathBuf {
+        self.folder.join("state.safetensors.part")
     }
 
     /// Writes a checkpoint.
@@ -251,7 +300,7 @@ impl Checkpoints {
     /// Writes aside, then renames.
     fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
         let file = self.file();
-        let aside = self.folder.join("state.safetensors.part");
+        let aside = self.aside();
         self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
         let arrays = arrays.into_iter().map(|(name, array)| {
@@ -323,7 +372,7 @@ impl Checkpoints {
 }
 
 /// Key paths at which two jobs differ, with both values.
-fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
+pub(crate) fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
     if was == is {
         return;
     }
@@ -348,7 +397,7 @@ fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
             let word = |value: &Value| match value {
                 Value::Null => "not there".to_owned(),
                 Value::Object(_) => "there".to_owned(),
-                Value::Number(number) => number.as_f64().unwrap_or_default().to_string(),
+                Value::Number(number) => exact(number.as_f64().unwrap_or_default()),
                 other => other.to_string(),
             };
             found.push(format!("{path} was {}, is {}", word(was), word(is)));
@@ -519,6 +568,31 @@ mod tests {
         assert_eq!(auto.wait(600_000_000), Duration::from_secs(150));
         let asked = with(Some(2.5));
         assert_eq!(asked.wait(600_000_000), Duration::from_millis(2500));
+    }
+
+    #[test]
+    fn a_full_disk_is_told_once_and_once_when_it_is_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
+        let failed = |kind: std::io::ErrorKind| Err(Error::io("state", kind.into()));
+        let full = || failed(std::io::ErrorKind::StorageFull);
+        // Half of a checkpoint would keep the disk full
+        std::fs::write(checkpoints.aside(), "half").unwrap();
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        assert!(matches!(
+            checkpoints.settle(full()),
+            Ok(Some(Room::None(_)))
+        ));
+        assert!(!checkpoints.aside().exists());
+        assert!(matches!(checkpoints.settle(full()), Ok(None)));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(Some(Room::Again))));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        // Anything else ends the run
+        assert!(
+            checkpoints
+                .settle(failed(std::io::ErrorKind::PermissionDenied))
+                .is_err()
+        );
     }
 
     #[test]

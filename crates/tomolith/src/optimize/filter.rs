@@ -330,7 +330,9 @@ mod tests {
             let at = x.zeros_like();
             model.pullback(&at, &field, &mut x, &Run::new()).unwrap();
             let projection = Projection::new(x, lights, &field).unwrap();
-            let projection = projection.filtered(lights, Filter::RamLak, 0.1).unwrap();
+            let projection = projection
+                .filtered(lights, Filter::RamLak, 0.1f64.powi(3))
+                .unwrap();
             let inverse = projection.inverse();
             let mut x = projection.patterns;
             x.scale(inverse as f32);

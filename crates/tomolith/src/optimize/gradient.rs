@@ -108,7 +108,7 @@ impl<F: Field> Gradient<F> {
         if params.momentum > 0.0 && params.step.is_none() {
             return Err(Error::config(
                 "momentum",
-                format!("found {} without `step`", params.momentum),
+                format!("found {} without `step`", exact(params.momentum)),
                 "momentum with a fixed step; the automatic length has its own memory",
             ));
         }

@@ -27,7 +27,7 @@ mod turns;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::kind::{Kind, Section};
-pub use checkpoint::{Checkpoints, Contents};
+pub use checkpoint::{Checkpoints, Contents, Room};
 pub use keep::{Keep, Kept, KeptBy};
 pub use needs::Needs;
 pub use problem::{Counters, Limits, Position, Problem};

@@ -19,6 +19,8 @@ pub struct Needs {
     pub unpenalised: Option<&'static str>,
     /// Why the method must know the target itself.
     pub target: Option<&'static str>,
+    /// Why the void of a target of part and void must be allowed some dose; a job tries that before any work.
+    pub tolerant: Option<&'static str>,
 }
 
 impl Needs {

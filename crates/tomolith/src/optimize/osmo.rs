@@ -212,6 +212,9 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
             linear: Some("a correction of the object is projected to the patterns by the adjoint"),
             unpenalised: Some("it corrects the object, where patterns have no price"),
             target: Some("it begins with the target's own projection"),
+            tolerant: Some(
+                "its void half takes away all dose above the void's band, and in the end all light",
+            ),
             ..Needs::of("osmo")
         }
     }

@@ -1,6 +1,6 @@
 //! The loop around an optimiser: stopping, history, observers, the best patterns, checkpoints.
 
-use super::checkpoint::{Checkpoints, Contents, Saved};
+use super::checkpoint::{Checkpoints, Contents, Room, Saved};
 use super::keep::{Keep, Keeper, Kept, KeptBy};
 use super::{Counters, Optimizer, Position, Problem};
 use crate::error::{Error, Result};
@@ -145,6 +145,8 @@ pub struct StepReport<'a, F> {
 pub trait Observer<F> {
     /// Called at the start and after every step; `Break` ends the run.
     fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()>;
+    /// Called when checkpoints no longer fit on the disk, and when they do again.
+    fn on_room(&mut self, _room: &Room) {}
 }
 
 impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
@@ -237,7 +239,7 @@ pub fn run_after<F: Field>(
     let result = loop {
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
             if let Some(checkpoints) = checkpoints.as_deref_mut() {
-                checkpoints.write(state.saved(problem, optimizer, x))?;
+                keep(checkpoints, state.saved(problem, optimizer, x), observers)?;
             }
             break Ok(reason);
         }
@@ -250,7 +252,7 @@ pub fn run_after<F: Field>(
         if let Some(checkpoints) = checkpoints.as_deref_mut() {
             let saved = state.saved(problem, optimizer, x);
             if checkpoints.is_due(&saved) {
-                checkpoints.write(saved)?;
+                keep(checkpoints, saved, observers)?;
             }
         }
     };
@@ -264,6 +266,20 @@ pub fn run_after<F: Field>(
         history: state.history,
         counters: problem.counters,
     })
+}
+
+/// Writes a checkpoint, and tells where there is no room for it.
+fn keep<F: Field>(
+    checkpoints: &mut Checkpoints,
+    saved: Saved<'_, F>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<()> {
+    if let Some(room) = checkpoints.try_write(saved)? {
+        observers
+            .iter_mut()
+            .for_each(|observer| observer.on_room(&room));
+    }
+    Ok(())
 }
 
 /// A run between two steps.

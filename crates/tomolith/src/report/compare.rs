@@ -142,7 +142,7 @@ fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, String>) {
     }
 }
 
-/// Columns of a table with a header; what is no number is not a number.
+/// Columns of a table with a header; a cell that cannot be read as a number becomes NaN.
 fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
     let mut lines = text.lines();
     let names: Vec<&str> = lines
@@ -195,7 +195,7 @@ pub fn read_runs(folders: &[impl AsRef<Path>]) -> Result<Vec<ComparedRun>> {
 pub fn compare_json(runs: &[ComparedRun]) -> Value {
     let rows: Vec<Value> = rows()
         .iter()
-        .map(|row| json!({ "name": row.name, "unit": row.unit, "values": runs.iter().map(|run| (row.value)(run)).collect::<Vec<_>>() }))
+        .map(|row| json!({ "key": row.key, "name": row.name, "unit": row.unit, "values": runs.iter().map(|run| (row.value)(run)).collect::<Vec<_>>() }))
         .collect();
     let differing: Vec<Value> = differing(runs)
         .into_iter()
@@ -232,7 +232,7 @@ pub fn compare_html(runs: &[ComparedRun]) -> String {
     let plots = [
         (
             "Loss against model calls",
-            "Dose and pull-back calls: the honest measure of work.",
+            "Dose and pull-back calls. Compare methods by model calls, not by iterations.",
             history(runs, "loss", ComparedRun::calls, "model calls"),
         ),
         (
@@ -315,13 +315,37 @@ fn pictures(runs: &[ComparedRun]) -> String {
         .iter()
         .filter_map(|run| Some((run.name.as_str(), run.dose.as_ref()?)))
         .collect();
-    if doses.len() < 2 {
+    let [(first, dose), others @ ..] = &doses[..] else {
+        return String::new();
+    };
+    if others.is_empty() {
         return String::new();
     }
+    let (alike, unlike): (Vec<_>, Vec<_>) =
+        (others.iter()).partition(|(_, other)| other.grid == dose.grid);
+    let names = |runs: &[&(&str, &Volume<f32>)]| {
+        let names: Vec<String> = runs.iter().map(|(name, _)| escape(name)).collect();
+        names.join(", ")
+    };
+    let mut notes = String::new();
+    if !alike.is_empty() {
+        let _ = write!(
+            notes,
+            " Below, what {} have more (red) or less (blue) than {}: grey up to 5 % of the largest dose, full colour from 20 %.",
+            names(&alike),
+            escape(first)
+        );
+    }
+    if !unlike.is_empty() {
+        let _ = write!(
+            notes,
+            " No difference is drawn for {}, whose voxels are others than those of {}.",
+            names(&unlike),
+            escape(first)
+        );
+    }
     format!(
-        "<section><h2>Doses</h2><p class=\"muted\">Written patterns, vial turning, on the job's voxels and one scale. Below, what the others have more \
-         (red) or less (blue) than {}: grey up to 5 % of the largest dose, full colour from 20 %.</p>{}</section>",
-        escape(doses[0].0),
+        "<section><h2>Doses</h2><p class=\"muted\">Written patterns, vial turning, on each job's voxels and one scale.{notes}</p>{}</section>",
         figures::doses(&doses)
     )
 }
@@ -404,6 +428,8 @@ type ValueOf = Box<dyn Fn(&ComparedRun) -> Option<f64>>;
 
 /// A row of numbers.
 struct Row {
+    /// What programs call it, the same in every version.
+    key: &'static str,
     name: String,
     unit: &'static str,
     better: Better,
@@ -412,7 +438,8 @@ struct Row {
 
 /// Every number that the page lists.
 fn rows() -> Vec<Row> {
-    let pointer = |name: &str, unit, better, pointer: &'static str| Row {
+    let pointer = |key, name: &str, unit, better, pointer: &'static str| Row {
+        key,
         name: name.to_owned(),
         unit,
         better,
@@ -423,6 +450,7 @@ fn rows() -> Vec<Row> {
         .map(|kind| {
             let place = format!("/evaluation/{}", kind.name);
             Row {
+                key: kind.name,
                 name: kind.title.to_owned(),
                 unit: kind.unit,
                 better: kind.better,
@@ -441,9 +469,22 @@ fn rows() -> Vec<Row> {
         }
     };
     rows.extend([
-        pointer("Loss, at the end", "", Better::Neutral, "/history/loss"),
-        pointer("Iterations", "", Better::Neutral, "/history/iterations"),
+        pointer(
+            "loss",
+            "Loss, at the end",
+            "",
+            Better::Neutral,
+            "/history/loss",
+        ),
+        pointer(
+            "iterations",
+            "Iterations",
+            "",
+            Better::Neutral,
+            "/history/iterations",
+        ),
         Row {
+            key: "model_calls",
             name: "Model calls".to_owned(),
             unit: "",
             better: Better::Lower,
@@ -452,24 +493,28 @@ fn rows() -> Vec<Row> {
             }),
         },
         Row {
+            key: "optimisation_s",
             name: "Time of the optimisation".to_owned(),
             unit: "s",
             better: Better::Lower,
             value: Box::new(last("seconds")),
         },
         pointer(
+            "time_to_print_s",
             "Time to print",
             "s",
             Better::Lower,
             "/lights/0/budget/time_s",
         ),
         pointer(
+            "energy_per_turn_mj",
             "Energy per turn",
             "mJ",
             Better::Neutral,
             "/lights/0/budget/energy_per_turn_mj",
         ),
         pointer(
+            "light_used",
             "Share of the light that is used",
             "",
             Better::Higher,
@@ -763,9 +808,15 @@ mod tests {
         // Two planes of two doses and one difference
         assert_eq!(figures(&runs), 6);
         assert!(compare_html(&runs).contains("<figcaption>waves, less rays</figcaption>"));
-        // No difference of other voxels
+        assert!(compare_html(&runs).contains("Below, what waves have more"));
+        // No difference of other voxels, and none is announced
         runs[1].dose = Some(of([3, 4, 6], 1.0));
         assert_eq!(figures(&runs), 4);
+        let page = compare_html(&runs);
+        assert!(!page.contains("Below, what"), "{page}");
+        assert!(page.contains(
+            "No difference is drawn for waves, whose voxels are others than those of rays."
+        ));
     }
 
     #[test]
@@ -788,6 +839,17 @@ mod tests {
             rows.iter().find(|row| row["name"] == name).unwrap()["values"].clone()
         };
         assert_eq!(row("Model calls"), json!([6.0, 6.0]));
+        let keys = json["numbers"].as_array().unwrap().iter();
+        let keys: Vec<&str> = keys.map(|row| row["key"].as_str().unwrap()).collect();
+        assert!(
+            keys.contains(&"iou") && keys.contains(&"optimisation_s"),
+            "{keys:?}"
+        );
+        let is_snake = |key: &&str| {
+            key.chars()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        };
+        assert!(keys.iter().all(|key| is_snake(key)), "{keys:?}");
         assert_eq!(row("Time of the optimisation"), json!([0.4, 0.4]));
         assert_eq!(
             json["differing_keys"],

@@ -501,7 +501,7 @@ fn history(rows: &[HistoryRow]) -> String {
     })
     .collect();
     format!(
-        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. The model's calls are the honest measure of work: a method may need several in one iteration.</p>",
+        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. Compare methods by model calls, not by iterations.</p>",
         last.iteration,
         last.forward_calls,
         last.adjoint_calls,

@@ -12,6 +12,7 @@
 //! ```
 
 use crate::error::{Error, Result};
+use crate::units::exact;
 use std::path::Path;
 
 /// Points of a measured response, by ascending dose, no dose twice.
@@ -43,7 +44,7 @@ impl Curve {
             if let Some(i) = list.iter().position(|v| !v.is_finite()) {
                 return Err(Error::config(
                     format!("{key}[{i}]"),
-                    format!("found {}", list[i]),
+                    format!("found {}", exact(list[i])),
                     "a finite number",
                 ));
             }

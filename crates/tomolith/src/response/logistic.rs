@@ -29,6 +29,7 @@ use crate::error::{Error, Result};
 use crate::field::Lanes;
 use crate::field::group::Group;
 use crate::kind::Kind;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wide::{f32x8, u32x8};
@@ -82,7 +83,11 @@ impl Params {
         if self.lower >= self.upper {
             return Err(Error::config(
                 "lower",
-                format!("lower {} is not below upper {}", self.lower, self.upper),
+                format!(
+                    "lower {} is not below upper {}",
+                    exact(self.lower),
+                    exact(self.upper)
+                ),
                 "lower < upper",
             ));
         }

@@ -30,6 +30,7 @@ use super::curve::Curve;
 use super::{BuildResponse, Response};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -83,7 +84,7 @@ impl Table {
         if let Some(i) = (1..doses.len()).find(|&i| doses[i] <= doses[i - 1]) {
             return Err(Error::config(
                 format!("dose[{i}]"),
-                format!("found {} after {}", doses[i], doses[i - 1]),
+                format!("found {} after {}", exact(doses[i]), exact(doses[i - 1])),
                 "doses in ascending order, none twice",
             ));
         }
@@ -101,7 +102,7 @@ impl Table {
         if responses[0] == responses[responses.len() - 1] {
             return Err(Error::config(
                 "response",
-                format!("found {} everywhere", responses[0]),
+                format!("found {} everywhere", exact(responses[0])),
                 "a response that rises somewhere",
             ));
         }

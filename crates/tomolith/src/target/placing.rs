@@ -15,6 +15,7 @@
 
 use crate::error::{Error, Result};
 use crate::io::mesh::Mesh;
+use crate::units::exact;
 
 /// How a shape is placed; by default in true size with the middle of its box at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,7 +110,11 @@ impl Placement {
             if let Some(value) = value
                 && !(value.is_finite() && value > 0.0)
             {
-                return Err(Error::config(key, value.to_string(), "a number > 0"));
+                return Err(Error::config(
+                    key,
+                    format!("found {}", exact(value)),
+                    "a number > 0",
+                ));
             }
         }
         for (key, values) in [

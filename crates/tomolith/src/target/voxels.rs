@@ -68,7 +68,7 @@ pub(super) fn zeros(grid: &VolumeGrid) -> Result<Vec<f32>> {
     let refused = |len: u128| Error::Resources {
         what: format!("memory for {:?} voxels", grid.shape),
         needed_mb: u64::try_from(len * 4 / 1_000_000).unwrap_or(u64::MAX),
-        available_mb: 0,
+        available_mb: None,
         advice: "choose a larger grid.pitch_mm".to_owned(),
     };
     let len: u128 = grid.shape.iter().map(|&n| n as u128).product();

@@ -78,6 +78,7 @@ use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::kind::Kind;
 use crate::optics::vial::Vial;
+use crate::units::exact;
 use glow::{Folded, Glow};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -115,7 +116,7 @@ pub const KIND: Kind<ChooseModel> = Kind {
         };
         match params.cell_mm {
             Some(edge) if !(edge.is_finite() && edge > 0.0) => {
-                refused("cell_mm", edge.to_string(), "a finite number > 0")
+                refused("cell_mm", exact(edge), "a finite number > 0")
             }
             _ if !(1..=4096).contains(&params.rays()) => {
                 refused("rays_per_pixel", params.rays().to_string(), "1 to 4096")

@@ -85,6 +85,7 @@ use crate::optics::interface::Polarisation;
 use crate::optics::resin::Resin;
 use crate::optics::trace::Bath;
 use crate::optics::vial::Vial;
+use crate::units::exact;
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
 use gather::Gatherer;
@@ -177,7 +178,7 @@ impl Light {
         if !(resin.pure_radon || absorbs) {
             return Err(Error::config(
                 "resin.absorption_per_mm",
-                format!("found {}", resin.absorption_per_mm),
+                format!("found {}", exact(resin.absorption_per_mm)),
                 "a finite number > 0 (or `pure_radon = true`)",
             ));
         }

@@ -81,6 +81,7 @@ use crate::optics::projector::Projector;
 use crate::optics::projector::collimated::Collimated;
 use crate::optics::space::{Leg, Limits, SpaceTracer};
 use crate::optics::vial::Vial;
+use crate::units::exact;
 use accumulation::Accumulation;
 use haze::Haze;
 use kept::{Kept, Walks};
@@ -149,7 +150,7 @@ pub const KIND: Kind<ChooseModel> = Kind {
             return range("rays_per_pixel", found, "1 to 4096");
         }
         if !(0.0..=0.1).contains(&params.least_power) {
-            let found = format!("found {}", params.least_power);
+            let found = format!("found {}", exact(params.least_power));
             return range("least_power", found, "0 to 0.1");
         }
         Ok(Choice::Rays(params))

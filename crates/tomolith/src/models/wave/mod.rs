@@ -178,7 +178,7 @@ fn params_of(section: &Section) -> Result<Params> {
     let refused = |key: &str, value: f64, accepted: &str| {
         Err(Error::config(
             format!("{}.{key}", section.path),
-            format!("found {value}"),
+            format!("found {}", exact(value)),
             accepted,
         ))
     };

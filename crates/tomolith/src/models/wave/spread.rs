@@ -63,6 +63,7 @@ use crate::models::{
     Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling,
 };
 use crate::optics::vial::Vial;
+use crate::units::exact;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -152,7 +153,11 @@ fn params_of(section: &Section) -> Result<Params> {
     ] {
         if !range.contains(&value) {
             let key = format!("{}.{key}", section.path);
-            return Err(Error::config(key, format!("found {value}"), accepted));
+            return Err(Error::config(
+                key,
+                format!("found {}", exact(value)),
+                accepted,
+            ));
         }
     }
     Ok(params)

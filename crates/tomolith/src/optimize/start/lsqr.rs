@@ -20,6 +20,7 @@ use crate::grid::Volume;
 use crate::kind::Kind;
 use crate::models::Run;
 use crate::target::label;
+use crate::units::exact;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,7 +73,7 @@ pub const KIND: Kind<BuildStart> = Kind {
         if !(params.damping >= 0.0 && params.damping.is_finite()) {
             return refused(
                 "damping",
-                params.damping.to_string(),
+                exact(params.damping),
                 "a finite number, 0 or more",
             );
         }

@@ -69,8 +69,8 @@ fn optics() -> Vec<(&'static str, Optics)> {
     };
     let aside = Motion {
         offset_mm: [0.1, -0.05],
-        wobble_mm: 0.03,
-        wobble_phase_rad: 0.4,
+        axis_runout_mm: 0.03,
+        axis_runout_rad: 0.4,
         ..Motion::default()
     };
     let cone = Telecentric {
