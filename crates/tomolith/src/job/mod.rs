@@ -25,6 +25,7 @@ pub mod import;
 mod judge;
 pub mod kinds;
 mod light;
+mod limits;
 mod named;
 mod noise;
 mod optimise;

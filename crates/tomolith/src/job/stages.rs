@@ -11,7 +11,7 @@ use super::rates;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
 use super::trial::try_orders;
-use super::write::{self, Done};
+use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
@@ -142,8 +142,8 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
     clock.stage("writing");
     let timings = clock.timings(done.optimised.as_ref());
-    write::all(&done, &folder, timings, clock.progress)?;
-    let summary = summary(&done, folder.path(), clock.begin);
+    let headline = write::all(&done, &folder, timings, clock.progress)?;
+    let summary = summary(&done, headline, folder.path(), clock.begin);
     folder.publish()?;
     Ok(summary)
 }
@@ -319,7 +319,7 @@ fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxe
     Ok((voxels, warnings))
 }
 
-fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
+fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -> Summary {
     let optimised = done.optimised.as_ref();
     Summary {
         folder: folder.to_owned(),
@@ -330,6 +330,8 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
+        exposure: headline.exposure,
+        limits: headline.limits,
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
         seconds: begin.elapsed().as_secs_f64(),
