@@ -160,6 +160,16 @@ impl Found {
         format!("{name} {value:.3}")
     }
 
+    /// "IoU 0.974 instead of 1.000", or that it is as before.
+    fn change(&self, before: f64, after: f64) -> String {
+        let (value, before) = (self.value(after), format!("{before:.3}"));
+        if value.ends_with(&before) {
+            format!("{value}, as before")
+        } else {
+            format!("{value} instead of {before}")
+        }
+    }
+
     fn grid(&self) -> Option<Limit> {
         // An optimisation that counts the turning is compared with a print that turns
         let to = if self.is_optimised_turning {
@@ -170,9 +180,8 @@ impl Found {
         let loss = self.loss(self.written, to)?;
         let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
         let found = format!(
-            "On voxels of {fine} µm instead of {own} µm the print has {} instead of {:.3}: the optimiser does not see inside its voxels.",
-            self.value(to?),
-            self.written?,
+            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimiser does not see inside its voxels.",
+            self.change(self.written?, to?),
         );
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
     }
@@ -181,9 +190,8 @@ impl Found {
         let loss = self.loss(self.optimised, self.written)?;
         let (bits, machine) = (self.bits, self.machine());
         let found = format!(
-            "Written with {bits} bits{machine} the patterns have {} instead of {:.3}.",
-            self.value(self.written?),
-            self.optimised?,
+            "Written with {bits} bits{machine} the patterns have {}.",
+            self.change(self.optimised?, self.written?),
         );
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
     }
@@ -205,9 +213,8 @@ impl Found {
             .arc_deg
             .map_or_else(String::new, |deg| format!(" by {}°", significant(deg, 3)));
         let found = format!(
-            "The vial turns{arc} during each frame: {} instead of {:.3} standing still.",
-            self.value(self.turning?),
-            self.standing?,
+            "The vial turns{arc} during each frame, which gives {}.",
+            self.change(self.standing?, self.turning?),
         );
         Some(self.limit(Cause::Turning, loss, "light.angles", found, "Raise"))
     }
@@ -230,7 +237,12 @@ impl Found {
             key,
         }) = self.falling
         else {
-            let found = format!("{reach}; the rest is what this light leaves.");
+            let rest = if loss >= WORTH_CHANGING {
+                "; the rest is what this light leaves."
+            } else {
+                ": nothing is left to gain there."
+            };
+            let found = reach + rest;
             let action = "Finer pixels may bring more: lower";
             return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, action));
         };
@@ -345,7 +357,16 @@ mod tests {
              Lower `grid.pitch_mm`."
         );
         // Nothing to gain, nothing to change
-        assert!(!limits.causes[1].advice.contains("Raise"));
+        let advice = |i: usize| limits.causes[i].advice.as_str();
+        assert_eq!(
+            advice(1),
+            "Written with 8 bits the patterns have IoU 1.000, as before."
+        );
+        assert!(advice(2).ends_with("voxels: nothing is left to gain there."));
+        assert_eq!(
+            advice(3),
+            "The vial turns by 2° during each frame, which gives IoU 0.975 instead of 0.974."
+        );
     }
 
     #[test]
