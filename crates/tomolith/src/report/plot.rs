@@ -209,13 +209,13 @@ impl Plot {
             let (x, y) = (self.px(x), self.py(0.0));
             // On the side where there is room
             let (x, anchor) = if x > f64::midpoint(LEFT, WIDTH - RIGHT) {
-                (x - 9.0, "end")
+                (x - 16.0, "end")
             } else {
                 (x + 9.0, "start")
             };
             self.add(format_args!(
                 "<text class=\"zero\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">exactly 0</text>",
-                y - 8.0
+                y - 4.0
             ));
         }
     }

@@ -123,8 +123,8 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
         })
         .collect();
     let ticks = [
-        format!("−{} µm or less", significant(reach, 3)),
-        format!("+{} µm or more", significant(reach, 3)),
+        format!("≤ −{} µm", significant(reach, 3)),
+        format!("≥ +{} µm", significant(reach, 3)),
     ];
     format!(
         "<section><h2>Where the print is off</h2><p class=\"muted\">The predicted surface, red where it is too large, blue where it is too small. It stands out by up to {} and \
@@ -132,7 +132,7 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
          <code>print.stl</code>.</p><div class=\"pair\">{figures}</div>{}</section>",
         length(ends[1]),
         length(ends[0]),
-        bar_svg(colour, "deviation from the target", "", ticks),
+        bar_svg(colour, "deviation", "", ticks),
     )
 }
 
@@ -184,9 +184,9 @@ fn normals(surface: &Surface, seen: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 /// Light from the viewer's upper left.
-const LIGHT: [f64; 3] = [-0.35, 0.45, 0.82];
+const LIGHT: [f64; 3] = [-0.25, 0.25, 0.935];
 /// Brightness of what the light does not reach.
-const AMBIENT: f64 = 0.35;
+const AMBIENT: f64 = 0.45;
 
 fn brightness(normal: [f64; 3]) -> f64 {
     let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
