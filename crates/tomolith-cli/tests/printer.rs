@@ -424,6 +424,8 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         (number("energy_mj") - turns * number("energy_per_turn_mj")).abs()
             < 1e-6 * number("energy_mj")
     );
+    let best = report["exposure"]["time_s"]["best"].as_f64().unwrap();
+    assert!((best / number("time_s") - 1.0).abs() < 1e-12, "{best}");
     assert!(number("light_used") > 0.0 && number("light_used") < 0.5);
     // White is shown for a sixtieth of the time, at half a mW/mm²
     let white = number("time_s") / 60.0 * 0.5;

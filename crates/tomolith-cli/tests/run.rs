@@ -137,6 +137,9 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         let line = format!("# Model of the {stage}: parallel (");
         assert!(job.contains(&line), "{line} is not in\n{job}");
     }
+    says_how_to_expose_and_what_limits(&report, &said);
+    let ply = fs::read(run.join("print.ply")).unwrap();
+    assert!(ply.windows(12).any(|w| w == b"deviation_um"));
     let place = &report["evaluation"]["farthest"];
     assert!(place["at_xyz_mm"][2].is_f64() && place["side"].is_string());
 
@@ -160,7 +163,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     }
     let written = bits(&run);
     assert!(
-        written.contains_key("gear_10rpm.mp4") && written.len() == 30 + 6,
+        written.contains_key("gear_10rpm.mp4") && written.len() == 30 + 7,
         "{:?}",
         written.keys()
     );
@@ -174,6 +177,54 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "run elsewhere/resolved.toml --output resolved --threads 1",
     );
     assert_same_bits(&bench.path("resolved"), &written, "the resolved job");
+}
+
+/// The best exposure and the limits of a print, in its report and on the screen.
+fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
+    let exposure = &report["exposure"];
+    let number = |of: &str, end: &str| exposure[of][end].as_f64().unwrap();
+    assert_eq!(exposure["measure"], "iou");
+    assert_eq!(exposure["best"], report["evaluation"]["iou"]);
+    assert_eq!(number("dose", "best"), number("threshold", "best"));
+    for of in ["dose", "threshold", "percent"] {
+        assert!(number(of, "low") < number(of, "best") && number(of, "best") < number(of, "high"));
+    }
+    let product = number("percent", "low") * number("dose", "high");
+    assert!((product - 100.0 * number("dose", "best")).abs() < 1e-6);
+    assert!(exposure["time_s"].is_null());
+    // The curve of the report stays within 0.01 of its best between the ends
+    for point in report["evaluation"]["iou_curve"].as_array().unwrap() {
+        let [threshold, iou] = [0, 1].map(|i| point[i].as_f64().unwrap());
+        if number("threshold", "low") <= threshold && threshold < number("threshold", "high") {
+            assert!(
+                iou >= exposure["best"].as_f64().unwrap() - 0.01 - 1e-9,
+                "{point}"
+            );
+        }
+    }
+    let limits = report["limits"].as_array().unwrap();
+    let losses: Vec<f64> = limits
+        .iter()
+        .map(|limit| limit["loss_in_iou"].as_f64().unwrap())
+        .collect();
+    assert!(
+        losses.windows(2).all(|pair| pair[0] >= pair[1]),
+        "{losses:?}"
+    );
+    let missing = 1.0 - report["evaluation"]["iou"].as_f64().unwrap();
+    assert!((losses.iter().sum::<f64>() - missing).abs() < 1e-9);
+    let key = limits[0]["key"].as_str().unwrap();
+    for part in [
+        "Predicted IoU ",
+        &format!("`{key}`."),
+        "The best exposure makes a dose of ",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    assert!(
+        !report["warnings"].to_string().contains("IoU"),
+        "said twice"
+    );
 }
 
 #[test]

@@ -13,6 +13,7 @@ pub mod image;
 pub mod mesh;
 pub mod mp4;
 pub mod npy;
+pub mod ply;
 pub mod stack;
 pub mod stl;
 pub mod vti;

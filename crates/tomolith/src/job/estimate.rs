@@ -34,9 +34,9 @@ const BYTES_PER_FACE: f64 = 1000.0;
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
 /// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
 const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
-/// Bytes of print.stl per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50 bytes
-/// each) where the cube has one voxel's face on each of its six sides.
-const BYTES_PER_FACE_ON_DISK: f64 = 600.0;
+/// Bytes of print.stl and print.ply per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50
+/// and 22.5 bytes each) where the cube has one voxel's face on each of its six sides.
+const BYTES_PER_FACE_ON_DISK: f64 = 870.0;
 /// Pattern vectors of an optimiser beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.

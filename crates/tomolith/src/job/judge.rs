@@ -21,7 +21,6 @@ use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::models::{Choice, DoseLayout, Run, planner};
 use crate::target::label;
-use crate::units::concise;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -33,6 +32,8 @@ pub(crate) struct Judged {
     pub(crate) standing: Evaluation,
     /// Raw patterns on the optimisation's own grid, when there are raw ones.
     pub(crate) optimisation: Option<Evaluation>,
+    /// The headline number of the written patterns on that grid, beside it.
+    pub(crate) written: Measure,
     /// Numbers of the headline as they were published.
     pub(crate) published: Vec<Published>,
     /// Numbers of each slice of the headline.
@@ -144,7 +145,7 @@ pub(crate) fn judge(
             let lights = scene.optics.lights.clone();
             let (dose, _) = dose(scene, lights, &scene.grid, shown, &mut room, cancel)?;
             let response = scene.responses(dose)?;
-            headline(voxels)
+            headline(voxels.target.grey)
                 .metric
                 .measure(&print(scene, voxels, &response)?)
         }
@@ -211,13 +212,6 @@ pub(crate) fn judge(
         let text = format!("what is to stay dark gets {dark}");
         progress.event(&Event::Note { text });
     }
-    let steps = Steps {
-        kind: headline(voxels),
-        optimised: optimisation.as_ref(),
-        written,
-        standing: &standing,
-        turning: &evaluation,
-    };
     let noise = Noise::of(scene, voxels, shown, cancel)?;
     if let Some(noise) = &noise {
         let text = format!("random paths: {noise}");
@@ -228,10 +222,9 @@ pub(crate) fn judge(
         let text = format!("scattering by orders: {agreement}");
         progress.event(&Event::Note { text });
     }
-    let warnings: Vec<String> = steps
-        .sentence(scene.spec.evaluate.bit_depth)
+    let warnings: Vec<String> = noise
+        .and_then(|noise| noise.warning())
         .into_iter()
-        .chain(noise.and_then(|noise| noise.warning()))
         .chain(agreement.and_then(|agreement| agreement.warning()))
         .chain(doubts::of_light(shown))
         .chain(doubts::of_threshold(&scene.spec, &evaluation))
@@ -243,6 +236,7 @@ pub(crate) fn judge(
         evaluation,
         standing,
         optimisation,
+        written,
         published,
         slices,
         dose: mean,
@@ -258,74 +252,8 @@ pub(crate) fn judge(
 }
 
 /// The one number that says how good a print is: IoU, or the rms error of a grey target.
-fn headline(voxels: &Voxels) -> &'static MetricKind {
-    if voxels.target.grey {
-        &grey::RMS
-    } else {
-        &iou::KIND
-    }
-}
-
-/// Differences of the headline number that are worth a sentence.
-const WORTH_SAYING: f64 = 0.01;
-
-/// The headline number from the optimisation's view to the print's, one step after the other.
-struct Steps<'a> {
-    kind: &'a MetricKind,
-    /// Patterns as they were optimised, on the optimisation's grid.
-    optimised: Option<&'a Evaluation>,
-    /// Patterns as they were written, on the same grid.
-    written: Measure,
-    /// On the finer grid.
-    standing: &'a Evaluation,
-    /// While the vial turns.
-    turning: &'a Evaluation,
-}
-
-impl Steps<'_> {
-    /// Why the number of the print is not the one that the optimisation reached, when they differ by more than
-    /// [`WORTH_SAYING`].
-    fn sentence(&self, bits: u32) -> Option<String> {
-        let get = |evaluation: &Evaluation| evaluation.measures.get(self.kind.name);
-        let own = get(self.optimised?)?;
-        let (written, standing, turning) = (self.written?, get(self.standing)?, get(self.turning)?);
-        if (own - turning).abs() <= WORTH_SAYING {
-            return None;
-        }
-        let parts = [
-            (
-                format!("{bits} bits"),
-                written - own,
-                "raise `evaluate.bit_depth`",
-            ),
-            (
-                format!(
-                    "voxels of {} mm instead of {} mm",
-                    concise(self.turning.grid.pitch_mm),
-                    concise(self.optimised?.grid.pitch_mm)
-                ),
-                standing - written,
-                "lower `grid.pitch_mm`",
-            ),
-            (
-                "rotation during each frame".to_owned(),
-                turning - standing,
-                "use more `light.angles` or `light.sub_angles`",
-            ),
-        ];
-        let by = |change: f64| format!("{change:+.4}").replace('-', "−");
-        let parts = parts.iter().filter(|(_, change, _)| *change != 0.0);
-        let said = parts
-            .clone()
-            .map(|(name, change, _)| format!("{name} {}", by(*change)));
-        let said = said.collect::<Vec<_>>().join(", ");
-        let largest = parts.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        let remedy = largest.map_or("", |(_, _, remedy)| remedy);
-        Some(format!(
-            "Predicted {} {turning:.4} (the optimiser saw {own:.4}): {said}. To improve, {remedy}.",
-            self.kind.title,
-        ))
-    }
+pub(super) fn headline(is_grey: bool) -> &'static MetricKind {
+    if is_grey { &grey::RMS } else { &iou::KIND }
 }
 
 /// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
@@ -509,37 +437,6 @@ mod tests {
             .collect();
         let mean = averaged(&Volume { grid: fine, values }, &grid);
         assert_eq!(mean.values, [0.0, 1.0, 2.0, 10.0, 11.0, 12.0]);
-    }
-
-    #[test]
-    fn a_difference_is_explained_step_by_step() {
-        let evaluation = |iou: f64, pitch_mm: f64| {
-            let labels = Volume::filled(VolumeGrid::centered([1, 1, 1], pitch_mm), 0u8);
-            let response = Volume::filled(labels.grid.clone(), 0.0);
-            let mut evaluation = evaluate(&Print::new(&labels, &response).unwrap());
-            evaluation.measures.0 = vec![("iou", Some(iou))];
-            evaluation
-        };
-        let (own, standing) = (evaluation(0.99, 0.2), evaluation(0.97, 0.1));
-        let sentence = |turning: f64| {
-            Steps {
-                kind: &iou::KIND,
-                optimised: Some(&own),
-                written: Some(0.988),
-                standing: &standing,
-                turning: &evaluation(turning, 0.1),
-            }
-            .sentence(8)
-        };
-        let text = sentence(0.9605).unwrap();
-        for part in [
-            "Predicted IoU 0.9605 (the optimiser saw 0.9900): 8 bits −0.0020, ",
-            "voxels of 0.1 mm instead of 0.2 mm −0.0180, ",
-            "rotation during each frame −0.0095. To improve, lower `grid.pitch_mm`.",
-        ] {
-            assert!(text.contains(part), "{part}: {text}");
-        }
-        assert_eq!(sentence(0.985), None);
     }
 
     #[test]

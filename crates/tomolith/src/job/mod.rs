@@ -28,6 +28,7 @@ mod judge;
 pub mod kinds;
 mod levels;
 mod light;
+mod limits;
 mod named;
 mod noise;
 mod optimise;

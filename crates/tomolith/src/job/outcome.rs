@@ -2,6 +2,7 @@
 
 use crate::metrics::Measure;
 use crate::optimize::{Kept, StopReason};
+use crate::report::{ExposureWindow, Limits};
 use crate::units::concise;
 use serde::Serialize;
 use std::fmt;
@@ -76,6 +77,10 @@ pub struct Summary {
     pub standing: Quality,
     /// The unquantised patterns on the optimisation grid; None for a simulation of patterns that are quantised only.
     pub optimisation: Option<Quality>,
+    /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
+    pub exposure: Option<ExposureWindow>,
+    /// What limits the print.
+    pub limits: Limits,
     /// The IoU that was asked for.
     pub required_iou: Option<f64>,
     /// The share of voxels in their bands that was asked for.
@@ -146,9 +151,14 @@ impl fmt::Display for Summary {
                 writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
             }
         }
+        let exposure = self.exposure.as_ref().map(ExposureWindow::sentence);
+        let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
+        for text in limits.into_iter().chain(&exposure) {
+            writeln!(f, "\n{text}")?;
+        }
         writeln!(
             f,
-            "{:>28} {}",
+            "\n{:>28} {}",
             "report",
             self.folder.join("report.html").display()
         )

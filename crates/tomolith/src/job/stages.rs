@@ -12,7 +12,7 @@ use super::read::Job;
 use super::replace::must_be_same;
 use super::scene::{Scene, Voxels};
 use super::trial::try_orders;
-use super::write::{self, Done};
+use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
@@ -146,9 +146,9 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
     clock.stage("writing");
     let timings = clock.timings(done.optimised.as_ref());
-    write::all(&done, &folder, timings, clock.progress)
+    let headline = write::all(&done, &folder, timings, clock.progress)
         .map_err(|e| missing(e, &done.scene, &folder))?;
-    let summary = summary(&done, folder.path(), clock.begin);
+    let summary = summary(&done, headline, folder.path(), clock.begin);
     folder.publish()?;
     Ok(summary)
 }
@@ -345,7 +345,7 @@ fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxe
     Ok((voxels, warnings))
 }
 
-fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
+fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -> Summary {
     let optimised = done.optimised.as_ref();
     Summary {
         folder: folder.to_owned(),
@@ -357,6 +357,8 @@ fn summary(done: &Done<'_>, folder: &Path, begin: Instant) -> Summary {
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
+        exposure: headline.exposure,
+        limits: headline.limits,
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
         evaluation_voxels: [2, 1, 0].map(|axis| done.judged.evaluation.grid.shape[axis]),

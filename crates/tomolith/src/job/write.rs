@@ -3,6 +3,7 @@
 use super::device::{self, Written};
 use super::folder::RunFolder;
 use super::judge::Judged;
+use super::limits::limits;
 use super::optimise::Optimised;
 use super::outcome::{earlier, large};
 use super::progress::Progress;
@@ -17,8 +18,12 @@ use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
+use crate::metrics::surface::Deviation;
 use crate::optimize::{Row, relative_gradient};
-use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
+use crate::report::{
+    ExposureWindow, LightReport, Limits, MovieReport, ReportData, Timing, write_html, write_json,
+    write_print,
+};
 use crate::units::concise;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -37,7 +42,7 @@ pub(crate) struct Done<'a> {
     pub(crate) warnings: Vec<String>,
 }
 
-/// Writes everything to the folder's new files.
+/// Writes everything to the folder's new files; what a run says first.
 ///
 /// # Errors
 /// [`Error::Io`](crate::Error::Io), and what a format cannot hold.
@@ -46,7 +51,7 @@ pub(crate) fn all(
     folder: &RunFolder,
     timings: Vec<Timing>,
     progress: &mut dyn Progress,
-) -> Result<()> {
+) -> Result<Headline> {
     let Done {
         scene,
         voxels,
@@ -98,20 +103,58 @@ pub(crate) fn all(
         let arrays = scope.spawn(arrays);
         let movies = shown.write(&new, &scene.name, &sets, progress);
         let movies = movies.and_then(|movies| {
-            print(scene, judged, &new.join("print.stl"))?;
-            Ok(movies)
+            let deviation = print(scene, judged, &new)?;
+            Ok((movies, deviation))
         });
         (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
     });
     arrays?;
-    let movies = movies?;
+    let (movies, deviation) = movies?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
     }
     let models = models(done);
     folder.describe(&done.job.resolved().to_toml()?, &models)?;
-    report(done, &new, &history, movies, &shown, timings, models)
+    let headline = Headline::of(done, &shown)?;
+    let made = Made {
+        movies,
+        deviation,
+        timings,
+        models,
+    };
+    report(done, &new, &history, made, &shown, &headline)?;
+    Ok(headline)
+}
+
+/// What a run says first: on its page, in `report.json`, on the screen.
+pub(crate) struct Headline {
+    /// Over which exposures the print is nearly as good.
+    pub(crate) exposure: Option<ExposureWindow>,
+    /// What it loses, and where.
+    pub(crate) limits: Limits,
+}
+
+impl Headline {
+    fn of(done: &Done<'_>, shown: &device::Shown<'_>) -> Result<Self> {
+        // One light after the other
+        let times = shown.lights().iter().map(|light| light.budget.time_s);
+        let time_s = times.sum::<Option<f64>>();
+        let (scene, judged) = (&done.scene, &done.judged);
+        let response = scene.response()?;
+        Ok(Headline {
+            exposure: ExposureWindow::new(&judged.evaluation, response.as_ref(), time_s),
+            limits: limits(scene, judged, done.optimised.as_ref()),
+        })
+    }
+}
+
+/// What was made on the way to the report.
+struct Made {
+    movies: Vec<MovieReport>,
+    deviation: Option<Deviation>,
+    timings: Vec<Timing>,
+    models: Vec<(&'static str, String)>,
 }
 
 /// The models that gave the doses, by what they were asked for.
@@ -127,10 +170,9 @@ fn report(
     done: &Done<'_>,
     folder: &Path,
     history: &[HistoryRow],
-    movies: Vec<MovieReport>,
+    made: Made,
     exposures: &device::Shown<'_>,
-    timings: Vec<Timing>,
-    models: Vec<(&'static str, String)>,
+    headline: &Headline,
 ) -> Result<()> {
     let Done {
         job,
@@ -160,7 +202,9 @@ fn report(
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
         facts: facts(done),
-        models,
+        models: made.models,
+        exposure: headline.exposure.as_ref(),
+        limits: &headline.limits,
         lights,
         labels: &judged.fine.labels,
         response: &judged.response,
@@ -173,10 +217,11 @@ fn report(
         published: published(done, exposures.lights())?,
         history,
         kept: done.optimised.as_ref().map(|o| o.outcome.kept),
-        movies,
+        deviation: made.deviation.as_ref(),
+        movies: made.movies,
         job_text: &resolved.to_toml()?,
         warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
-        timings,
+        timings: made.timings,
     };
     write_json(&folder.join("report.json"), &data)?;
     write_html(&folder.join("report.html"), &data)
@@ -265,8 +310,8 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         (
             "Grid",
             format!(
-                "{nx} × {ny} × {nz} voxels of {} mm",
-                concise(scene.grid.pitch_mm)
+                "{nx} × {ny} × {nz} voxels of {} µm",
+                concise(1e3 * scene.grid.pitch_mm)
             ),
         ),
         ("Frames", scene.extent.frames.to_string()),
@@ -357,16 +402,23 @@ fn date(now: std::time::SystemTime) -> String {
     )
 }
 
-/// The predicted surface, the one that the evaluation measures, on all of its voxels.
-fn print(scene: &Scene, judged: &Judged, path: &Path) -> Result<()> {
-    let mut print = Print::new(&judged.fine.labels, &judged.response)?;
+/// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
+/// is off, as `print.ply`, where there is a target to compare it with.
+fn print(scene: &Scene, judged: &Judged, folder: &Path) -> Result<Option<Deviation>> {
+    let mut print = Print::new(&judged.fine.labels, &judged.response)?
+        .with_inside(&judged.fine.target.inside)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
     let title = format!("{}, predicted print", scene.name);
-    write_stl_pieces(path, &title, |put| {
+    write_stl_pieces(&folder.join("print.stl"), &title, |put| {
         print.surface_pieces(|piece| put(&piece.corners, &piece.triangles))
-    })
+    })?;
+    let deviation = print.deviation();
+    if let Some(deviation) = &deviation {
+        write_print(&folder.join("print.ply"), &scene.name, deviation)?;
+    }
+    Ok(deviation)
 }
 
 fn history(optimised: &Optimised) -> Vec<HistoryRow> {

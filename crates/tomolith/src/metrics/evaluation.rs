@@ -12,6 +12,7 @@
 //! assert_eq!(evaluation.measures.get("eta"), None); // no patterns were given
 //! ```
 
+use super::latitude::{Latitude, latitude};
 use super::print::Print;
 use super::spread::Spread;
 use super::surface::Farthest;
@@ -66,6 +67,8 @@ pub struct Evaluation {
     pub measures: Measures,
     /// The gel threshold that they belong to.
     pub gel_threshold: Measure,
+    /// Over which exposures the print stays nearly as good as at the best one.
+    pub latitude: Option<Latitude>,
     /// Where the print's surface and the target's are farthest apart.
     pub farthest: Option<Farthest>,
     /// Half width of the band round the grey values, for a grey target.
@@ -117,6 +120,7 @@ pub fn evaluate(print: &Print<'_>) -> Evaluation {
     Evaluation {
         measures: Measures(measures),
         gel_threshold: print.gel_threshold(),
+        latitude: latitude(print),
         farthest: print.distance().map(|distance| distance.farthest),
         half_width: print.half_width(),
         curve: scan.curve(CURVE),

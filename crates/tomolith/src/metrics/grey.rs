@@ -45,6 +45,22 @@ pub struct GreyErrors {
     pub rms: f64,
     /// Largest error of part voxels (f ≥ ½) and of void voxels; `None` without any.
     pub largest: [Measure; 2],
+    /// Σ m²/#, Σ m·f/# and Σ f²/#: what the rms error is at other exposures.
+    moments: [f64; 3],
+}
+
+impl GreyErrors {
+    /// The least rms error over all exposures, and the exposures [low, best, high] over which it is at most `tolerance` larger, 1
+    /// being the exposure as it is. For a response that is proportional to the dose: m becomes s·m at an exposure s, and with
+    /// A = Σ m²/#, B = Σ m·f/#, C = Σ f²/# the error is √(A·s² − 2·B·s + C). `None` when all is dark.
+    pub(super) fn exposures(&self, tolerance: f64) -> Option<(f64, [f64; 3])> {
+        let [a, b, c] = self.moments;
+        let best = b / a;
+        let least = (c - b * best).max(0.0).sqrt();
+        let reach = (tolerance * (2.0 * least + tolerance) / a).sqrt();
+        (best > 0.0 && reach.is_finite())
+            .then(|| (least, [(best - reach).max(0.0), best, best + reach]))
+    }
 }
 
 #[derive(Clone, Copy, Default)]
@@ -53,6 +69,7 @@ struct Sums {
     in_band: u64,
     squares: f64,
     largest: [f64; 2],
+    moments: [f64; 3],
 }
 
 impl Sums {
@@ -64,7 +81,10 @@ impl Sums {
                 label::VOID => 1,
                 _ => continue,
             };
-            let error = (f64::from(m) - f64::from(f)).abs();
+            let (m, f) = (f64::from(m), f64::from(f));
+            let error = (m - f).abs();
+            let moments = [m * m, m * f, f * f];
+            sums.moments = std::array::from_fn(|i| sums.moments[i] + moments[i]);
             sums.counts[class] += 1;
             sums.in_band += u64::from(error <= half_width * (1.0 + ROUNDING));
             sums.squares += error * error;
@@ -80,6 +100,7 @@ impl Sums {
             in_band: self.in_band + other.in_band,
             squares: self.squares + other.squares,
             largest: two(&|c| self.largest[c].max(other.largest[c])),
+            moments: std::array::from_fn(|i| self.moments[i] + other.moments[i]),
         }
     }
 }
@@ -103,6 +124,7 @@ pub(super) fn grey_errors(
         in_band: sums.in_band as f64 / count,
         rms: (sums.squares / count).sqrt(),
         largest: [0, 1].map(|c| (sums.counts[c] > 0).then_some(sums.largest[c])),
+        moments: sums.moments.map(|sum| sum / count),
     })
 }
 
@@ -181,6 +203,25 @@ mod tests {
         assert!((errors.rms - (void * 0.0625 / (void + part)).sqrt()).abs() < 1e-12);
         assert_eq!(errors.largest, [Some(0.0), Some(0.25)]);
         assert_eq!(grey_errors(&[OUTSIDE], &[1.0], &[0.0], 0.1), None);
+    }
+
+    #[test]
+    fn the_rms_error_at_other_exposures_is_that_of_the_scaled_response() {
+        let wanted = [0.0, 0.25, 0.5, 1.0];
+        let response = [0.1f32, 0.25, 0.4, 0.8];
+        let rms = |s: f64| {
+            let scaled = response.map(|m| (f64::from(m) * s) as f32);
+            grey_errors(&[PART; 4], &scaled, &wanted, 0.1).unwrap().rms
+        };
+        let errors = grey_errors(&[PART; 4], &response, &wanted, 0.1).unwrap();
+        let (least, [low, best, high]) = errors.exposures(0.01).unwrap();
+        assert!(best > 1.1 && (rms(best) - least).abs() < 1e-7);
+        assert!(rms(best - 0.01) > least && rms(best + 0.01) > least);
+        for end in [low, high] {
+            assert!((rms(end) - least - 0.01).abs() < 1e-7, "{end}");
+        }
+        let dark = grey_errors(&[PART; 4], &[0.0; 4], &wanted, 0.1).unwrap();
+        assert_eq!(dark.exposures(0.01), None);
     }
 
     #[test]

@@ -16,6 +16,7 @@ pub mod grey;
 pub mod iou;
 pub mod ipdr;
 pub mod isosurface;
+pub mod latitude;
 pub mod nearest;
 pub mod over_mm3;
 pub mod print;

@@ -19,7 +19,7 @@
 use super::grey::{GreyErrors, grey_errors};
 use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
-use super::surface::{SurfaceDistance, surface_distance};
+use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
 use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -302,6 +302,12 @@ impl<'a> Print<'a> {
         for (value, (&label, &inside)) in row.iter_mut().zip(voxels) {
             *value = if label == label::OUTSIDE { 0.0 } else { inside };
         }
+    }
+
+    /// The print's surface with its signed distances to the target's; `None` when one of them is empty. Made anew at each call.
+    #[must_use]
+    pub fn deviation(&self) -> Option<Deviation> {
+        deviation(self)
     }
 
     /// Distances between the print's surface and the target's; `None` when one of them is empty.

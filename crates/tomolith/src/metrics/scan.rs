@@ -11,7 +11,7 @@
 //!
 //! 1. One pass counts part and void voxels in 2²² buckets, the top 22 bits of the f32 (ordered like the numbers). In the
 //!    gaps between buckets IoU is then exact, and inside a bucket it is bounded by the counts before and after it.
-//! 2. Buckets whose bounds leave a question open (can the best IoU be in here? does it cross 0.95 of the best here? does
+//! 2. Buckets whose bounds leave a question open (can the best IoU be in here? does it cross 0.95 of the best, or the best − 0.01, here? does
 //!    a threshold or a rank that is asked for lie in here?) are counted once more by their low 10 bits: one bin is one f32
 //!    value, and nothing remains open. What was opened is kept for later questions.
 //!
@@ -81,6 +81,18 @@ impl Fraction {
     fn compare(&self, other: &Fraction, num: u128, den: u128) -> std::cmp::Ordering {
         let left = den * u128::from(self.above) * u128::from(other.below);
         left.cmp(&(num * u128::from(other.above) * u128::from(self.below)))
+    }
+
+    /// Whether self > 0.95·other.
+    fn is_near(&self, other: &Fraction) -> bool {
+        self.compare(other, 19, 20).is_gt()
+    }
+
+    /// Whether self ≥ other − 0.01.
+    fn is_hardly_below(&self, other: &Fraction) -> bool {
+        let whole = [self.above, self.below, other.above, other.below];
+        let [a, b, c, d] = whole.map(i128::from);
+        100 * a * d >= (100 * c - d) * b
     }
 
     fn value(&self) -> f64 {
@@ -445,26 +457,59 @@ impl<'a> Scan<'a> {
     #[must_use]
     pub fn length_near_best(&self) -> Option<f64> {
         let best = &self.settled()?;
-        let near = |f: &Fraction| f.compare(best, 19, 20).is_gt();
-        let open: Vec<usize> = self
-            .pieces(&self.opened())
-            .iter()
-            .filter(|p| near(&p.high) && !near(&p.low))
-            .filter_map(|p| p.closed)
-            .collect();
-        self.open(&open);
-        // Neighbouring pieces are joined first, so that rounding does not add up
-        let mut length = 0.0;
-        let mut run: Option<(f64, f64)> = None;
+        let runs = self.runs(best, Fraction::is_near);
+        let length = |(from, to): &(f64, f64)| to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0);
+        Some(runs.iter().map(length).sum())
+    }
+
+    /// The thresholds [from, to) round the best one over which IoU is at least its best − 0.01, with the best IoU; `None` as for
+    /// [`best_plateau`](Self::best_plateau). No upper end where the best IoU itself is at most 0.01.
+    #[must_use]
+    pub fn round_best(&self) -> Option<Plateau> {
+        let plateau = self.best_plateau()?;
+        let runs = self.runs(&self.settled()?, Fraction::is_hardly_below);
+        let middle = plateau.middle();
+        let is_round = |(from, to): &(f64, f64)| *from <= middle && middle < *to;
+        let (from, to) = runs.into_iter().find(is_round)?;
+        Some(Plateau {
+            from,
+            to,
+            iou: plateau.iou,
+        })
+    }
+
+    /// Runs [from, to) of thresholds whose IoU is near the best one. Neighbouring pieces are joined, so that rounding does not
+    /// add up.
+    fn runs(
+        &self,
+        best: &Fraction,
+        is_near: impl Fn(&Fraction, &Fraction) -> bool,
+    ) -> Vec<(f64, f64)> {
+        self.open_edges(best);
+        let mut runs: Vec<(f64, f64)> = Vec::new();
+        let mut was_near = false;
         for piece in self.pieces(&self.opened()) {
-            let (from, to) = (piece.from.clamp(0.0, 1.0), piece.to.clamp(0.0, 1.0));
-            if near(&piece.low) {
-                run = Some((run.map_or(from, |r| r.0), to));
-            } else if let Some((from, to)) = run.take() {
-                length += to - from;
+            let near = is_near(&piece.low, best);
+            match runs.last_mut() {
+                Some(run) if near && was_near => run.1 = piece.to,
+                _ if near => runs.push((piece.from, piece.to)),
+                _ => {}
             }
+            was_near = near;
         }
-        Some(length + run.map_or(0.0, |(from, to)| to - from))
+        runs
+    }
+
+    /// Looks at the buckets in which IoU comes near its best or leaves it, by either rule, in one pass.
+    fn open_edges(&self, best: &Fraction) {
+        let is_edge = |p: &Piece| {
+            [Fraction::is_near, Fraction::is_hardly_below]
+                .iter()
+                .any(|rule| rule(&p.high, best) && !rule(&p.low, best))
+        };
+        let pieces = self.pieces(&self.opened());
+        let edges = pieces.iter().filter(|p| is_edge(p));
+        self.open(&edges.filter_map(|p| p.closed).collect::<Vec<_>>());
     }
 
     /// IoU at about `samples` thresholds from the lowest allowed one to the largest response: pairs of a threshold and
@@ -602,6 +647,19 @@ mod tests {
             .sum()
     }
 
+    /// The run of pieces round a threshold whose IoU is at least the best − 1/100.
+    fn brute_round(pieces: &[(f64, f64, u128, u128)], best: &Plateau) -> (f64, f64) {
+        let top = pieces.iter().max_by(|a, b| (a.2 * b.3).cmp(&(b.2 * a.3)));
+        let (above, below) = top.map(|p| (p.2, p.3)).unwrap();
+        let is_near =
+            |p: &(f64, f64, u128, u128)| 100 * p.2 * below + below * p.3 >= 100 * above * p.3;
+        let of_best = pieces.iter().position(|p| p.0 == best.from).unwrap();
+        let before = pieces[..of_best].iter().rev().take_while(|p| is_near(p));
+        let after = pieces[of_best..].iter().take_while(|p| is_near(p));
+        let from = before.last().map_or(best.from, |p| p.0);
+        (from, after.last().unwrap().1)
+    }
+
     struct Dice(u64);
     impl Dice {
         fn next(&mut self) -> f32 {
@@ -666,12 +724,36 @@ mod tests {
             let best = brute_best(&pieces);
             assert_eq!(scan.best_plateau(), best, "{labels:?} {response:?}");
             seen[if best.is_some() { 1 } else { 2 }] += 1;
+            let round = scan.round_best();
+            assert_eq!(round.is_some(), best.is_some());
+            if let (Some(round), Some(best)) = (round, best) {
+                let expected = brute_round(&pieces, &best);
+                assert_eq!((round.from, round.to), expected, "{labels:?} {response:?}");
+                assert_eq!(round.iou, best.iou);
+            }
             if best.is_some() {
                 let (a, b) = (scan.length_near_best().unwrap(), brute_length(&pieces));
                 assert!((a - b).abs() < 1e-12, "{a} {b}");
             }
         }
         assert!(seen[0] > 0 && seen[1] > 150, "{seen:?}");
+    }
+
+    #[test]
+    fn a_hundredth_below_the_best_is_still_round_it() {
+        // 100 part voxels: without the weakest IoU is 99/100, which counts; without the two weakest 98/100, which does not
+        let labels: Vec<u8> = [VOID].into_iter().chain([PART; 100]).collect();
+        let mut response = vec![0.9f32; 101];
+        response[..3].copy_from_slice(&[0.25, 0.5, 0.625]);
+        let round = Scan::new(&labels, &response).unwrap().round_best().unwrap();
+        // Below 0.25 the void gels too: 100/101 is within a hundredth of 1
+        assert_eq!((round.from, round.to, round.iou), (0.0, 0.625, 1.0));
+        // Two void voxels at 0.75: 100/102 is the best, 99/102 near it, 98/102 is not, and 98/100 beyond 0.75 is near again
+        let labels = [[VOID; 2].as_slice(), &[PART; 100]].concat();
+        let mut response = vec![0.9f32; 102];
+        response[..4].copy_from_slice(&[0.75, 0.75, 0.5, 0.625]);
+        let round = Scan::new(&labels, &response).unwrap().round_best().unwrap();
+        assert_eq!((round.from, round.to), (0.0, 0.625));
     }
 
     #[test]

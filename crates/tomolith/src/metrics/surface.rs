@@ -93,12 +93,62 @@ pub struct SurfaceDistance {
     pub coarsened: usize,
 }
 
+/// The print's surface, and how far each of its corners is from the target's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deviation {
+    /// The print's surface.
+    pub surface: Surface,
+    /// Distance of each corner to the target's surface, µm: positive where the corner lies outside of the target (the print is too
+    /// large there), negative where it lies in it (too small).
+    pub off_um: Vec<f32>,
+    /// Voxels per edge that were averaged before the surfaces were taken; 1: none.
+    pub coarsened: usize,
+}
+
+/// Signed distances of the print's surface, `None` when one of the surfaces is empty. Where the target has no print at all, there is no
+/// surface to show it.
+pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
+    let Surfaces {
+        printed,
+        target,
+        coarsened,
+        ..
+    } = surfaces(print, FULL_RESOLUTION)?;
+    let distances = distances(&printed, &target);
+    let signed = |(corner, (distance, _)): (&[f32; 3], (f32, f64))| {
+        let at_mm = corner.map(f64::from);
+        let share = value_at(print.grid(), at_mm, |i, row| print.target_row(i, row));
+        1e3 * if share < 0.5 { distance } else { -distance }
+    };
+    let off_um = printed
+        .corners
+        .par_iter()
+        .zip(distances)
+        .map(signed)
+        .collect();
+    Some(Deviation {
+        surface: printed,
+        off_um,
+        coarsened,
+    })
+}
+
 /// Distances for a print, `None` when one of the surfaces is empty.
 pub(super) fn surface_distance(print: &Print<'_>) -> Option<SurfaceDistance> {
     surface_distance_on(print, FULL_RESOLUTION)
 }
 
-fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceDistance> {
+/// The print's surface and the target's.
+struct Surfaces {
+    threshold: f64,
+    printed: Surface,
+    target: Surface,
+    /// Voxels per edge that were averaged.
+    coarsened: usize,
+}
+
+/// Both surfaces on as many voxels as distances are taken on; `None` when one of them is empty.
+fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let threshold = print.gel_threshold()?;
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
@@ -112,9 +162,22 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         }
         coarsened += 1;
     };
-    if printed.is_empty() || target.is_empty() {
-        return None;
-    }
+    (!printed.is_empty() && !target.is_empty()).then_some(Surfaces {
+        threshold,
+        printed,
+        target,
+        coarsened,
+    })
+}
+
+fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceDistance> {
+    let grid = print.grid();
+    let Surfaces {
+        threshold,
+        printed,
+        target,
+        coarsened,
+    } = surfaces(print, most_voxels)?;
     let mut samples = distances(&printed, &target);
     let back = distances(&target, &printed);
     let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
@@ -335,6 +398,27 @@ mod tests {
         assert_eq!(d.coarsened, 1);
         let same = compare(&grid, [1.2, 1.2], 0.0, usize::MAX);
         assert!(same.hausdorff_mm < 1e-6, "{same:?}");
+    }
+
+    #[test]
+    fn a_print_that_is_too_large_is_positive_all_over_and_one_that_is_too_small_negative() {
+        let grid = VolumeGrid::centered([40, 41, 42], 0.1);
+        for (radius, expected) in [(1.35, 150.0), (1.05, -150.0)] {
+            let (response, mut inside) = (sphere(&grid, radius, 0.0), sphere(&grid, 1.2, 0.0));
+            let label = |&v: &f32| if v >= 1.0 { PART } else { VOID };
+            let labels = Volume {
+                values: inside.values.iter().map(label).collect(),
+                grid: grid.clone(),
+            };
+            inside.values.iter_mut().for_each(|v| *v -= 0.5);
+            let print = Print::new(&labels, &response).unwrap();
+            let print = print.with_inside(&inside).unwrap();
+            let found = print.with_threshold(1.0).unwrap().deviation().unwrap();
+            assert_eq!(found.off_um.len(), found.surface.corners.len());
+            for off in &found.off_um {
+                assert!((off - expected).abs() < 4.0, "{off} {expected}");
+            }
+        }
     }
 
     #[test]

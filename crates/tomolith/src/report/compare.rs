@@ -672,6 +672,9 @@ fn history(
         positive().reduce(f64::min),
         positive().reduce(f64::max),
     ) {
+        ("loss", Some(low), Some(high)) if all().any(|p| p[1] <= 0.0) => {
+            Axis::log_with_zero("loss", low, high)
+        }
         ("loss", Some(low), Some(high)) => Axis::log("loss", low, high),
         _ => Axis::linear("IoU", all().map(|p| p[1]).fold(1.0, f64::min), 1.0),
     };
@@ -682,6 +685,7 @@ fn history(
         .filter(|(_, line)| !line.is_empty())
     {
         plot.line(line, &class(i), "");
+        plot.zeros(line, &class(i));
     }
     Some(plot.svg(&format!("{column} against {label}")))
 }
@@ -756,7 +760,7 @@ fn histograms(runs: &[ComparedRun]) -> Option<String> {
         .max(FAINTEST * most);
     let mut plot = Plot::new(
         Axis::linear("response to the dose", 0.0, right),
-        Axis::log("share per unit", least, most),
+        Axis::log_with_zero("share per unit", least, most),
     );
     for (i, [part, void]) in lines.iter().enumerate() {
         plot.line(part, &class(i), "");

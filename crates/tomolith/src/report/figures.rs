@@ -434,7 +434,7 @@ fn slice_svg(slice: &Slice<'_>, uri: &str, name: &str) -> String {
 }
 
 /// 1, 2 or 5 times a power of ten, not larger than `length`.
-fn nice_length(length: f64) -> f64 {
+pub(super) fn nice_length(length: f64) -> f64 {
     let power = 10f64.powf(length.log10().floor());
     [5.0, 2.0, 1.0]
         .into_iter()
@@ -476,7 +476,12 @@ fn marked_at(high: f64, mark: Option<(f64, &str)>) -> String {
     })
 }
 
-fn bar_svg(map: fn(f64) -> Colour, label: &str, marked: &str, [low, high]: [String; 2]) -> String {
+pub(super) fn bar_svg(
+    map: fn(f64) -> Colour,
+    label: &str,
+    marked: &str,
+    [low, high]: [String; 2],
+) -> String {
     let stops: String = (0..=20)
         .map(|i| {
             format!(

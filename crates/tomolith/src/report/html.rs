@@ -1,13 +1,13 @@
 //! `report.html`: one page without any outside resource.
 //!
-//! Headline numbers with the vial turning, as it prints, and standing still; dose histogram and IoU over the threshold;
-//! three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
+//! The best exposure and what limits the print; headline numbers with the vial turning, as it prints, and standing still; dose
+//! histogram and IoU over the threshold; the surface in the colours of its deviation; three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
 use super::figures::{BODIES, FATES, dose_bar, error_bar, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
-use super::{LightReport, MovieReport, ReportData};
+use super::{LightReport, MovieReport, ReportData, latitude, limits, relief};
 use crate::field::BLOCK;
 use crate::grid::Volume;
 use crate::io::csv::HistoryRow;
@@ -43,9 +43,11 @@ pub fn report_html(data: &ReportData<'_>) -> String {
     page.push_str(&head(data));
     page.push_str("<main>");
     for part in [
+        first(data),
         warnings(data),
         cards(data),
         dose_plots(data),
+        surface(data),
         slices_section(data),
         history(data.history),
         patterns(data),
@@ -111,6 +113,23 @@ fn head(data: &ReportData<'_>) -> String {
         escape(data.part),
         sentence(data.evaluation),
     )
+}
+
+/// What a reader looks for first: how long to expose, and what to change.
+fn first(data: &ReportData<'_>) -> String {
+    let (exposure, limits) = (
+        latitude::section(data.exposure),
+        limits::section(data.limits),
+    );
+    format!("<div class=\"two\">{exposure}{limits}</div>")
+}
+
+/// The surface, for a target that has one.
+fn surface(data: &ReportData<'_>) -> String {
+    let of_part = data.deviation.filter(|_| !is_grey(data));
+    of_part.map_or_else(String::new, |deviation| {
+        relief::section(deviation, data.evaluation.grid.pitch_mm)
+    })
 }
 
 /// The result in words.
@@ -186,6 +205,15 @@ fn shown(kind: &MetricKind, value: Measure, digits: usize) -> (String, &'static 
     }
 }
 
+/// A length in voxels, in brackets; empty for what is no length.
+fn in_voxels(kind: &MetricKind, value: Measure, pitch_mm: f64) -> String {
+    value
+        .filter(|_| kind.unit == "mm")
+        .map_or_else(String::new, |mm| {
+            format!("({} voxels)", significant(mm / pitch_mm, 2))
+        })
+}
+
 /// Whether grey values were asked for.
 fn is_grey(data: &ReportData<'_>) -> bool {
     data.evaluation.half_width.is_some()
@@ -207,14 +235,16 @@ fn cards(data: &ReportData<'_>) -> String {
         .filter_map(|name| METRICS.iter().find(|k| k.name == *name))
     {
         let digits = if kind.name == "iou" { 4 } else { 3 };
-        let (value, unit) = shown(kind, data.evaluation.measures.get(kind.name), digits);
+        let measure = data.evaluation.measures.get(kind.name);
+        let (value, unit) = shown(kind, measure, digits);
+        let voxels = in_voxels(kind, measure, data.evaluation.grid.pitch_mm);
         let still = data.standing.map_or(String::new(), |standing| {
             let (value, unit) = shown(kind, standing.measures.get(kind.name), digits);
             format!("<div class=\"still\"><span>standing still</span><b>{value} {unit}</b></div>")
         });
         let _ = write!(
             out,
-            "<div class=\"card\"><h3>{}</h3><div class=\"big\">{value}<small>{unit}</small></div><p>{}{}</p>{still}</div>",
+            "<div class=\"card\"><h3>{}</h3><div class=\"big\">{value}<small>{unit} {voxels}</small></div><p>{}{}</p>{still}</div>",
             escape(kind.title),
             escape(kind.summary),
             place(kind, data.evaluation),
@@ -348,7 +378,7 @@ fn error_plot(curves: &GreyCurves, half_width: f64) -> String {
     let most = curves.errors.iter().flatten().copied().fold(1.0, f64::max);
     let mut plot = Plot::new(
         Axis::linear("response − grey value", -reach, reach),
-        Axis::log("voxels", 1.0, most),
+        Axis::log_with_zero("voxels", 1.0, most),
     );
     plot.band(-half_width, half_width, "window", "objective's band");
     plot.steps([-reach, reach], &curves.errors[1], "void", "dark (below ½)");
@@ -391,7 +421,7 @@ fn histogram_plot(data: &ReportData<'_>) -> String {
     let [low, high] = histogram.range;
     let mut plot = Plot::new(
         Axis::linear("response to the dose", low, high),
-        Axis::log("voxels", 1.0, most),
+        Axis::log_with_zero("voxels", 1.0, most),
     );
     if let Some([lower, upper]) = data.window {
         plot.band(lower, upper, "window", "objective's window");
@@ -469,6 +499,9 @@ fn slices_section(data: &ReportData<'_>) -> String {
     )
 }
 
+/// Label of an axis that is a difference of responses, which has no logarithm.
+const RESPONSE: &str = "response";
+
 fn history(rows: &[HistoryRow]) -> String {
     let Some(last) = rows.last() else {
         return String::new();
@@ -487,7 +520,7 @@ fn history(rows: &[HistoryRow]) -> String {
         ),
         (
             "Process window",
-            "response",
+            RESPONSE,
             measured(rows, |r| r.process_window),
         ),
     ]
@@ -523,22 +556,32 @@ fn measured(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> Option<f64>) -> 
 
 fn history_plot(title: &str, label: &str, points: &[[f64; 2]]) -> String {
     let last = points.last().map_or(1.0, |p| p[0]);
-    let positive = || points.iter().map(|p| p[1]).filter(|v| *v > 0.0);
+    let values = || points.iter().map(|p| p[1]);
+    let positive = || values().filter(|v| *v > 0.0);
     let (low, high) = (
         positive().fold(f64::INFINITY, f64::min),
         positive().fold(0.0, f64::max),
     );
-    let least = points.iter().map(|p| p[1]).fold(0.0, f64::min);
-    let y = if high > 0.0 && least >= 0.0 {
-        Axis::log(label, low, high)
-    } else {
+    let least = values().fold(0.0, f64::min);
+    if high == 0.0 && least == 0.0 {
+        return format!(
+            "<p>It is 0 at each of the {} points that were measured.</p>",
+            points.len()
+        );
+    }
+    let y = if least < 0.0 || label == RESPONSE {
         Axis::linear(label, least, high)
+    } else if values().any(|v| v == 0.0) {
+        Axis::log_with_zero(label, low, high)
+    } else {
+        Axis::log(label, low, high)
     };
     let mut plot = Plot::new(
         Axis::linear("model calls (dose and pull-back)", 0.0, last),
         y,
     );
     plot.line(points, "accent", "");
+    plot.zeros(points, "accent");
     plot.svg(&format!("{title} against model calls"))
 }
 
@@ -611,7 +654,7 @@ fn machine(light: &LightReport<'_>) -> String {
 }
 
 /// Seconds as hours, minutes and seconds.
-fn clock(seconds: f64) -> String {
+pub(super) fn clock(seconds: f64) -> String {
     let whole = seconds.round() as u64;
     match whole {
         0..60 => format!("{} s", significant(seconds, 3)),
@@ -667,9 +710,14 @@ fn table(data: &ReportData<'_>) -> String {
             escape(kind.summary)
         );
         for (i, (_, _, evaluation)) in columns.iter().enumerate() {
-            let (value, _) = shown(kind, evaluation.measures.get(kind.name), 4);
+            let measure = evaluation.measures.get(kind.name);
+            let (value, _) = shown(kind, measure, 4);
+            let voxels = in_voxels(kind, measure, evaluation.grid.pitch_mm);
             let class = if i == 0 { " class=\"head\"" } else { "" };
-            let _ = write!(rows, "<td{class}>{value}</td>");
+            let _ = write!(
+                rows,
+                "<td{class}>{value} <span class=\"unit\">{voxels}</span></td>"
+            );
         }
         rows.push_str("</tr>");
     }

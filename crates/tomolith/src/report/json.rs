@@ -8,6 +8,13 @@
 //!               band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
 //!               and standing_still: the same without turning
 //! optimisation  the same on the optimisation's grid
+//! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of grey targets), best (its value
+//!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
+//!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for grey targets; the
+//!               highest belongs to the shortest exposure); reported_percent (the exposure of all other numbers: 100, unless the job sets a
+//!               threshold or is grey). An end without limit is null; all of it is null where it cannot be said
+//! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
+//!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
 //! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
 //!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
@@ -103,6 +110,8 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "part": data.part,
         "evaluation": evaluation,
         "optimisation": data.optimisation.map(evaluation_json),
+        "exposure": data.exposure,
+        "limits": data.limits.causes,
         "published": data.published,
         "lights": lights,
         "history": history,

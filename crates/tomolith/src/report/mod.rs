@@ -8,9 +8,12 @@ pub mod compare;
 mod figures;
 pub mod html;
 pub mod json;
+pub mod latitude;
+pub mod limits;
 pub mod number;
 mod picture;
 mod plot;
+mod relief;
 
 use crate::error::{Error, Result};
 use crate::exposure::Budget;
@@ -19,7 +22,10 @@ use crate::io::csv::HistoryRow;
 use crate::io::mp4::MovieCheck;
 use crate::io::write_whole;
 use crate::metrics::Evaluation;
+use crate::metrics::surface::Deviation;
 use crate::optimize::Kept;
+pub use latitude::ExposureWindow;
+pub use limits::{Cause, Limit, Limits};
 use std::io::Write;
 use std::path::Path;
 
@@ -72,6 +78,10 @@ pub struct ReportData<'a> {
     pub facts: Vec<(String, String)>,
     /// What gave the doses: `("optimisation", "parallel (…): …")`.
     pub models: Vec<(&'static str, String)>,
+    /// Over which exposures the print is nearly as good as at the best one, where that can be said.
+    pub exposure: Option<&'a ExposureWindow>,
+    /// What limits the print.
+    pub limits: &'a Limits,
     /// The patterns of each light.
     pub lights: Vec<LightReport<'a>>,
     /// Labels of the evaluation's voxels ([`crate::target::label`]).
@@ -96,6 +106,8 @@ pub struct ReportData<'a> {
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
     pub kept: Option<Kept>,
+    /// The print's surface and how far it is off, where there is one.
+    pub deviation: Option<&'a Deviation>,
     /// Movies.
     pub movies: Vec<MovieReport>,
     /// The resolved job.
@@ -149,6 +161,14 @@ pub fn write_json(path: &Path, data: &ReportData<'_>) -> Result<()> {
     })
 }
 
+/// Writes `print.ply`: the print's surface in mm, with colours, and `deviation_um` at each corner (positive where the print is too large).
+///
+/// # Errors
+/// [`Error::Io`].
+pub fn write_print(path: &Path, part: &str, deviation: &Deviation) -> Result<()> {
+    relief::write(path, part, deviation)
+}
+
 /// Writes `report.html`; see [`html`].
 ///
 /// # Errors
@@ -173,6 +193,7 @@ mod tests {
         response: Volume<f32>,
         patterns: Patterns,
         history: Vec<HistoryRow>,
+        limits: Limits,
     }
 
     impl Sample {
@@ -214,6 +235,16 @@ mod tests {
                 },
                 patterns,
                 history: (0..5).map(row).collect(),
+                limits: Limits {
+                    sentence: "Predicted IoU 1.".to_owned(),
+                    causes: vec![Limit {
+                        cause: Cause::Turning,
+                        measure: "iou",
+                        loss: 0.25,
+                        key: "light.angles".to_owned(),
+                        advice: "It turns. Raise `light.angles`.".to_owned(),
+                    }],
+                },
             }
         }
 
@@ -233,6 +264,8 @@ mod tests {
                 created: "",
                 facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
                 models: vec![("evaluation", "parallel: one slice serves all".to_owned())],
+                exposure: None,
+                limits: &self.limits,
                 lights: vec![LightReport {
                     name: "",
                     patterns: &self.patterns,
@@ -260,6 +293,7 @@ mod tests {
                 published: serde_json::Map::new(),
                 history: &self.history,
                 kept: None,
+                deviation: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
                 warnings: vec!["x < y".to_owned()],
@@ -304,6 +338,9 @@ mod tests {
         assert_eq!(json["run"]["timings_s"]["all"], 2.0);
         assert_eq!(json["lights"][0]["budget"]["turns"], 12.5);
         assert_eq!(json["lights"][0]["canvas"], serde_json::json!([32, 20]));
+        assert_eq!(json["limits"][0]["loss_in_iou"], 0.25);
+        assert_eq!(json["limits"][0]["cause"], "turning");
+        assert_eq!(json["exposure"], serde_json::Value::Null);
         let mut other = sample.data(&evaluation);
         (other.created, other.timings[0].seconds) = ("tomorrow", 9.0);
         let mut other = json::report_json(&other);
@@ -347,6 +384,37 @@ mod tests {
                 "{tag}"
             );
         }
+    }
+
+    #[test]
+    fn exposure_and_limits_stand_before_all_else_and_the_surface_in_two_views() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let window = ExposureWindow::new(&evaluation, &crate::response::Identity, Some(75.0));
+        let print = Print::new(&sample.labels, &sample.response).unwrap();
+        let deviation = print.deviation().unwrap();
+        let mut data = sample.data(&evaluation);
+        let pictures = |data: &ReportData<'_>| {
+            let page = html::report_html(data);
+            (page.matches("data:image/png;base64,").count(), page)
+        };
+        let (before, _) = pictures(&data);
+        (data.exposure, data.deviation) = (window.as_ref(), Some(&deviation));
+        let (after, page) = pictures(&data);
+        assert_eq!(after, before + 2);
+        let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text}"));
+        assert!(place("<h2>Best exposure</h2>") < place("<h2>What limits the print</h2>"));
+        assert!(place("Raise <code>light.angles</code>") < place("class=\"cards\""));
+        assert!(page.contains("<td>Time to print</td>") && page.contains("1 min 15 s"));
+        let json = json::report_json(&data);
+        assert_eq!(json["exposure"]["time_s"]["best"], 75.0);
+        assert_eq!(json["exposure"]["percent"]["best"], 100.0);
+        assert_eq!(json["exposure"]["measure"], "iou");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("print.ply");
+        write_print(&path, "größer", &deviation).unwrap();
+        let mesh = crate::io::mesh::read_mesh(&path).unwrap();
+        assert_eq!(mesh.triangles.len(), deviation.surface.triangles.len());
     }
 
     #[test]

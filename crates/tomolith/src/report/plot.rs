@@ -12,6 +12,8 @@ const LEFT: f64 = 62.0;
 const RIGHT: f64 = 14.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 46.0;
+/// Share of a logarithmic axis that stands for 0, below its lowest decade.
+const ZERO: f64 = 0.09;
 
 /// One axis.
 pub(super) struct Axis {
@@ -19,6 +21,8 @@ pub(super) struct Axis {
     pub(super) low: f64,
     pub(super) high: f64,
     pub(super) log: bool,
+    /// Whether 0 has a place below the decades.
+    pub(super) zero: bool,
 }
 
 impl Axis {
@@ -29,6 +33,7 @@ impl Axis {
             low,
             high,
             log: false,
+            zero: false,
         }
     }
 
@@ -41,13 +46,31 @@ impl Axis {
             low: 10f64.powf(low),
             high: 10f64.powf(high),
             log: true,
+            zero: false,
+        }
+    }
+
+    /// Decades, and 0 below them, which has no logarithm.
+    pub(super) fn log_with_zero(label: &str, low: f64, high: f64) -> Self {
+        Axis {
+            zero: true,
+            ..Axis::log(label, low, high)
         }
     }
 
     /// 0 at the low end, 1 at the high end.
     fn place(&self, value: f64) -> f64 {
-        let place = if self.log {
-            (value.max(f64::MIN_POSITIVE) / self.low).log10() / (self.high / self.low).log10()
+        let place = if self.zero && value <= 0.0 {
+            0.0
+        } else if self.log {
+            let decades =
+                (value.max(f64::MIN_POSITIVE) / self.low).log10() / (self.high / self.low).log10();
+            if self.zero {
+                // What is off the decades is still not 0
+                ZERO + (1.0 - ZERO) * decades.max(0.0)
+            } else {
+                decades
+            }
         } else {
             (value - self.low) / (self.high - self.low)
         };
@@ -62,16 +85,18 @@ impl Axis {
                 self.high.log10().round() as i32,
             );
             let step = ((high - low) as usize).div_ceil(wanted).max(1);
-            return (low..=high)
-                .step_by(step)
-                .map(|power| {
+            let zero = self.zero.then(|| (0.0, "0".to_owned()));
+            let decades = (low..=high).step_by(step);
+            return zero
+                .into_iter()
+                .chain(decades.map(|power| {
                     let label = match power {
                         0 => "1".to_owned(),
                         1 => "10".to_owned(),
                         power => exponent(power),
                     };
                     (10f64.powi(power), label)
-                })
+                }))
                 .collect();
         }
         let step = nice_step((self.high - self.low) / wanted as f64);
@@ -173,6 +198,28 @@ impl Plot {
         }
     }
 
+    /// Marks points that are 0 on an axis whose decades cannot show it, and says so at the first of them.
+    pub(super) fn zeros(&mut self, points: &[[f64; 2]], class: &str) {
+        if !self.y.zero {
+            return;
+        }
+        let zeros: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[1] <= 0.0).collect();
+        zeros.iter().for_each(|point| self.dot(*point, class));
+        if let Some(&[x, _]) = zeros.first() {
+            let (x, y) = (self.px(x), self.py(0.0));
+            // On the side where there is room
+            let (x, anchor) = if x > f64::midpoint(LEFT, WIDTH - RIGHT) {
+                (x - 16.0, "end")
+            } else {
+                (x + 9.0, "start")
+            };
+            self.add(format_args!(
+                "<text class=\"zero\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">exactly 0</text>",
+                y - 4.0
+            ));
+        }
+    }
+
     /// A dot.
     pub(super) fn dot(&mut self, point: [f64; 2], class: &str) {
         let (x, y) = (self.px(point[0]), self.py(point[1]));
@@ -223,13 +270,28 @@ impl Plot {
                 bottom + 18.0
             );
         }
+        if self.y.zero {
+            // The axis is broken between 0 and its lowest decade
+            let y = self.py(0.0) - 0.5 * ZERO * (bottom - TOP);
+            let _ = write!(
+                grid,
+                "<path class=\"break\" d=\"M{} {:.1}l10 -5M{} {:.1}l10 -5\"/>",
+                LEFT - 5.0,
+                y + 5.0,
+                LEFT - 5.0,
+                y + 9.0
+            );
+        }
+        // Without names nothing stands above the plot
+        let above = if self.legend.is_empty() { 22.0 } else { 0.0 };
         let middle = f64::midpoint(LEFT, right);
         let upright = f64::midpoint(TOP, bottom);
         format!(
-            "<svg class=\"plot\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{}\">{grid}\
+            "<svg class=\"plot\" viewBox=\"0 {above} {WIDTH} {}\" role=\"img\" aria-label=\"{}\">{grid}\
              <path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>{}{}\
              <text class=\"label\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>\
              <text class=\"label\" transform=\"translate(14 {upright}) rotate(-90)\" text-anchor=\"middle\">{}</text></svg>",
+            HEIGHT - above,
             escape(title),
             self.body,
             self.legend(),
@@ -279,6 +341,35 @@ mod tests {
             ["10⁻¹", "1", "10", "10²", "10³", "10⁴"]
         );
         assert_eq!(labels(Axis::log("", 1e-9, 1.0)).len(), 5);
+    }
+
+    #[test]
+    fn zero_has_a_place_of_its_own_below_the_decades() {
+        let axis = Axis::log_with_zero("", 1.0, 1000.0);
+        let labels: Vec<String> = axis.ticks(5).into_iter().map(|t| t.1).collect();
+        assert_eq!(labels, ["0", "1", "10", "10²", "10³"]);
+        assert_eq!(
+            [0.0, 1.0, 1000.0, 1e-9].map(|v| axis.place(v)),
+            [0.0, ZERO, 1.0, ZERO]
+        );
+        let points = [[0.0, 10.0], [1.0, 1e-3], [2.0, 0.0], [3.0, 0.0]];
+        let svg = |y: Axis| {
+            let mut plot = Plot::new(Axis::linear("x", 0.0, 3.0), y);
+            plot.line(&points, "a", "");
+            plot.zeros(&points, "a");
+            plot.svg("t")
+        };
+        let with = svg(Axis::log_with_zero("y", 1e-3, 10.0));
+        assert_eq!(
+            (
+                with.matches("<circle").count(),
+                with.matches("exactly 0").count()
+            ),
+            (2, 1)
+        );
+        assert!(with.contains(&format!("L{:.1} {:.1}", WIDTH - RIGHT, HEIGHT - BOTTOM)));
+        let without = svg(Axis::linear("y", 0.0, 10.0));
+        assert!(!without.contains("exactly 0") && !without.contains("<circle"));
     }
 
     #[test]

@@ -1,0 +1,509 @@
+//! What limits a print: the headline number from the optimisation's view to the print's, one step after the other.
+
+use super::judge::{Judged, headline};
+use super::optimise::Optimised;
+use super::scene::Scene;
+use super::spec::Angles;
+use crate::metrics::{Better, Evaluation, Measure, MetricKind};
+use crate::optimize::{Row, StopReason};
+use crate::report::number::significant;
+use crate::report::{Cause, Limit, Limits};
+
+/// Losses below this are not worth a change.
+const WORTH_CHANGING: f64 = 0.001;
+/// A loss function that fell by more than this share over the last quarter of the iterations had not come to rest.
+const STILL_FALLING: f64 = 0.01;
+
+/// What the patterns of a run or a simulation lose, and where.
+pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimised>) -> Limits {
+    let spec = &scene.spec;
+    let kind = headline(judged.evaluation.half_width.is_some());
+    let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
+    let light = &spec.light[0];
+    let kinds = light.projector.0.as_object();
+    let projector = kinds.and_then(|kinds| kinds.keys().next());
+    let arc_deg = match &light.angles {
+        Angles::Even { count, arc_deg, .. } => Some(arc_deg / *count as f64),
+        Angles::List(_) => None,
+    };
+    let finest = scene.levels.last();
+    let found = Found {
+        kind,
+        optimised: judged.optimisation.as_ref().and_then(get),
+        written: judged.written,
+        standing: get(&judged.standing),
+        turning: get(&judged.evaluation),
+        pitches_mm: [scene.grid.pitch_mm, judged.evaluation.grid.pitch_mm],
+        bits: spec.evaluate.bit_depth,
+        has_machine: spec.printer.is_some(),
+        arc_deg,
+        is_optimised_turning: finest.is_some_and(|level| level.lights[0].sub_angles > 1),
+        saw_finer: finest.is_some_and(|level| {
+            level.grid.pitch_mm < scene.grid.pitch_mm
+                && level.grid.pitch_mm <= judged.evaluation.grid.pitch_mm
+        }),
+        pixel_key: projector.map_or_else(
+            || "light.projector".to_owned(),
+            |kind| format!("light[0].projector.{kind}.pixel_pitch_mm"),
+        ),
+        is_simulated: optimised.is_none(),
+        falling: optimised.and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
+    };
+    found.limits()
+}
+
+/// A loss function that was still falling when the optimisation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Falling {
+    /// By which share it fell in the last iterations.
+    share: f64,
+    /// How many these are, of how many.
+    last: usize,
+    all: usize,
+    /// The key of the limit that was reached.
+    key: &'static str,
+}
+
+impl Falling {
+    fn of(reason: StopReason, history: &[Row]) -> Option<Self> {
+        let key = match reason {
+            StopReason::Iterations => "stop.iterations",
+            StopReason::WallTime => "stop.wall_s",
+            _ => return None,
+        };
+        let end = history.last()?;
+        let last = end.iteration.div_ceil(4);
+        let before = history
+            .iter()
+            .find(|row| row.iteration == end.iteration - last)?;
+        let share = 1.0 - end.loss / before.loss;
+        (share > STILL_FALLING).then_some(Falling {
+            share,
+            last,
+            all: end.iteration,
+            key,
+        })
+    }
+}
+
+/// What was measured.
+struct Found {
+    kind: &'static MetricKind,
+    /// Patterns as they were optimised, on the optimisation's grid.
+    optimised: Measure,
+    /// Patterns as they were written, on the same grid.
+    written: Measure,
+    /// On the finer grid.
+    standing: Measure,
+    /// While the vial turns.
+    turning: Measure,
+    /// Voxels of the optimisation and of the evaluation.
+    pitches_mm: [f64; 2],
+    bits: u32,
+    has_machine: bool,
+    /// Arc of a frame; None for a list of angles.
+    arc_deg: Option<f64>,
+    /// Whether the optimisation counted the turning already.
+    is_optimised_turning: bool,
+    /// Whether the optimiser looked at voxels as fine as the evaluation's: the job's own then limit nothing.
+    saw_finer: bool,
+    /// The key of the pixels' size.
+    pixel_key: String,
+    /// Whether the patterns were given: nothing was optimised.
+    is_simulated: bool,
+    falling: Option<Falling>,
+}
+
+impl Found {
+    fn limits(&self) -> Limits {
+        let mut causes: Vec<Limit> = [
+            self.grid(),
+            self.levels(),
+            self.turning(),
+            self.what_remains(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
+        Limits {
+            sentence: self.sentence(&causes).unwrap_or_default(),
+            causes,
+        }
+    }
+
+    /// How much worse one number is than another.
+    fn loss(&self, from: Measure, to: Measure) -> Option<f64> {
+        let fall = from? - to?;
+        Some(match self.kind.better {
+            Better::Lower => -fall,
+            _ => fall,
+        })
+    }
+
+    /// A cause; `action` says what changes it, unless there is nothing to gain.
+    fn limit(&self, cause: Cause, loss: f64, key: &str, found: String, action: &str) -> Limit {
+        let action = if loss >= WORTH_CHANGING {
+            format!(" {action} `{key}`.")
+        } else {
+            String::new()
+        };
+        Limit {
+            cause,
+            measure: self.kind.name,
+            loss,
+            key: key.to_owned(),
+            advice: found + &action,
+        }
+    }
+
+    /// "IoU 0.974".
+    fn value(&self, value: f64) -> String {
+        let name = if self.kind.better == Better::Lower {
+            "rms error"
+        } else {
+            self.kind.title
+        };
+        format!("{name} {value:.3}")
+    }
+
+    /// "IoU 0.974 instead of 1.000", or that it is as before.
+    fn change(&self, before: f64, after: f64) -> String {
+        let (value, before) = (self.value(after), format!("{before:.3}"));
+        if value.ends_with(&before) {
+            format!("{value}, as before")
+        } else {
+            format!("{value} instead of {before}")
+        }
+    }
+
+    fn grid(&self) -> Option<Limit> {
+        if self.saw_finer {
+            return None;
+        }
+        // An optimisation that counts the turning is compared with a print that turns
+        let to = if self.is_optimised_turning {
+            self.turning
+        } else {
+            self.standing
+        };
+        let loss = self.loss(self.written, to)?;
+        let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
+        let found = format!(
+            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimiser does not see inside its voxels.",
+            self.change(self.written?, to?),
+        );
+        Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
+    }
+
+    fn levels(&self) -> Option<Limit> {
+        let loss = self.loss(self.optimised, self.written)?;
+        let (bits, machine) = (self.bits, self.machine());
+        let found = format!(
+            "Written with {bits} bits{machine} the patterns have {}.",
+            self.change(self.optimised?, self.written?),
+        );
+        Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
+    }
+
+    fn machine(&self) -> &'static str {
+        if self.has_machine {
+            " on the machine's pixels"
+        } else {
+            ""
+        }
+    }
+
+    fn turning(&self) -> Option<Limit> {
+        if self.is_optimised_turning {
+            return None;
+        }
+        let loss = self.loss(self.standing, self.turning)?;
+        let arc = self
+            .arc_deg
+            .map_or_else(String::new, |deg| format!(" by {}°", significant(deg, 3)));
+        let found = format!(
+            "The vial turns{arc} during each frame, which gives {}.",
+            self.change(self.standing?, self.turning?),
+        );
+        Some(self.limit(Cause::Turning, loss, "light.angles", found, "Raise"))
+    }
+
+    /// What the patterns leave before they are written: the light's share, or that of an optimisation that was not at its end.
+    fn what_remains(&self) -> Option<Limit> {
+        let perfect = match self.kind.better {
+            Better::Lower => 0.0,
+            _ => 1.0,
+        };
+        let (reached, reach) = if self.saw_finer {
+            let of_print = format!("The print has {}", self.value(self.turning?));
+            (self.turning, of_print)
+        } else {
+            let reach = format!(
+                "Before they are written, the patterns reach {} on the job's own voxels",
+                self.value(self.optimised?)
+            );
+            (self.optimised, reach)
+        };
+        let loss = self.loss(Some(perfect), reached)?;
+        let Some(Falling {
+            share,
+            last,
+            all,
+            key,
+        }) = self.falling
+        else {
+            let rest = if loss >= WORTH_CHANGING {
+                "; the rest is what this light leaves."
+            } else {
+                ": nothing is left to gain there."
+            };
+            let found = reach + rest;
+            let action = "Finer pixels may bring more: lower";
+            return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, action));
+        };
+        let found = format!(
+            "{reach}, and the loss function still fell by {} % in the last {last} of {all} iterations.",
+            significant(100.0 * share, 2)
+        );
+        Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
+    }
+
+    /// All in one line; None where nothing was measured.
+    fn sentence(&self, causes: &[Limit]) -> Option<String> {
+        let seen = match (self.optimised, self.is_simulated) {
+            (Some(seen), _) if self.saw_finer => format!(" (on the job's own voxels {seen:.3})"),
+            (Some(seen), false) => format!(" (the optimiser saw {seen:.3})"),
+            (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
+            (None, _) => String::new(),
+        };
+        let step = |limit: &Limit| {
+            let name = match limit.cause {
+                Cause::Grid => "finer grid".to_owned(),
+                Cause::Levels => format!("{} bits{}", self.bits, self.machine()),
+                Cause::Turning => "rotation".to_owned(),
+                // What the optimiser saw says it
+                Cause::Optics | Cause::Iterations => return None,
+            };
+            let change = if self.kind.better == Better::Lower {
+                limit.loss
+            } else {
+                -limit.loss
+            };
+            Some(format!("{name} {}", signed(change)))
+        };
+        let steps: Vec<String> = causes.iter().filter_map(step).collect();
+        let improve = causes.first().filter(|limit| limit.loss >= WORTH_CHANGING);
+        let improve = improve.map_or_else(String::new, |limit| {
+            let verb = match limit.cause {
+                Cause::Grid => "lower",
+                Cause::Optics => "try a lower",
+                _ => "raise",
+            };
+            format!(" To improve, {verb} `{}`.", limit.key)
+        });
+        (!steps.is_empty()).then_some(())?;
+        Some(format!(
+            "Predicted {}{seen}: {}.{improve}",
+            self.value(self.turning?),
+            steps.join(", ")
+        ))
+    }
+}
+
+/// Three decimals and a sign, or 0.
+fn signed(value: f64) -> String {
+    let text = format!("{value:+.3}").replace('-', "−");
+    if text.ends_with("0.000") {
+        "0".to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::{grey, iou};
+
+    /// The numbers of the first example.
+    fn found() -> Found {
+        Found {
+            kind: &iou::KIND,
+            optimised: Some(1.0),
+            written: Some(1.0),
+            standing: Some(0.9736),
+            turning: Some(0.975),
+            pitches_mm: [0.056, 0.028],
+            bits: 8,
+            has_machine: false,
+            arc_deg: Some(2.0),
+            is_optimised_turning: false,
+            saw_finer: false,
+            pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
+            is_simulated: false,
+            falling: None,
+        }
+    }
+
+    fn losses(limits: &Limits) -> Vec<(Cause, f64)> {
+        let losses = limits.causes.iter();
+        losses
+            .map(|l| (l.cause, (l.loss * 1e4).round() / 1e4))
+            .collect()
+    }
+
+    #[test]
+    fn the_largest_loss_comes_first_and_names_the_key() {
+        let limits = found().limits();
+        assert_eq!(
+            limits.sentence,
+            "Predicted IoU 0.975 (the optimiser saw 1.000): finer grid −0.026, 8 bits 0, rotation +0.001. To improve, lower `grid.pitch_mm`."
+        );
+        assert_eq!(
+            losses(&limits),
+            [
+                (Cause::Grid, 0.0264),
+                (Cause::Levels, 0.0),
+                (Cause::Optics, 0.0),
+                (Cause::Turning, -0.0014)
+            ]
+        );
+        assert_eq!(
+            limits.causes[0].advice,
+            "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimiser does not see inside its voxels. \
+             Lower `grid.pitch_mm`."
+        );
+        // Nothing to gain, nothing to change
+        let advice = |i: usize| limits.causes[i].advice.as_str();
+        assert_eq!(
+            advice(1),
+            "Written with 8 bits the patterns have IoU 1.000, as before."
+        );
+        assert!(advice(2).ends_with("voxels: nothing is left to gain there."));
+        assert_eq!(
+            advice(3),
+            "The vial turns by 2° during each frame, which gives IoU 0.975 instead of 0.974."
+        );
+    }
+
+    #[test]
+    fn the_losses_of_a_run_add_up_to_what_is_missing() {
+        let found = Found {
+            optimised: Some(0.95),
+            written: Some(0.94),
+            ..found()
+        };
+        let limits = found.limits();
+        let sum: f64 = limits.causes.iter().map(|l| l.loss).sum();
+        assert!((1.0 - sum - 0.975).abs() < 1e-12);
+        assert_eq!(limits.causes[0].cause, Cause::Optics);
+        assert!(
+            limits.sentence.ends_with(
+                "To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`."
+            )
+        );
+    }
+
+    #[test]
+    fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
+        let row = |iteration: usize, loss: f64| Row {
+            iteration,
+            loss,
+            projected_gradient: None,
+            step: None,
+            forward: 0,
+            adjoint: 0,
+            seconds: 0.0,
+        };
+        let history = |end: f64| -> Vec<Row> {
+            let mut rows: Vec<Row> = (0..=30).map(|i| row(i, 100.0)).collect();
+            rows.extend((31..=40).map(|i| row(i, end)));
+            rows
+        };
+        let falling = Falling::of(StopReason::Iterations, &history(80.0)).unwrap();
+        assert_eq!(
+            (falling.last, falling.all, falling.key),
+            (10, 40, "stop.iterations")
+        );
+        assert!((falling.share - 0.2).abs() < 1e-12);
+        assert_eq!(Falling::of(StopReason::Iterations, &history(99.5)), None);
+        assert_eq!(Falling::of(StopReason::Steady, &history(80.0)), None);
+        assert_eq!(Falling::of(StopReason::Iterations, &[]), None);
+        let limits = Found {
+            optimised: Some(0.9),
+            written: Some(0.9),
+            standing: Some(0.9),
+            turning: Some(0.9),
+            falling: Some(falling),
+            ..found()
+        }
+        .limits();
+        assert_eq!(
+            limits.causes[0].advice,
+            "Before they are written, the patterns reach IoU 0.900 on the job's own voxels, and the loss function still fell by 20 % in the \
+             last 10 of 40 iterations. Raise `stop.iterations`."
+        );
+        assert!(limits.causes.iter().all(|l| l.cause != Cause::Optics));
+    }
+
+    #[test]
+    fn what_was_not_measured_is_not_said() {
+        // A simulation of patterns optimises nothing
+        let patterns = Found {
+            is_simulated: true,
+            ..found()
+        };
+        let said = patterns.limits().sentence;
+        assert!(
+            said.starts_with("Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): "),
+            "{said}"
+        );
+        // Of frames it is not known what was wanted
+        let frames = Found {
+            is_simulated: true,
+            optimised: None,
+            written: None,
+            ..found()
+        };
+        assert_eq!(losses(&frames.limits()), [(Cause::Turning, -0.0014)]);
+        assert_eq!(
+            frames.limits().sentence,
+            "Predicted IoU 0.975: rotation +0.001."
+        );
+        // An optimisation that averages its frames over their arcs
+        let turning = Found {
+            is_optimised_turning: true,
+            ..found()
+        };
+        assert_eq!(losses(&turning.limits())[0], (Cause::Grid, 0.025));
+        let empty = Found {
+            optimised: Some(0.0),
+            written: None,
+            standing: None,
+            turning: None,
+            ..found()
+        };
+        assert_eq!(empty.limits().sentence, "");
+    }
+
+    #[test]
+    fn the_error_of_a_grey_print_rises_where_an_iou_falls() {
+        let limits = Found {
+            kind: &grey::RMS,
+            optimised: Some(0.126),
+            written: Some(0.13),
+            standing: Some(0.128),
+            turning: Some(0.128),
+            ..found()
+        }
+        .limits();
+        assert!(limits.sentence.starts_with(
+            "Predicted rms error 0.128 (the optimiser saw 0.126): 8 bits +0.004, rotation 0, finer grid −0.002."
+        ), "{}", limits.sentence);
+        assert_eq!(
+            losses(&limits)[..2],
+            [(Cause::Optics, 0.126), (Cause::Levels, 0.004)]
+        );
+    }
+}
