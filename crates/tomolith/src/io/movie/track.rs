@@ -108,7 +108,7 @@ impl<'a> Track<'a> {
         let timescale = word(header, if header.first()? == &1 { 20 } else { 12 })?;
         let table = descend(media, &[b"minf", b"stbl"])?;
         let codec = codec(child(table, b"stsd")?)?;
-        let sizes = sample_sizes(child(table, b"stsz")?)?;
+        let sizes = sample_sizes(child(table, b"stsz")?, file.len())?;
         let chunks = chunk_offsets(table)?;
         let samples = place_samples(file, child(table, b"stsc")?, &chunks, &sizes)?;
         let times = child(table, b"stts")?;
@@ -225,11 +225,13 @@ fn parameter_sets(config: &[u8]) -> Option<Vec<&[u8]>> {
     Some(sets)
 }
 
-fn sample_sizes(table: &[u8]) -> Option<Vec<usize>> {
+fn sample_sizes(table: &[u8], file: usize) -> Option<Vec<usize>> {
     let (fixed, count) = (word(table, 4)?, word(table, 8)?);
     if fixed == 0 {
         // One number a sample must be there, which bounds the count
         table.get(12..12usize.checked_add(count.checked_mul(4)?)?)?;
+    } else if count.checked_mul(fixed)? > file {
+        return None;
     }
     (0..count)
         .map(|i| {
