@@ -7,12 +7,14 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::frames::{FrameSet, write_frames};
+use tomolith::io::mesh::write_stl_binary;
 use tomolith::io::npy::write_volume;
 use tomolith::io::vti::{VtiValues, write_vti};
 use tomolith::job::Document;
 use tomolith::kind::Section;
 use tomolith::target::{
-    PHANTOMS, Repair, Resolution, Target, TargetSpec, build, default_grid, voxelise,
+    MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build, default_grid,
+    voxelise,
 };
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -20,12 +22,13 @@ use tomolith::{Error, Result};
 const VOXELIZE: &str = "\
 Examples:
   tomolith voxelize part.stl --pitch-mm 0.05 --output part.npy
-  tomolith voxelize part.stl --shape 200 200 260 --size-mm 12 --binary --output part.vti --json";
+  tomolith voxelize part.stl --shape 200 200 260 --size-mm 12 --binary --output part.vti --json
+  tomolith voxelize part.obj --mesh-unit m --pitch-mm 0.1 --output part.npy --save-mesh repaired.stl";
 
 const PHANTOM: &str = "\
 Examples:
   tomolith phantom gear --pitch-mm 0.05 --output gear.npy
-  tomolith phantom gear --pitch-mm 0.05 --shape 128 128 1 --output one-slice.npy
+  tomolith phantom gear --pitch-mm 0.05 --shape 128 128 1 --clip --output one-slice.npy
   tomolith phantom gyroid --set size_mm=4 --set cells=2 --pitch-mm 0.02 --output slices.png
 `tomolith kinds target.phantom` lists the phantoms and their parameters";
 
@@ -43,6 +46,9 @@ pub(crate) struct Sampling {
     /// Voxels along x, y and z; the pitch follows from the part, unless it is given too
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"])]
     shape: Option<Vec<usize>>,
+    /// Go on when a given shape and pitch cut the part: what lies outside is lost
+    #[arg(long, requires = "shape")]
+    clip: bool,
     /// Longest edge of the part, mm; true size when left out
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     size_mm: Option<f64>,
@@ -67,6 +73,12 @@ pub(crate) struct VoxelizeArguments {
     /// How far repairs may go: `safe`, or `force` for flaws whose repair is a guess
     #[arg(long, value_name = "HOW", value_parser = ["safe", "force"], default_value = "safe")]
     repair: String,
+    /// Unit of the numbers in the file: mm (default), um, cm, m or inch; a .3mf file states its own
+    #[arg(long, value_name = "UNIT", value_parser = ["um", "mm", "cm", "m", "inch"])]
+    mesh_unit: Option<String>,
+    /// Also save the mesh as it is voxelised, repaired and placed, in mm: a binary .stl
+    #[arg(long, value_name = "FILE")]
+    save_mesh: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) sampling: Sampling,
 }
@@ -85,12 +97,27 @@ pub(crate) struct PhantomArguments {
 
 /// `tomolith voxelize`.
 pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
+    let unit = |name: &String| MeshUnit::ALL.into_iter().find(|unit| unit.name() == name);
+    if let Some(file) = &given.save_mesh {
+        if !file
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("stl"))
+        {
+            return Err(Error::config(
+                "--save-mesh",
+                format!("`{}`", file.display()),
+                "a file name ending in .stl",
+            ));
+        }
+        must_have_folder(file)?;
+    }
     let spec = TargetSpec {
         mesh: Some(given.mesh.clone()),
+        mesh_unit: given.mesh_unit.as_ref().and_then(unit),
         repair: (given.repair == "force").then_some(Repair::Force),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling)
+    sample(spec, &given.sampling, given.save_mesh.as_deref())
 }
 
 /// `tomolith phantom`.
@@ -106,16 +133,19 @@ pub(crate) fn phantom(given: &PhantomArguments) -> Result<()> {
         phantom: Some(json!({ given.name.as_str(): table.root })),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling)
+    sample(spec, &given.sampling, None)
 }
 
-fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
+fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>) -> Result<()> {
     let kind = Kind::of(&given.output)?;
     must_have_folder(&given.output)?;
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
-    let shape = build(&spec, Path::new(""), "target")?;
-    let grid = grid_of(given, shape.bounds_mm())?;
+    let shape = build(&spec, Path::new(""), "target").map_err(as_target_option)?;
+    let question = spec.ask_for_unit(shape.bounds_mm(), EXPECTED_MM);
+    let question =
+        question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
+    let grid = grid_of(given, shape.bounds_mm()).map_err(|e| asking(e, question.as_deref()))?;
     let mut target = voxelise(shape.as_ref(), &spec.name(), &grid)?;
     let volume_mm3 = target
         .inside
@@ -131,13 +161,31 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
             .collect();
     }
     write(&given.output, kind, &target, given.binary)?;
+    if let (Some(file), [mesh]) = (save, &shape.meshes()[..]) {
+        write_stl_binary(file, mesh)?;
+    }
     let [nz, ny, nx] = grid.shape;
     let exact = shape.volume_mm3();
+    let mut warnings = shape.warnings();
+    warnings.extend(question);
+    if part == 0 {
+        let text = "no voxel is at least half inside: the voxels are too large for this part";
+        warnings.insert(0, text.to_owned());
+    }
+    let lost = if is_cut(&grid, shape.bounds_mm()) {
+        Some(lost_share(shape.as_ref(), volume_mm3)?)
+    } else {
+        None
+    };
+    warnings.extend(lost.map(|lost| {
+        let percent = (1000.0 * lost).round() / 10.0;
+        format!("the grid cuts the part: {percent} % of its volume is lost")
+    }));
     if given.manner.json {
         let line = json!({
             "event": "done", "file": given.output, "part": target.name, "shape_zyx": grid.shape, "pitch_mm": grid.pitch_mm,
             "center_xyz_mm": grid.center_mm, "part_voxels": part, "volume_mm3": volume_mm3, "exact_volume_mm3": exact,
-            "warnings": shape.warnings(),
+            "lost_share": lost, "mesh_file": save, "warnings": warnings,
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
@@ -154,17 +202,12 @@ fn sample(mut spec: TargetSpec, given: &Sampling) -> Result<()> {
             "part",
             concise(volume_mm3)
         ));
-        if part == 0 {
-            say(&format!(
-                "{:>10} no voxel is at least half inside: the voxels are too large for this part",
-                "warning"
-            ));
-        }
-        shape
-            .warnings()
+        warnings
             .iter()
             .for_each(|text| say(&format!("{:>10} {text}", "warning")));
-        say(&format!("{:>10} {}", "written", given.output.display()));
+        for file in std::iter::once(given.output.as_path()).chain(save) {
+            say(&format!("{:>10} {}", "written", file.display()));
+        }
     }
     Ok(())
 }
@@ -182,10 +225,26 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
                     "three whole numbers from 1 to 65536",
                 ));
             }
-            Ok(VolumeGrid {
+            let grid = VolumeGrid {
                 shape: [n[2], n[1], n[0]],
                 ..from_pitch(pitch_mm)?
-            })
+            };
+            if is_cut(&grid, bounds) && !given.clip {
+                let box_of = |[low, high]: [[f64; 3]; 2]| {
+                    let [x, y, z] = [0, 1, 2].map(|i| concise(high[i] - low[i]));
+                    format!("{x} × {y} × {z} mm")
+                };
+                return Err(Error::config(
+                    "--shape",
+                    format!(
+                        "a grid of {} cuts the part, which is {}",
+                        box_of(grid.bounds_mm()),
+                        box_of(bounds)
+                    ),
+                    "a grid that holds the part, or --clip to lose what lies outside",
+                ));
+            }
+            Ok(grid)
         }
         (Some(n), None) => {
             let shape = Resolution::Shape([n[0], n[1], n[2]]);
@@ -193,6 +252,54 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
         }
         (None, pitch) => from_pitch(pitch.unwrap_or_default()),
     }
+}
+
+/// Longest edges of parts for which nobody asks whether the file has another unit, mm.
+const EXPECTED_MM: [f64; 2] = [0.05, 1000.0];
+
+/// Parts of a voxel that are rounding of lengths.
+const ROUNDING: f64 = 1e-6;
+
+/// Whether some of a box lies outside a grid.
+fn is_cut(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
+    let [first, last] = grid.bounds_mm();
+    let slack = ROUNDING * grid.pitch_mm;
+    (0..3).any(|i| low[i] < first[i] - slack || high[i] > last[i] + slack)
+}
+
+/// Voxels along each axis of the grid on which a volume is measured that no formula gives.
+const MEASURED: usize = 128;
+
+/// Share of a shape's volume that is not among these mm³.
+fn lost_share(shape: &dyn Shape, kept_mm3: f64) -> Result<f64> {
+    let whole_mm3 = match shape.volume_mm3() {
+        Some(exact) => exact,
+        None => {
+            let grid = default_grid(shape.bounds_mm(), Resolution::Shape([MEASURED; 3]))?;
+            let inside = shape.sample(&grid)?.values;
+            inside.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
+        }
+    };
+    Ok((1.0 - kept_mm3 / whole_mm3).clamp(0.0, 1.0))
+}
+
+/// Adds a question to what would be accepted.
+fn asking(mut error: Error, question: Option<&str>) -> Error {
+    if let (Error::Config { accepted, .. }, Some(question)) = (&mut error, question) {
+        accepted.push_str("; ");
+        accepted.push_str(question);
+    }
+    error
+}
+
+/// An error about the unit of a mesh, as one about the option.
+fn as_target_option(mut error: Error) -> Error {
+    if let Error::Config { key, .. } = &mut error
+        && key == "target.mesh_unit"
+    {
+        *key = "--mesh-unit".to_owned();
+    }
+    error
 }
 
 /// An error about a key of a grid, as one about the option of that name.

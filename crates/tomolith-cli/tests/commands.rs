@@ -96,7 +96,8 @@ fn meshes_and_phantoms_become_voxels() {
     let cube = bench.json("voxelize cube.obj --pitch-mm 0.1 --binary --output cube.vti");
     assert_eq!(cube["part_voxels"], 1000);
     bench.expect(0, "phantom gear --pitch-mm 0.2 --output gear.png --quiet");
-    let slice = bench.json("phantom cylinder --pitch-mm 0.1 --shape 60 56 1 --output slice.npy");
+    let slice =
+        bench.json("phantom cylinder --pitch-mm 0.1 --shape 60 56 1 --clip --output slice.npy");
     assert_eq!(slice["shape_zyx"], serde_json::json!([1, 56, 60]));
     let disc = std::f64::consts::PI * 2.5 * 2.5 * 0.1;
     assert!((slice["volume_mm3"].as_f64().unwrap() / disc - 1.0).abs() < 2e-3);

@@ -10,7 +10,7 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tomolith::io::mp4::read_movie;
+use tomolith::io::movie::read_movie;
 
 const FRAMES: usize = 60;
 const COLUMNS: usize = 44;
@@ -273,8 +273,7 @@ fn fit(dose: &[f64], [sx, sy, sz]: [f64; 3]) -> f64 {
 
 /// The movie of a folder, decoded.
 fn movie(folder: &Path, [columns, rows]: [usize; 2]) -> Vec<Picture> {
-    let read = read_movie(&folder.join("chiral_10rpm.mp4"), rows, columns).unwrap();
-    assert_eq!(read.shape, [FRAMES, rows, columns]);
+    let read = read_movie(&folder.join("chiral_10rpm.mp4"), [FRAMES, rows, columns]).unwrap();
     let picture = |levels: &[u16]| {
         Picture::from(rows, columns, |row, column| {
             f64::from(levels[row * columns + column])

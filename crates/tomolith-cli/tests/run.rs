@@ -556,7 +556,7 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     // anywhere; dose.npy has voxels of 0.1 mm
     let doses = |folder: &str| {
         let file = bench.path(folder).join("dose.npy");
-        let ([_, ny, nx], dose) = tomolith::io::npy::read_volume::<f32>(&file).unwrap();
+        let ([_, ny, nx], dose) = tomolith::io::npy::read_volume(&file).unwrap();
         let at = |i: usize, n: usize| (i as f64 - (n - 1) as f64 / 2.0) * 0.1;
         let (mut pocket, mut all) = (0.0f32, 0.0f32);
         for (i, &dose) in dose.iter().enumerate() {

@@ -32,10 +32,12 @@ pub fn exact(value: impl fmt::LowerExp + fmt::Debug) -> String {
 /// ```
 /// use tomolith::units::concise;
 /// assert_eq!([0.1 + 0.2, 7.6, 1.0 / 3.0, 1.25e-9, -2e300].map(concise), ["0.3", "7.6", "0.333333", "1.25e-9", "-2e300"]);
+/// assert_eq!(concise(-0.0), "0");
 /// ```
 #[must_use]
 pub fn concise(value: f64) -> String {
-    exact(format!("{value:.5e}").parse().unwrap_or(value))
+    // Adding zero turns −0 into 0
+    exact(format!("{value:.5e}").parse().unwrap_or(value) + 0.0)
 }
 
 /// A length in millimetres: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.

@@ -11,8 +11,8 @@
 //! use tomolith::exposure::{frame_rate, movie_name};
 //! // 300 frames a turn at 12 turns a minute: 6·12/1.2 = 60 frames a second
 //! assert!((frame_rate(12.0, 300, std::f64::consts::TAU).unwrap() - 60.0).abs() < 1e-12);
-//! assert_eq!(movie_name("gear", 12.0), "gear_12rpm.mp4");
-//! assert_eq!(movie_name("a/b gear", 4.5), "a_b_gear_4.5rpm.mp4");
+//! assert_eq!(movie_name("gear", 12.0, "mp4"), "gear_12rpm.mp4");
+//! assert_eq!(movie_name("a/b gear", 4.5, "mov"), "a_b_gear_4.5rpm.mov");
 //! ```
 
 use crate::error::{Error, Result};
@@ -105,9 +105,9 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
     Ok(rate)
 }
 
-/// `<part>_<rpm>rpm.mp4`; what is no letter, digit, `-`, `_` or `.` in the part's name becomes `_`.
+/// `<part>_<rpm>rpm.<ending>`; what is no letter, digit, `-`, `_` or `.` in the part's name becomes `_`.
 #[must_use]
-pub fn movie_name(part: &str, rpm: f64) -> String {
+pub fn movie_name(part: &str, rpm: f64, ending: &str) -> String {
     let part: String = part
         .chars()
         .map(|c| {
@@ -120,7 +120,7 @@ pub fn movie_name(part: &str, rpm: f64) -> String {
         .collect();
     let part = part.trim_matches(|c| c == '.' || c == '_');
     let part = if part.is_empty() { "part" } else { part };
-    format!("{part}_{rpm}rpm.mp4")
+    format!("{part}_{rpm}rpm.{ending}")
 }
 
 #[cfg(test)]
@@ -167,7 +167,7 @@ mod tests {
                 Err(Error::Config { .. })
             ));
         }
-        assert_eq!(movie_name("../..", 1.0), "part_1rpm.mp4");
-        assert_eq!(movie_name("größe", 1.0), "größe_1rpm.mp4");
+        assert_eq!(movie_name("../..", 1.0, "mp4"), "part_1rpm.mp4");
+        assert_eq!(movie_name("größe", 1.0, "mp4"), "größe_1rpm.mp4");
     }
 }

@@ -1,7 +1,7 @@
 //! Anybody's volumes: `.npy`, or one array of an `.npz`, of whatever number type, as f32 `[z, y, x]`.
 //!
-//! Read are f32, f64, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), in C or Fortran order; an
-//! array of two dimensions is one slice. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
+//! Read are floats of 16, 32 and 64 bits, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), little or
+//! big endian, in C or Fortran order; an array of two dimensions is one slice. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
 //!
 //! ```
 //! use tomolith::io::array::read_any;
@@ -12,23 +12,12 @@
 //! assert_eq!((shape, values), ([1, 2, 3], vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0]));
 //! ```
 
+use super::numbers::{Archive, Numbers, bad, tuple};
 use crate::error::{Error, Result, nearest_name};
-use ndarray::ArrayD;
-use ndarray_npy::{NpzReader, ReadNpyExt, ReadableElement};
-use std::fs::File;
-use std::io::BufReader;
 use std::path::Path;
 
 const ACCEPTED: &str =
-    ".npy or .npz of f32, f64, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
-
-fn bad(path: &Path, found: impl Into<String>) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.into(),
-        accepted: ACCEPTED.to_owned(),
-    }
-}
+    ".npy or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
 
 /// Reads `FILE.npy`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
 ///
@@ -40,24 +29,29 @@ pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
         None => (source.to_owned(), None),
     };
     let path = Path::new(&path);
-    let source = Source::new(path, name)?;
-    let array = source.read_as_any()?;
-    let shape = match *array.shape() {
-        [y, x] => [1, y, x],
-        [z, y, x] => [z, y, x],
-        _ => return Err(bad(path, format!("an array of shape {:?}", array.shape()))),
+    let is_npz = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npz"));
+    let Numbers { shape, values, .. } = if is_npz {
+        let mut archive = Archive::open(path, ACCEPTED)?;
+        let name = chosen(&archive.names(), path, name)?;
+        archive.numbers(&name)?
+    } else {
+        Numbers::read(path, ACCEPTED)?
     };
-    // Logical order, whatever the order in the file
-    Ok((shape, array.iter().copied().collect()))
+    match shape[..] {
+        [y, x] => Ok(([1, y, x], values)),
+        [z, y, x] => Ok(([z, y, x], values)),
+        _ => {
+            let found = format!("an array of shape {}", tuple(&shape));
+            Err(bad(path, found, ACCEPTED))
+        }
+    }
 }
 
 /// The array of an archive that is meant.
-fn chosen(npz: &mut NpzReader<BufReader<File>>, path: &Path, name: Option<&str>) -> Result<String> {
-    let names = npz.names().map_err(|e| bad(path, e.to_string()))?;
-    let names: Vec<&str> = names
-        .iter()
-        .map(|name| name.trim_end_matches(".npy"))
-        .collect();
+fn chosen(names: &[String], path: &Path, name: Option<&str>) -> Result<String> {
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     match (name, names.as_slice()) {
         (None, [only]) => Ok((*only).to_owned()),
         (Some(name), _) if names.contains(&name) => Ok(name.to_owned()),
@@ -79,76 +73,12 @@ fn chosen(npz: &mut NpzReader<BufReader<File>>, path: &Path, name: Option<&str>)
     }
 }
 
-/// An array in a file.
-struct Source<'a> {
-    path: &'a Path,
-    /// Its name in an archive.
-    name: Option<String>,
-}
-
-/// Reads an array whose elements have one type.
-type Read = fn(&Source<'_>) -> Result<ArrayD<f32>, String>;
-
-/// Every number type, the usual ones first.
-const TYPES: [Read; 11] = [
-    |s| s.read(|v: f32| v),
-    |s| s.read(|v: f64| v as f32),
-    |s| s.read(|v: u8| f32::from(v)),
-    |s| s.read(|v: bool| f32::from(u8::from(v))),
-    |s| s.read(|v: i8| f32::from(v)),
-    |s| s.read(|v: u16| f32::from(v)),
-    |s| s.read(|v: i16| f32::from(v)),
-    |s| s.read(|v: u32| v as f32),
-    |s| s.read(|v: i32| v as f32),
-    |s| s.read(|v: u64| v as f32),
-    |s| s.read(|v: i64| v as f32),
-];
-
-impl<'a> Source<'a> {
-    fn new(path: &'a Path, name: Option<&str>) -> Result<Self> {
-        let file = File::open(path).map_err(|e| Error::io(path, e))?;
-        let is_npz = path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("npz"));
-        let name = if is_npz {
-            let mut npz =
-                NpzReader::new(BufReader::new(file)).map_err(|e| bad(path, e.to_string()))?;
-            Some(chosen(&mut npz, path, name)?)
-        } else {
-            None
-        };
-        Ok(Source { path, name })
-    }
-
-    fn read<T: ReadableElement + Clone>(&self, to: fn(T) -> f32) -> Result<ArrayD<f32>, String> {
-        let file = BufReader::new(File::open(self.path).map_err(|e| e.to_string())?);
-        let array: ArrayD<T> = match &self.name {
-            None => ArrayD::read_npy(file).map_err(|e| e.to_string())?,
-            Some(name) => {
-                let mut npz = NpzReader::new(file).map_err(|e| e.to_string())?;
-                npz.by_name(name).map_err(|e| e.to_string())?
-            }
-        };
-        Ok(array.mapv(to))
-    }
-
-    fn read_as_any(&self) -> Result<ArrayD<f32>> {
-        let mut why = String::new();
-        for read in TYPES {
-            match read(self) {
-                Ok(array) => return Ok(array),
-                Err(error) => why = error,
-            }
-        }
-        Err(bad(self.path, why))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use ndarray::{Array1, Array3, ShapeBuilder};
     use ndarray_npy::{NpzWriter, write_npy};
+    use std::fs::File;
 
     #[test]
     fn types_orders_and_names_are_understood() {
@@ -188,7 +118,7 @@ mod tests {
             read_any(&place("line.npy"))
                 .unwrap_err()
                 .to_string()
-                .contains("shape [4]")
+                .contains("shape (4,)")
         );
         std::fs::write(place("text.npy"), "no array").unwrap();
         assert!(matches!(

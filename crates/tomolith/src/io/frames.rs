@@ -6,6 +6,9 @@
 //! mJ/mm², as the shortest text that reads back exactly), `tomolith:azimuth_rad` and `tomolith:pitch_mm`.
 //! Row 0 of the image is the top (+z), columns grow along (−sin α, cos α, 0).
 //!
+//! Frames of other programs may be stored as RGB or with a palette, where all colours are grey, and with opacity, which does
+//! not count.
+//!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
 //!
 //! ```
@@ -27,7 +30,7 @@ use crate::grid::PatternGrid;
 use crate::units::exact;
 use rayon::prelude::*;
 use std::fs::{self, File};
-use std::io::{BufReader, BufWriter};
+use std::io::{BufRead, BufReader, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// The highest level of a bit depth, 2^bits − 1.
@@ -122,9 +125,13 @@ pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
 }
 
 fn write_frame(path: &Path, set: &FrameSet<'_>, frame: usize) -> std::io::Result<()> {
+    encode(BufWriter::new(File::create(path)?), set, frame)
+}
+
+/// One frame as a PNG file.
+pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std::io::Result<()> {
     let grid = set.grid;
     let wide = set.bits > 8;
-    let file = BufWriter::new(File::create(path)?);
     let mut encoder = png::Encoder::new(file, grid.columns as u32, grid.rows as u32);
     encoder.set_color(png::ColorType::Grayscale);
     encoder.set_depth(if wide {
@@ -159,7 +166,7 @@ fn write_frame(path: &Path, set: &FrameSet<'_>, frame: usize) -> std::io::Result
 /// Reads the frames of one light: all `*.png` of a folder, in the order of their names.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no grey PNG of 8 or 16 bits of the same size,
+/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no PNG whose pixels are grey, of the same size,
 /// depth and scale as the first one.
 pub fn read_frames(folder: &Path) -> Result<Frames> {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
@@ -172,21 +179,24 @@ pub fn read_frames(folder: &Path) -> Result<Frames> {
         .par_iter()
         .map(|path| read_frame(path))
         .collect::<Result<_>>()?;
-    let Some(first) = images.first() else {
+    if images.is_empty() {
         return Err(format_error(folder, "no frame"));
-    };
-    for (image, path) in images.iter().zip(&paths) {
-        if (image.size, image.bits) != (first.size, first.bits)
-            || image.full_scale != first.full_scale
-        {
-            return Err(format_error(
-                path,
-                &format!("{}; the first frame has {}", image.words(), first.words()),
-            ));
-        }
     }
-    let [rows, columns] = first.size;
-    let (bits, full_scale) = (first.bits, first.full_scale);
+    together(images, |i| paths[i].clone())
+}
+
+/// Frames that are alike as one array; `place` names the file of one of them.
+pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> Result<Frames> {
+    let first = images.first().map(Image::kind).unwrap_or_default();
+    if let Some(odd) = images.iter().position(|image| image.kind() != first) {
+        let found = format!(
+            "{}; the first frame has {}",
+            images[odd].words(),
+            images[0].words()
+        );
+        return Err(format_error(&place(odd), &found));
+    }
+    let ([rows, columns], bits, full_scale) = first;
     Ok(Frames {
         shape: [images.len(), rows, columns],
         bits,
@@ -199,11 +209,13 @@ fn format_error(path: &Path, found: &str) -> Error {
     Error::Format {
         path: path.to_owned(),
         found: found.to_owned(),
-        accepted: "grey PNG frames of 8 or 16 bits, all alike".to_owned(),
+        accepted: "grey PNG frames, all alike (RGB and palettes too, where all colours are grey)"
+            .to_owned(),
     }
 }
 
-struct Image {
+/// One frame.
+pub(super) struct Image {
     size: [usize; 2],
     bits: u32,
     full_scale: Option<f32>,
@@ -211,50 +223,78 @@ struct Image {
 }
 
 impl Image {
+    /// What all frames must have in common: rows and columns, bits, white.
+    fn kind(&self) -> ([usize; 2], u32, Option<f32>) {
+        (self.size, self.bits, self.full_scale)
+    }
+
     fn words(&self) -> String {
         let [rows, columns] = self.size;
-        let scale = self.full_scale.map_or_else(
-            || "no scale".to_owned(),
-            |white| format!("a scale of {}", exact(white)),
+        let white = self.full_scale.map_or_else(
+            || "no stated white".to_owned(),
+            |white| format!("white {}", exact(white)),
         );
-        format!("{columns}×{rows} pixels of {} bits, {scale}", self.bits)
+        format!("{columns} × {rows} pixels of {} bits, {white}", self.bits)
     }
 }
 
 fn read_frame(path: &Path) -> Result<Image> {
-    let wrong = |e: png::DecodingError| match e {
-        png::DecodingError::IoError(source) => Error::io(path, source),
-        other => format_error(path, &other.to_string()),
-    };
     let file = File::open(path).map_err(|e| Error::io(path, e))?;
-    let mut reader = png::Decoder::new(BufReader::new(file))
-        .read_info()
-        .map_err(wrong)?;
+    decode(BufReader::new(file)).map_err(|trouble| match trouble {
+        Trouble::Io(source) => Error::io(path, source),
+        Trouble::Said(found) => format_error(path, &found),
+    })
+}
+
+/// Why there is no frame.
+pub(super) enum Trouble {
+    Io(std::io::Error),
+    Said(String),
+}
+
+impl From<png::DecodingError> for Trouble {
+    fn from(error: png::DecodingError) -> Self {
+        match error {
+            png::DecodingError::IoError(source) => Trouble::Io(source),
+            other => Trouble::Said(other.to_string()),
+        }
+    }
+}
+
+/// A PNG file as a frame: grey, or stored as colours that are all grey; opacity does not count.
+pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
+    let mut decoder = png::Decoder::new(file);
+    // Palettes become colours, and fewer than 8 bits become 8
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info()?;
     let size = reader
         .output_buffer_size()
-        .ok_or_else(|| format_error(path, "an image larger than memory"))?;
+        .ok_or_else(|| Trouble::Said("an image larger than memory".to_owned()))?;
     let mut bytes = vec![0; size];
-    let shape = reader.next_frame(&mut bytes).map_err(wrong)?;
+    let shape = reader.next_frame(&mut bytes)?;
     bytes.truncate(shape.buffer_size());
-    reader.finish().map_err(wrong)?;
-    let (depth, values): (u32, Vec<u16>) = match (shape.color_type, shape.bit_depth) {
-        (png::ColorType::Grayscale, png::BitDepth::Eight) => {
-            (8, bytes.iter().map(|&v| u16::from(v)).collect())
-        }
-        (png::ColorType::Grayscale, png::BitDepth::Sixteen) => (
+    reader.finish()?;
+    let (depth, samples): (u32, Vec<u16>) = if shape.bit_depth == png::BitDepth::Sixteen {
+        let pairs = bytes.chunks_exact(2);
+        (
             16,
-            bytes
-                .chunks_exact(2)
-                .map(|c| u16::from_be_bytes([c[0], c[1]]))
-                .collect(),
-        ),
-        (color, bits) => {
-            return Err(format_error(
-                path,
-                &format!("{color:?} of {} bits", bits as u8),
-            ));
-        }
+            pairs.map(|c| u16::from_be_bytes([c[0], c[1]])).collect(),
+        )
+    } else {
+        (8, bytes.iter().map(|&v| u16::from(v)).collect())
     };
+    let colours = match shape.color_type {
+        png::ColorType::Rgb | png::ColorType::Rgba => 3,
+        _ => 1,
+    };
+    let pixels = samples.chunks_exact(shape.color_type.samples());
+    let is_coloured = |pixel: &&[u16]| pixel[..colours].iter().any(|v| *v != pixel[0]);
+    if let Some(at) = pixels.clone().position(|pixel| is_coloured(&pixel)) {
+        let (row, column) = (at / shape.width as usize, at % shape.width as usize);
+        let found = format!("a coloured pixel in row {row}, column {column}");
+        return Err(Trouble::Said(found));
+    }
+    let values: Vec<u16> = pixels.map(|pixel| pixel[0]).collect();
     let text = |key: &str| {
         reader
             .info()

@@ -14,11 +14,10 @@
 //!
 //! # Size
 //! H.264 at 4:2:0 needs even counts and OpenH264 at least 16 pixels: a row or column is added at the bottom or right
-//! in black where needed. Larger than 3840 × 2160 (or 2160 × 3840) is refused.
+//! in black where needed ([`padded`]). Larger than 3840 × 2160 (or 2160 × 3840) is refused.
 //!
 //! # How good it is
-//! [`check_movie`] reads the file back with a small reader of its own, decodes it and compares every pixel with the
-//! frames: largest and rms grey error, in levels of 0…255. Smooth patterns come out within ±2, full-contrast noise
+//! [`check_movie`] reads the file back, decodes it and compares every pixel with the frames: largest and rms grey error, in levels of 0…255. Smooth patterns come out within ±2, full-contrast noise
 //! within about ±6, rms 0.6.
 //!
 //! # Timing
@@ -40,12 +39,13 @@
 //! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
 //! ```
 
-use super::frames::{FrameSet, Frames};
+use super::frames::FrameSet;
+use super::movie::h264::{each_image, groups, said};
+use super::movie::track::Track;
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use muxide::api::{MuxerBuilder, VideoCodec};
 use openh264::OpenH264API;
-use openh264::decoder::{DecodedYUV, Decoder};
 use openh264::encoder::{
     BitRate, Complexity, Encoder, EncoderConfig, FrameRate, IntraFramePeriod, QpRange,
     RateControlMode, VuiConfig,
@@ -56,8 +56,6 @@ use std::path::Path;
 
 /// The lowest quantiser of OpenH264 (0 would be lossless, 51 is the coarsest).
 const QUANTISER: u8 = 12;
-/// Frames that one encoder or decoder handles; fixed, so that results do not depend on the number of threads.
-const GROUP: usize = 16;
 
 /// What a decoder makes of a movie.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -117,14 +115,19 @@ fn refused(path: &Path, found: &str) -> Error {
     Error::Format {
         path: path.to_owned(),
         found: found.to_owned(),
-        accepted: "frames that OpenH264 can encode, in a movie that was written here".to_owned(),
+        accepted: "frames that OpenH264 can encode, and the movie as it was written".to_owned(),
     }
 }
 
-/// Even, at least 16, at most what OpenH264 takes.
+/// Pixels of a movie along a side of frames with `n` pixels: even, at least 16.
+#[must_use]
+pub fn padded(n: usize) -> usize {
+    n.next_multiple_of(2).max(16)
+}
+
+/// Columns and rows of a movie, at most what OpenH264 takes.
 fn padded_size(set: &FrameSet<'_>) -> Result<(usize, usize)> {
-    let pad = |n: usize| n.next_multiple_of(2).max(16);
-    let (width, height) = (pad(set.grid.columns), pad(set.grid.rows));
+    let (width, height) = (padded(set.grid.columns), padded(set.grid.rows));
     if set.grid.is_empty() || width.max(height) > 3840 || width.min(height) > 2160 {
         return Err(Error::Unsupported {
             what: format!(
@@ -139,13 +142,6 @@ fn padded_size(set: &FrameSet<'_>) -> Result<(usize, usize)> {
         });
     }
     Ok((width, height))
-}
-
-fn groups(frames: usize) -> Vec<std::ops::Range<usize>> {
-    (0..frames)
-        .step_by(GROUP)
-        .map(|first| first..frames.min(first + GROUP))
-        .collect()
 }
 
 /// One packet a frame.
@@ -172,14 +168,14 @@ fn encode(
         .num_threads(1)
         .vui(VuiConfig::bt709_full());
     let mut encoder =
-        Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| e.to_string())?;
+        Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| said(&e))?;
     let mut planes = YUVPlanes::grey(width, height);
     group
         .map(|frame| {
             planes.fill(set, frame);
             let packet = encoder
                 .encode(&planes.buffer())
-                .map_err(|e| e.to_string())?
+                .map_err(|e| said(&e))?
                 .to_vec();
             if packet.is_empty() {
                 return Err(format!("the encoder left out frame {frame}"));
@@ -228,7 +224,7 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
     set.check()?;
     let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
     let damaged = |message: &str| refused(path, message);
-    let track = Track::find(&file).ok_or_else(|| damaged("no readable H.264 track"))?;
+    let track = Track::find(&file).ok_or_else(|| damaged("no H.264 track can be found in it"))?;
     if track.samples.len() != set.grid.frames() {
         return Err(damaged(&format!(
             "{} frames instead of {}",
@@ -254,63 +250,6 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
     })
 }
 
-/// Reads the levels of a movie of H.264 as [`write_movie`] writes it, 8 bits, `[frame, row, column]`; of padded frames the
-/// given number of rows and columns from the top left.
-///
-/// # Errors
-/// [`Error::Io`]; [`Error::Format`] when the file is damaged, smaller than the frames, or cannot be decoded.
-pub fn read_movie(path: &Path, rows: usize, columns: usize) -> Result<Frames> {
-    let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
-    let track = Track::find(&file).ok_or_else(|| refused(path, "no readable H.264 track"))?;
-    let decode = |group: std::ops::Range<usize>| {
-        let mut levels = Vec::with_capacity(group.len() * rows * columns);
-        each_image(&track, group, |_, image| {
-            let (width, height) = image.dimensions();
-            if width < columns || height < rows {
-                return Err(format!(
-                    "frames of {width} × {height} pixels instead of {columns} × {rows}"
-                ));
-            }
-            for row in image.y().chunks(image.strides().0).take(rows) {
-                levels.extend(row[..columns].iter().map(|&level| u16::from(level)));
-            }
-            Ok(())
-        })?;
-        Ok(levels)
-    };
-    let groups: Vec<Vec<u16>> = groups(track.samples.len())
-        .into_par_iter()
-        .map(decode)
-        .collect::<Result<_, String>>()
-        .map_err(|message| refused(path, &message))?;
-    Ok(Frames {
-        shape: [track.samples.len(), rows, columns],
-        bits: 8,
-        full_scale: None,
-        values: groups.concat(),
-    })
-}
-
-/// Decodes a group of frames.
-fn each_image(
-    track: &Track<'_>,
-    group: std::ops::Range<usize>,
-    mut see: impl FnMut(usize, &DecodedYUV<'_>) -> Result<(), String>,
-) -> Result<(), String> {
-    let mut decoder = Decoder::new().map_err(|e| e.to_string())?;
-    for frame in group {
-        let packet = track
-            .packet(frame)
-            .ok_or_else(|| format!("frame {frame} is cut off"))?;
-        let image = decoder
-            .decode(&packet)
-            .map_err(|e| format!("frame {frame}: {e}"))?
-            .ok_or_else(|| format!("frame {frame} holds no image"))?;
-        see(frame, &image)?;
-    }
-    Ok(())
-}
-
 /// Largest error and sum of squared errors of a group of frames.
 fn compare(
     track: &Track<'_>,
@@ -334,182 +273,10 @@ fn compare(
     Ok((largest, squares))
 }
 
-/// The video track of an MP4 file: parameter sets, and where each sample lies.
-struct Track<'a> {
-    samples: Vec<&'a [u8]>,
-    parameter_sets: Vec<&'a [u8]>,
-    length_size: usize,
-    timescale: u32,
-    duration: u64,
-}
-
-/// Big-endian number of `N` bytes at an offset.
-fn number<const N: usize>(bytes: &[u8], at: usize) -> Option<u64> {
-    let bytes = bytes.get(at..at.checked_add(N)?)?;
-    Some(bytes.iter().fold(0, |sum, &b| sum << 8 | u64::from(b)))
-}
-
-fn word(bytes: &[u8], at: usize) -> Option<usize> {
-    number::<4>(bytes, at).and_then(|n| usize::try_from(n).ok())
-}
-
-/// The content of the first box of a type among the boxes of `bytes`.
-fn child<'a>(mut bytes: &'a [u8], kind: &[u8; 4]) -> Option<&'a [u8]> {
-    loop {
-        let (head, size) = match number::<4>(bytes, 0)? {
-            0 => (8, bytes.len()),
-            1 => (16, usize::try_from(number::<8>(bytes, 8)?).ok()?),
-            size => (8, usize::try_from(size).ok()?),
-        };
-        let content = bytes.get(head..size)?;
-        if bytes.get(4..8)? == kind {
-            return Some(content);
-        }
-        bytes = &bytes[size..];
-    }
-}
-
-fn descend<'a>(bytes: &'a [u8], kinds: &[&[u8; 4]]) -> Option<&'a [u8]> {
-    kinds
-        .iter()
-        .try_fold(bytes, |bytes, kind| child(bytes, kind))
-}
-
-impl<'a> Track<'a> {
-    fn find(file: &'a [u8]) -> Option<Self> {
-        let media = descend(file, &[b"moov", b"trak", b"mdia"])?;
-        let header = child(media, b"mdhd")?;
-        let timescale = word(header, if header.first()? == &1 { 20 } else { 12 })?;
-        let table = descend(media, &[b"minf", b"stbl"])?;
-
-        // stsd: version, count, then the entry `avc1` with 78 bytes before its own boxes
-        let config = descend(child(table, b"stsd")?.get(8..)?, &[b"avc1"])?;
-        let config = child(config.get(78..)?, b"avcC")?;
-        let length_size = usize::from(config.get(4)? & 3) + 1;
-        let parameter_sets = parameter_sets(config)?;
-
-        let sizes = sample_sizes(child(table, b"stsz")?)?;
-        let chunks = chunk_offsets(table)?;
-        let samples = place_samples(file, child(table, b"stsc")?, &chunks, &sizes)?;
-
-        let times = child(table, b"stts")?;
-        let duration = (0..word(times, 4)?).try_fold(0u64, |sum, i| {
-            let (count, delta) = (
-                number::<4>(times, 8 + 8 * i)?,
-                number::<4>(times, 12 + 8 * i)?,
-            );
-            sum.checked_add(count.checked_mul(delta)?)
-        })?;
-        Some(Track {
-            samples,
-            parameter_sets,
-            length_size,
-            timescale: u32::try_from(timescale).ok()?,
-            duration,
-        })
-    }
-
-    fn frame_rate(&self) -> f64 {
-        self.samples.len() as f64 * f64::from(self.timescale) / self.duration.max(1) as f64
-    }
-
-    /// Sample `i` as the decoder takes it: parameter sets and units, each after a start code.
-    fn packet(&self, i: usize) -> Option<Vec<u8>> {
-        const START: [u8; 4] = [0, 0, 0, 1];
-        let mut rest = *self.samples.get(i)?;
-        let mut packet = Vec::with_capacity(rest.len() + 64);
-        for set in &self.parameter_sets {
-            packet.extend(START);
-            packet.extend(*set);
-        }
-        while !rest.is_empty() {
-            let length = rest
-                .get(..self.length_size)?
-                .iter()
-                .fold(0usize, |sum, &b| sum << 8 | usize::from(b));
-            let unit = rest.get(self.length_size..self.length_size.checked_add(length)?)?;
-            packet.extend(START);
-            packet.extend(unit);
-            rest = &rest[self.length_size + length..];
-        }
-        Some(packet)
-    }
-}
-
-/// Sequence and picture parameter sets of an `avcC` box.
-fn parameter_sets(config: &[u8]) -> Option<Vec<&[u8]>> {
-    let mut sets = Vec::new();
-    let mut at = 5;
-    for mask in [0x1f, 0xff] {
-        let count = config.get(at)? & mask;
-        at += 1;
-        for _ in 0..count {
-            let length = usize::try_from(number::<2>(config, at)?).ok()?;
-            sets.push(config.get(at + 2..at + 2 + length)?);
-            at += 2 + length;
-        }
-    }
-    Some(sets)
-}
-
-fn sample_sizes(table: &[u8]) -> Option<Vec<usize>> {
-    let (fixed, count) = (word(table, 4)?, word(table, 8)?);
-    if fixed == 0 {
-        // One number a sample must be there, which bounds the count
-        table.get(12..12usize.checked_add(count.checked_mul(4)?)?)?;
-    }
-    (0..count)
-        .map(|i| {
-            if fixed > 0 {
-                Some(fixed)
-            } else {
-                word(table, 12 + 4 * i)
-            }
-        })
-        .collect()
-}
-
-fn chunk_offsets(table: &[u8]) -> Option<Vec<usize>> {
-    if let Some(short) = child(table, b"stco") {
-        return (0..word(short, 4)?)
-            .map(|i| word(short, 8 + 4 * i))
-            .collect();
-    }
-    let long = child(table, b"co64")?;
-    (0..word(long, 4)?)
-        .map(|i| number::<8>(long, 8 + 8 * i).and_then(|n| usize::try_from(n).ok()))
-        .collect()
-}
-
-/// Samples lie one after the other in chunks; `stsc` says how many lie in each.
-fn place_samples<'a>(
-    file: &'a [u8],
-    runs: &[u8],
-    chunks: &[usize],
-    sizes: &[usize],
-) -> Option<Vec<&'a [u8]>> {
-    let count = word(runs, 4)?;
-    let mut samples = Vec::with_capacity(sizes.len());
-    let mut run = 0;
-    for (chunk, &start) in chunks.iter().enumerate() {
-        while run + 1 < count && word(runs, 8 + 12 * (run + 1))? <= chunk + 1 {
-            run += 1;
-        }
-        let mut at = start;
-        for _ in 0..word(runs, 8 + 12 * run + 4)? {
-            let Some(&size) = sizes.get(samples.len()) else {
-                return Some(samples);
-            };
-            samples.push(file.get(at..at.checked_add(size)?)?);
-            at += size;
-        }
-    }
-    (samples.len() == sizes.len()).then_some(samples)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::frames::top_level;
+    use super::super::movie::read_movie;
     use super::*;
     use crate::grid::PatternGrid;
 
@@ -581,12 +348,12 @@ mod tests {
             values: &values,
         };
         write_movie(&path, &set, 30.0).unwrap();
-        let read = read_movie(&path, 17, 33).unwrap();
+        let read = read_movie(&path, [20, 17, 33]).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);
         for (found, expected) in read.values.iter().zip(&values) {
             assert!(found.abs_diff(*expected) <= 4, "{found} {expected}");
         }
-        assert!(read_movie(&path, 17, 40).is_err());
+        assert!(read_movie(&path, [20, 17, 40]).is_err());
     }
 
     #[test]

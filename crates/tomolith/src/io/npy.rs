@@ -4,6 +4,9 @@
 //! one light, `patterns` (what the projector shows, dequantised) and `patterns_raw` (before quantisation); for several
 //! lights `patterns_<light>` and `patterns_raw_<light>`. The arrays are stored, not compressed.
 //!
+//! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
+//! Fortran order, stored or compressed.
+//!
 //! Limits: one array of an `.npz` may hold up to 4 GiB.
 //!
 //! ```
@@ -17,16 +20,13 @@
 //! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
 //! ```
 
+use super::numbers::{Archive, Numbers, bad, tuple};
 use super::whole::{Refused, write_whole};
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use ndarray::{Array2, Array3, ArrayD, ArrayView3};
-use ndarray_npy::{
-    NpzReader, NpzWriter, ReadNpyError, ReadNpyExt, ReadNpzError, ReadableElement, WritableElement,
-    WriteNpyExt,
-};
-use std::fs::File;
-use std::io::{BufReader, Seek, SeekFrom, Write};
+use ndarray::ArrayView3;
+use ndarray_npy::{NpzWriter, WritableElement, WriteNpyExt};
+use std::io::{Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// The patterns of one light, to be written.
@@ -61,14 +61,6 @@ fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayV
     })
 }
 
-fn bad(path: &Path, found: impl std::fmt::Display, accepted: &str) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.to_string(),
-        accepted: accepted.to_owned(),
-    }
-}
-
 /// Writes a volume as `.npy`, `[z, y, x]`.
 ///
 /// # Errors
@@ -82,62 +74,48 @@ pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>) -> Resu
     })
 }
 
-/// Reads an `.npy` volume `[z, y, x]`: its shape and values.
+/// Reads an `.npy` volume `[z, y, x]`: its shape and values as f32.
 ///
 /// # Errors
-/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no 3D array of this type.
-pub fn read_volume<T: ReadableElement>(path: &Path) -> Result<([usize; 3], Vec<T>)> {
-    let file = File::open(path).map_err(|e| Error::io(path, e))?;
-    let array = Array3::<T>::read_npy(BufReader::new(file))
-        .map_err(|e| bad(path, e, "a 3D .npy array [z, y, x] of the stated type"))?;
-    Ok(c_order(array))
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no 3D array of numbers.
+pub fn read_volume(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    read_dimensions(path, "a 3D .npy array [z, y, x] of numbers")
 }
 
-/// Reads a 2D `.npy` array of f32 or f64, `[row, column]`: its shape and values as f32.
+/// Reads a 2D `.npy` array `[row, column]`: its shape and values as f32.
 ///
 /// # Errors
 /// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
 pub fn read_matrix(path: &Path) -> Result<([usize; 2], Vec<f32>)> {
-    let open = || File::open(path).map(BufReader::new);
-    let wide = |file| Array2::<f64>::read_npy(file).map(|array| array.mapv(|v| v as f32));
-    let file = open().map_err(|e| Error::io(path, e))?;
-    let array = match Array2::<f32>::read_npy(file) {
-        Ok(array) => array,
-        Err(_) => wide(open().map_err(|e| Error::io(path, e))?)
-            .map_err(|e| bad(path, e, "a 2D .npy array of f32 or f64"))?,
-    };
-    let (rows, columns) = array.dim();
-    Ok(([rows, columns], array.iter().copied().collect()))
+    read_dimensions(path, "a 2D .npy array [row, column] of numbers")
 }
 
-/// Reads a 2D or 3D `.npy` array of f32 or f64: its shape `[level, row, column]`, one level for 2D, and values as f32.
+fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usize; N], Vec<f32>)> {
+    let numbers = Numbers::read(path, accepted)?;
+    numbers
+        .of_dimensions()
+        .map_err(|found| bad(path, found, accepted))
+}
+
+/// Reads a 2D or 3D `.npy` array: its shape `[level, row, column]`, one level for 2D, and values as f32.
 ///
 /// # Errors
 /// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
 pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
-    let open = || File::open(path).map(BufReader::new);
-    let file = open().map_err(|e| Error::io(path, e))?;
-    let array = match ArrayD::<f32>::read_npy(file) {
-        Ok(array) => array,
-        Err(_) => ArrayD::<f64>::read_npy(open().map_err(|e| Error::io(path, e))?)
-            .map(|array| array.mapv(|v| v as f32))
-            .map_err(|e| bad(path, e, "a 2D or 3D .npy array of f32 or f64"))?,
-    };
-    let shape = match *array.shape() {
-        [rows, columns] => [1, rows, columns],
-        [levels, rows, columns] => [levels, rows, columns],
-        ref other => {
-            return Err(Error::Format {
-                path: path.to_owned(),
-                found: format!("an array of shape {other:?}"),
-                accepted: "a 2D or 3D .npy array of f32 or f64".into(),
-            });
-        }
-    };
-    Ok((shape, array.iter().copied().collect()))
+    let accepted = "a 2D or 3D .npy array of numbers";
+    let Numbers { shape, values, .. } = Numbers::read(path, accepted)?;
+    match shape[..] {
+        [rows, columns] => Ok(([1, rows, columns], values)),
+        [levels, rows, columns] => Ok(([levels, rows, columns], values)),
+        _ => Err(bad(
+            path,
+            format!("an array of shape {}", tuple(&shape)),
+            accepted,
+        )),
+    }
 }
 
-/// Reads an `.npy` volume of f32 onto a grid.
+/// Reads an `.npy` volume onto a grid.
 ///
 /// # Errors
 /// As [`read_volume`], and [`Error::Shape`] when the array does not fit the grid.
@@ -154,28 +132,6 @@ pub fn read_volume_on(path: &Path, grid: &VolumeGrid) -> Result<Volume<f32>> {
         grid: grid.clone(),
         values,
     })
-}
-
-fn c_order<T>(array: Array3<T>) -> ([usize; 3], Vec<T>) {
-    let (a, b, c) = array.dim();
-    let shape = [a, b, c];
-    if array.is_standard_layout() {
-        let (values, _) = array.into_raw_vec_and_offset();
-        return (shape, values);
-    }
-    // Fortran order: the transpose is C order with the axes reversed
-    let standard = array.reversed_axes();
-    let (values, _) = standard.into_raw_vec_and_offset();
-    let mut slots: Vec<Option<T>> = values.into_iter().map(Some).collect();
-    let mut out = Vec::with_capacity(slots.len());
-    for i in 0..a {
-        for j in 0..b {
-            for k in 0..c {
-                out.extend(slots[(k * b + j) * a + i].take());
-            }
-        }
-    }
-    (shape, out)
 }
 
 fn array_name(kind: &str, light: Option<&str>) -> String {
@@ -266,23 +222,30 @@ impl<W: Write + Seek> Seek for Sink<W> {
     }
 }
 
-/// Reads `patterns.npz`: one entry per light, in the order of their names. Values in f64 are rounded to f32.
+/// What [`read_patterns`] reads, for error messages.
+const PATTERNS: &str = "an .npz with a 3D array `patterns` [angle, row, column] of numbers, or one `patterns_<light>` per light; or an .npy of one light";
+
+/// Reads `patterns.npz`: one entry per light, in the order of their names; or the one array of an `.npy`. Numbers of any
+/// type are taken as they are, in mJ/mm².
 ///
 /// # Errors
 /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, holds no patterns, or holds
 /// values that are negative or not finite.
 pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
-    const ACCEPTED: &str = "an .npz with a 3D array `patterns` [angle, row, column] of f32 or f64, or one `patterns_<light>` per light";
-    let file = File::open(path).map_err(|e| Error::io(path, e))?;
-    let mut npz = NpzReader::new(BufReader::new(file))
-        .map_err(|e| bad(path, format!("no .npz archive ({e})"), ACCEPTED))?;
-    let mut names: Vec<String> = npz
-        .names()
-        .map_err(|e| bad(path, e, ACCEPTED))?
-        .into_iter()
-        .map(|name| name.trim_end_matches(".npy").to_owned())
-        .collect();
-    names.sort();
+    if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npy"))
+    {
+        let (shape, shown) = values_of(Numbers::read(path, PATTERNS)?, path, "the array")?;
+        return Ok(vec![PatternArrays {
+            light: None,
+            shape,
+            shown,
+            raw: None,
+        }]);
+    }
+    let mut npz = Archive::open(path, PATTERNS)?;
+    let names = npz.names();
     let mut lights = Vec::new();
     for name in &names {
         let light = match name.strip_prefix("patterns") {
@@ -291,10 +254,10 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
             Some(rest) if rest != "_raw" && !rest.starts_with("_raw_") => rest.strip_prefix('_'),
             _ => continue,
         };
-        let (shape, shown) = read_array(&mut npz, path, name, ACCEPTED)?;
+        let (shape, shown) = values_of(npz.numbers(name)?, path, name)?;
         let raw_name = array_name("patterns_raw", light);
         let raw = if names.contains(&raw_name) {
-            let (raw_shape, raw) = read_array(&mut npz, path, &raw_name, ACCEPTED)?;
+            let (raw_shape, raw) = values_of(npz.numbers(&raw_name)?, path, &raw_name)?;
             if raw_shape != shape {
                 return Err(Error::Shape {
                     what: format!("{}: {raw_name}", path.display()),
@@ -315,32 +278,19 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     }
     if lights.is_empty() {
         let found = format!("the arrays {}", names.join(", "));
-        return Err(bad(path, found, ACCEPTED));
+        return Err(bad(path, found, PATTERNS));
     }
     Ok(lights)
 }
 
-fn read_array(
-    npz: &mut NpzReader<BufReader<File>>,
-    path: &Path,
-    name: &str,
-    accepted: &str,
-) -> Result<([usize; 3], Vec<f32>)> {
-    let array: Array3<f32> = match npz.by_name(name) {
-        Err(ReadNpzError::Npy(ReadNpyError::WrongDescriptor(_))) => {
-            let wide: Result<Array3<f64>, _> = npz.by_name(name);
-            wide.map(|wide| wide.mapv(|value| value as f32))
-        }
-        read => read,
-    }
-    .map_err(|e| bad(path, format!("{name}: {e}"), accepted))?;
-    let (shape, values) = c_order(array);
+/// The values of patterns, which must be finite and 0 or above.
+fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], Vec<f32>)> {
+    let (shape, values) = numbers
+        .of_dimensions()
+        .map_err(|found| bad(path, format!("{name}: {found}"), PATTERNS))?;
     if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
-        return Err(bad(
-            path,
-            format!("{name} holds {value}"),
-            "finite values ≥ 0",
-        ));
+        let found = format!("{name} holds {value}");
+        return Err(bad(path, found, "finite values ≥ 0"));
     }
     Ok((shape, values))
 }
@@ -349,7 +299,9 @@ fn read_array(
 mod tests {
     use super::*;
     use crate::grid::PatternGrid;
-    use ndarray::ShapeBuilder;
+    use ndarray::{Array3, ShapeBuilder};
+    use ndarray_npy::NpzReader;
+    use std::fs::File;
 
     fn random_patterns(seed: u64, frames: usize) -> Patterns {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
@@ -395,7 +347,7 @@ mod tests {
         let path = folder.path().join("f.npy");
         let fortran = Array3::from_shape_fn((2, 3, 4).f(), |(i, j, k)| (i * 12 + j * 4 + k) as f32);
         ndarray_npy::write_npy(&path, &fortran).unwrap();
-        let (shape, values) = read_volume::<f32>(&path).unwrap();
+        let (shape, values) = read_volume(&path).unwrap();
         assert_eq!(shape, [2, 3, 4]);
         assert_eq!(values, (0..24).map(|i| i as f32).collect::<Vec<_>>());
     }
@@ -468,11 +420,14 @@ mod tests {
         let text = read_patterns(&path).unwrap_err().to_string();
         assert!(text.contains("patterns holds inf"), "{text}");
         let mut npz = NpzWriter::new(File::create(&path).unwrap());
-        npz.add_array("patterns", &Array3::<i32>::zeros((1, 1, 1)))
+        npz.add_array("patterns", &ndarray::Array2::<i32>::zeros((1, 1)))
             .unwrap();
         npz.finish().unwrap();
         let text = read_patterns(&path).unwrap_err().to_string();
-        assert!(text.contains("f32 or f64"), "{text}");
+        assert!(
+            text.contains("patterns: an array of 2 dimensions, shape (1, 1), instead of 3"),
+            "{text}"
+        );
     }
 
     /// A disk with room for so many bytes.

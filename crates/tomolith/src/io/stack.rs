@@ -26,12 +26,12 @@
 //! ```
 
 use super::frames::{FrameSet, Frames, rescale};
+use super::numbers::{Archive, Kind, bad};
 use super::whole::{Refused, write_whole};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use ndarray::{Array1, Array3};
-use ndarray_npy::{NpzReader, NpzWriter, WritableElement};
-use std::fs::File;
-use std::io::{BufReader, Seek, Write};
+use ndarray_npy::{NpzWriter, WritableElement};
+use std::io::{Seek, Write};
 use std::path::Path;
 
 fn name_of(what: &str, light: Option<&str>) -> String {
@@ -41,7 +41,7 @@ fn name_of(what: &str, light: Option<&str>) -> String {
 /// Writes the frames of all lights; see the [module page](self).
 ///
 /// # Errors
-/// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`].
+/// [`Error::Shape`](crate::Error::Shape) when levels and grid do not fit, [`Error::Io`](crate::Error::Io).
 pub fn write_stack(path: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
     for set in lights {
         set.check()?;
@@ -103,47 +103,34 @@ fn add<W: Write + Seek, T: WritableElement>(
 /// Reads the frames of one light.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when the file is no such stack or holds no frames of this light.
+/// [`Error::Io`](crate::Error::Io); [`Error::Format`](crate::Error::Format) when the file is no such stack or holds no frames
+/// of this light.
 pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
-    let bad = |found: String| Error::Format {
-        path: path.to_owned(),
-        found,
-        accepted:
-            "an .npz with `frames`, u8 or u16 [frame, row, column], and its `bits` and `full_scale`"
-                .to_owned(),
-    };
-    let file = File::open(path).map_err(|e| Error::io(path, e))?;
-    let mut npz = NpzReader::new(BufReader::new(file)).map_err(|e| bad(e.to_string()))?;
+    const ACCEPTED: &str =
+        "an .npz with `frames`, u8 or u16 [frame, row, column], and its `bits` and `full_scale`";
+    let mut npz = Archive::open(path, ACCEPTED)?;
     let name = name_of("frames", light);
-    let (depth, array): (u32, Array3<u16>) = match npz.by_name::<ndarray::OwnedRepr<u8>, _>(&name) {
-        Ok(bytes) => (8, bytes.mapv(u16::from)),
-        Err(_) => (
-            16,
-            npz.by_name(&name)
-                .map_err(|e| bad(format!("{name}: {e}")))?,
-        ),
+    let frames = npz.numbers(&name)?;
+    let depth = match frames.kind {
+        Kind::Unsigned(bytes @ 1..=2) => 8 * bytes as u32,
+        _ => return Err(bad(path, format!("{name} of another type"), ACCEPTED)),
     };
-    let bits: Option<i64> = npz
-        .by_name::<ndarray::OwnedRepr<i64>, ndarray::Ix1>(&name_of("bits", light))
-        .ok()
-        .and_then(|bits| bits.first().copied());
-    let bits = bits
-        .and_then(|bits| u32::try_from(bits).ok())
-        .filter(|bits| (1..=depth).contains(bits))
-        .unwrap_or(depth);
-    let full_scale: Option<f64> = npz
-        .by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>(&name_of("full_scale", light))
-        .ok()
-        .and_then(|scale| scale.first().copied());
-    let (frames, rows, columns) = array.dim();
+    let (shape, values) = frames
+        .of_dimensions()
+        .map_err(|found| bad(path, format!("{name}: {found}"), ACCEPTED))?;
+    let mut number = |what| {
+        let numbers = npz.numbers(&name_of(what, light)).ok()?;
+        numbers.values.first().copied()
+    };
+    let bits = number("bits").map(|bits| bits as u32);
+    let bits = bits.filter(|bits| (1..=depth).contains(bits));
+    let bits = bits.unwrap_or(depth);
+    let level = |&level: &f32| rescale(level as u16, depth, bits);
     Ok(Frames {
-        shape: [frames, rows, columns],
+        shape,
         bits,
-        full_scale: full_scale.map(|scale| scale as f32),
-        values: array
-            .iter()
-            .map(|&level| rescale(level, depth, bits))
-            .collect(),
+        full_scale: number("full_scale"),
+        values: values.iter().map(level).collect(),
     })
 }
 
@@ -152,6 +139,8 @@ mod tests {
     use super::*;
     use crate::grid::PatternGrid;
     use crate::io::frames::top_level;
+    use ndarray_npy::NpzReader;
+    use std::fs::File;
 
     #[test]
     fn stacks_of_several_lights_and_depths_come_back() {

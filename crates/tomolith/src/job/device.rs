@@ -4,14 +4,15 @@ use super::build::Optics;
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
 use super::scene::Scene;
-use super::spec::{Angles, JobSpec};
+use super::spec::{Angles, JobSpec, MovieCoding};
 use crate::error::{Error, Result};
 use crate::exposure::{
     Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise,
 };
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::frames::{FrameSet, Frames, read_frames, write_frames};
-use crate::io::mp4::{check_movie, read_movie, write_movie};
+use crate::io::movie::{check_lossless, is_movie, read_movie, write_lossless};
+use crate::io::mp4::{check_movie, write_movie};
 use crate::io::npy::read_patterns;
 use crate::io::stack::{read_stack, write_stack};
 use crate::io::write_whole;
@@ -298,12 +299,9 @@ fn frames_of(
         Some(printers) => printers[i].canvas_grid(),
         None => scene.optics.lights[i].pixels.clone(),
     };
-    let is_movie = path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("mp4"));
     let found = if path.is_dir() {
         read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?
-    } else if is_movie {
+    } else if is_movie(path) {
         if name.is_some() {
             return Err(Error::Unsupported {
                 what: path.display().to_string(),
@@ -311,7 +309,7 @@ fn frames_of(
                     .to_owned(),
             });
         }
-        read_movie(path, grid.rows, grid.columns)?
+        read_movie(path, grid.shape())?
     } else {
         match read_stack(path, name) {
             Ok(frames) => frames,
@@ -442,13 +440,22 @@ impl<'a> Shown<'a> {
                 let part = set
                     .light
                     .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
-                let name = movie_name(&part, rpm);
+                let coding = self.spec.output.movie;
+                let name = movie_name(&part, rpm, coding.ending());
                 let path = folder.join(&name);
-                write_movie(&path, set, frame_rate(rpm, set.grid.frames(), arc)?)?;
-                movies.push(MovieReport {
-                    check: check_movie(&path, set)?,
-                    file: name.clone(),
-                });
+                let rate = frame_rate(rpm, set.grid.frames(), arc)?;
+                let check = match coding {
+                    MovieCoding::H264 => {
+                        write_movie(&path, set, rate)?;
+                        check_movie(&path, set)?
+                    }
+                    MovieCoding::Lossless => {
+                        write_lossless(&path, set, rate)?;
+                        check_lossless(&path, set)?
+                    }
+                };
+                let file = name.clone();
+                movies.push(MovieReport { check, file });
                 movie = Some(name);
             }
             lights.push(self.light_json(i, set, movie.as_deref()));

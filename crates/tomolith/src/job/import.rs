@@ -48,11 +48,15 @@ struct Keys {
 impl Keys {
     fn new(path: &str, value: Value) -> Result<Self> {
         match value {
-            Value::Object(left) => Ok(Keys {
-                path: path.to_owned(),
-                left,
-                known: Vec::new(),
-            }),
+            Value::Object(mut left) => {
+                // `null` is what a key is there when it is left out
+                left.retain(|_, value| !value.is_null());
+                Ok(Keys {
+                    path: path.to_owned(),
+                    left,
+                    known: Vec::new(),
+                })
+            }
             other => Err(Error::config(path, format!("found {other}"), "a table")),
         }
     }
@@ -67,7 +71,7 @@ impl Keys {
 
     fn take(&mut self, key: &'static str) -> Option<Value> {
         self.known.push(key);
-        self.left.remove(key).filter(|value| !value.is_null())
+        self.left.remove(key)
     }
 
     fn wrong<T>(&self, key: &str, found: impl std::fmt::Display, accepted: &str) -> Result<T> {
@@ -149,13 +153,23 @@ impl Keys {
         self.needed(key, table)
     }
 
-    /// Keys that mean nothing here.
+    /// Keys that mean nothing here; nothing need be said of a switch that is off.
     fn leave_out(&mut self, keys: &[&'static str], why: &str, notes: &mut Vec<String>) {
         for key in keys {
-            if self.take(key).is_some() {
+            if self.take(key).is_some_and(|value| value != false) {
                 notes.push(format!("{} is left out: {why}", self.key(key)));
             }
         }
+    }
+
+    /// Switches that must be off, as they are when they are left out.
+    fn must_be_off(&mut self, keys: &[&'static str]) -> Result<()> {
+        for key in keys {
+            if let Some(value) = self.take(key).filter(|value| *value != false) {
+                return self.wrong(key, value, "false, as when it is left out");
+            }
+        }
+        Ok(())
     }
 
     /// Refuses what is left.
@@ -254,6 +268,11 @@ pub fn import(theirs: &str) -> Result<Imported> {
     root.leave_out(
         &["filter_radon", "spp_filter_radon"],
         "pixels whose light misses the part are never unknowns here",
+        &mut ours.notes,
+    );
+    root.leave_out(
+        &["surface_aware"],
+        "at this place it has no effect there either (film.surface_aware has); objective.surface = \"cells\" is ours",
         &mut ours.notes,
     );
     root.leave_out(
@@ -479,7 +498,11 @@ fn occlusions(list: Option<Value>, ours: &mut Ours) -> Result<()> {
 
 fn material_of(mut keys: Keys) -> Result<Value> {
     let material = match keys.need_text("type")?.as_str() {
-        "diffuse" if keys.take("reflectance").is_none() => json!("black"),
+        "diffuse" => match keys.take("reflectance") {
+            Some(value) if value.as_f64() == Some(0.0) => json!("black"),
+            Some(value) => return keys.wrong("reflectance", value, "0 (black)"),
+            None => return keys.wrong("reflectance", "no value, which is 0.5 there", "0 (black)"),
+        },
         "conductor" => json!("mirror"),
         "dielectric" => {
             keys.take("ext_ior");
@@ -489,7 +512,7 @@ fn material_of(mut keys: Keys) -> Result<Value> {
             return keys.wrong(
                 "type",
                 other,
-                "nothing (black), conductor (a mirror) or dielectric",
+                "nothing (black), diffuse of reflectance 0 (black), conductor (a mirror) or dielectric",
             );
         }
     };
@@ -581,11 +604,12 @@ fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) -> Result<()>
     } else {
         "clockwise"
     };
-    keys.leave_out(
-        &["tilt"],
-        "it is read there and never used; `motion.tilt_deg` tilts the axis here",
-        &mut ours.notes,
-    );
+    if keys.number("tilt")?.is_some_and(|tilt| tilt != 0.0) {
+        let name = keys.key("tilt");
+        ours.notes.push(format!(
+            "{name} is left out: it is read there and never used; `motion.tilt_deg` tilts the axis here"
+        ));
+    }
     let optics = optics(&kind, &mut keys, (columns, distance))?;
     keys.finish()?;
     let mut light = json!({ "pixels": [columns, rows], "angles": frames, "rotation": sense, "projector": optics });
@@ -694,16 +718,18 @@ fn optimizer(keys: Option<Keys>, ours: &mut Ours) -> Result<()> {
     };
     match keys.need_text("type")?.as_str() {
         "lbfgs" => ours.add("[optimizer.lbfgs]", json!({})),
-        "adam" => ours.add(
-            "[optimizer.adam]",
-            json!({
+        "adam" => {
+            keys.must_be_off(&["mask_updates", "uniform", "amsgrad"])?;
+            let values = json!({
                 "step": keys.need_number("lr")?,
                 "beta_1": keys.number_or("beta_1", 0.9)?,
                 "beta_2": keys.number_or("beta_2", 0.999)?,
                 "epsilon": keys.number_or("epsilon", 1e-8)?,
-            }),
-        ),
+            });
+            ours.add("[optimizer.adam]", values);
+        }
         "sgd" => {
+            keys.must_be_off(&["mask_updates", "nesterov"])?;
             let momentum = keys.number_or("momentum", 0.0)?;
             let step = keys.need_number("lr")?;
             ours.add(
@@ -824,5 +850,87 @@ mod tests {
             assert!(text.contains(named), "{named}: {text}");
         }
         assert!(refused("\"n_steps\"", "\"n_step\"").contains("did you mean `n_steps`"));
+    }
+
+    #[test]
+    fn keys_with_their_default_values_change_nothing() {
+        let plain = import(THEIRS).unwrap();
+        for (from, to) in [
+            ("\"n_steps\"", "\"surface_aware\": false, \"n_steps\""),
+            (
+                "\"type\": \"vfilm\"",
+                "\"type\": \"vfilm\", \"surface_aware\": false",
+            ),
+            (
+                "\"n_steps\"",
+                "\"progressive\": false, \"export_wasserstein_distance\": false, \"n_steps\"",
+            ),
+            (
+                "\"n_steps\"",
+                "\"time\": 1, \"transmission_only\": true, \"regular_sampling\": false, \"n_steps\"",
+            ),
+            (
+                "\"n_steps\"",
+                "\"psf_analysis\": null, \"physical_model\": null, \"final_sensor\": null, \"n_steps\"",
+            ),
+            (
+                "\"distance\"",
+                "\"tilt\": 0.0, \"filter_nonzero\": false, \"cropy\": 20, \"crop_offset_y\": 0, \"distance\"",
+            ),
+            (
+                "\"tl\"",
+                "\"reduction\": \"sum\", \"K\": 2, \"M\": 4, \"weight_limit\": 1, \"weight_object\": 1.0, \"tl\"",
+            ),
+            (
+                "\"n_steps\"",
+                "\"optimizer\": { \"type\": \"lbfgs\" }, \"n_steps\"",
+            ),
+            (
+                "\"size\"",
+                "\"scale_and_center\": true, \"box_center_z\": 0, \"size\"",
+            ),
+            (
+                "\"rod.ply\"",
+                "\"rod.ply\", \"bsdf\": { \"type\": \"diffuse\", \"reflectance\": 0 }",
+            ),
+        ] {
+            assert!(THEIRS.contains(from), "{from}");
+            let found = import(&THEIRS.replacen(from, to, 1)).unwrap();
+            assert_eq!(found, plain, "{to}");
+        }
+        let optimizer = |keys: &str| {
+            let with = format!("\"optimizer\": {{ \"lr\": 0.1, {keys} }}, \"n_steps\"");
+            import(&THEIRS.replace("\"n_steps\"", &with))
+        };
+        assert!(optimizer("\"type\": \"adam\", \"amsgrad\": false, \"uniform\": false").is_ok());
+        assert!(
+            optimizer("\"type\": \"sgd\", \"nesterov\": false, \"mask_updates\": false").is_ok()
+        );
+        // What would change something is told or refused
+        let text = optimizer("\"type\": \"adam\", \"amsgrad\": true")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            text.starts_with("optimizer.amsgrad: found true; accepted: false"),
+            "{text}"
+        );
+        let found =
+            import(&THEIRS.replace("\"n_steps\"", "\"surface_aware\": true, \"n_steps\"")).unwrap();
+        assert!(
+            found
+                .notes
+                .iter()
+                .any(|note| note.starts_with("surface_aware is left out"))
+        );
+        let grey = THEIRS.replace(
+            "\"rod.ply\"",
+            "\"rod.ply\", \"bsdf\": { \"type\": \"diffuse\" }",
+        );
+        assert!(
+            import(&grey)
+                .unwrap_err()
+                .to_string()
+                .contains("bsdf.reflectance: found no value, which is 0.5")
+        );
     }
 }

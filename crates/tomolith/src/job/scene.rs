@@ -111,13 +111,17 @@ impl Scene {
         try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
-        optics.must_hold(&spec, shape.as_ref())?;
+        let unit = ask_for_unit(&spec, &optics, shape.as_ref());
+        optics
+            .must_hold(&spec, shape.as_ref())
+            .map_err(|e| asking(e, unit.as_deref()))?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
         let (grid, moved_mm) = grid_of(&spec, &optics, shape.as_ref())?;
         notes.extend(moved(moved_mm));
         notes.extend(on_its_own_grid(&spec));
+        must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         let covered = optics
             .setup()
@@ -169,6 +173,7 @@ impl Scene {
                 optics.moved_away(shape.as_ref()),
                 light,
                 covered,
+                unit.into_iter().collect(),
             ]
             .concat(),
             notes,
@@ -559,6 +564,45 @@ fn at_target(spec: &JobSpec, error: Error) -> Error {
             Error::config(key, found, accepted)
         }
         other => other,
+    }
+}
+
+/// A part of a mesh is expected to be no smaller than this share of what the resin holds.
+const SMALL: f64 = 0.01;
+
+/// Asks for the unit of a mesh whose part is far too large or small for the vial.
+fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Option<String> {
+    let across = 2.0 * optics.vial.resin_wall().inscribed_radius();
+    let field = optics.lights[0].pixels.field_mm();
+    let room = across.max(field[1][1] - field[0][1]);
+    let expected = [SMALL * across, room];
+    spec.target.ask_for_unit(shape.bounds_mm(), expected)
+}
+
+/// Adds a question to what would be accepted.
+fn asking(mut error: Error, question: Option<&str>) -> Error {
+    if let (Error::Config { accepted, .. }, Some(question)) = (&mut error, question) {
+        accepted.push_str("; ");
+        accepted.push_str(question);
+    }
+    error
+}
+
+/// Refuses a part smaller than a voxel, where its file may be in another unit.
+fn must_be_seen(shape: &dyn Shape, grid: &VolumeGrid, question: Option<&str>) -> Result<()> {
+    let [low, high] = shape.bounds_mm();
+    let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    match question {
+        Some(_) if longest < grid.pitch_mm => {
+            let found = format!(
+                "the part is {} mm long, a voxel of the grid {} mm",
+                concise(longest),
+                concise(grid.pitch_mm)
+            );
+            let error = Error::config("target", found, "a target larger than a voxel");
+            Err(asking(error, question))
+        }
+        _ => Ok(()),
     }
 }
 

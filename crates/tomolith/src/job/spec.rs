@@ -183,7 +183,7 @@ pub enum DoseConvention {
     Drtvam,
 }
 
-/// Absorption per cell, centred on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of f32 or f64, 1/mm:
+/// Absorption per cell, centred on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of any number type, 1/mm:
 /// 2D [y, x], the same at all heights, or 3D [z, y, x], centred on z = 0; row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -481,6 +481,31 @@ pub struct OutputSpec {
     pub folder: Option<PathBuf>,
     /// Turns of the vial per minute: gives the movie its frame rate.
     pub rpm: f64,
+    /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it) or "lossless" (PNG frames in a
+    /// QuickTime file, every level exact at any bit depth).
+    pub movie: MovieCoding,
+}
+
+/// How the movie's frames are coded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MovieCoding {
+    /// MP4 with H.264.
+    #[default]
+    H264,
+    /// QuickTime with PNG.
+    Lossless,
+}
+
+impl MovieCoding {
+    /// How the name of the file ends.
+    #[must_use]
+    pub fn ending(self) -> &'static str {
+        match self {
+            MovieCoding::H264 => "mp4",
+            MovieCoding::Lossless => "mov",
+        }
+    }
 }
 
 fn is_about_axis(offset: &[Mm; 2]) -> bool {
@@ -567,6 +592,7 @@ impl Default for OutputSpec {
         OutputSpec {
             folder: None,
             rpm: 10.0,
+            movie: MovieCoding::default(),
         }
     }
 }

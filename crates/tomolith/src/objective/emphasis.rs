@@ -24,7 +24,7 @@
 //! **Source** w and ε as fields: Li et al., Additive Manufacturing 94 (2024) 104447, table 2 and figures 8, 9; the weighted sum
 //! their section 2.3.1; the buffer: Bhattacharya, Toombs and Taylor, Additive Manufacturing 47 (2021) 102299.
 //!
-//! **Shapes** files are `.npy` arrays `[z, y, x]` of the optimisation's grid, f32, f64, u8 or bool. **Cost** 8 bytes per voxel
+//! **Shapes** files are `.npy` arrays `[z, y, x]` of the optimisation's grid, of any number type. **Cost** 8 bytes per voxel
 //! more in every pass (12 in place of a label byte).
 
 use super::buffer::near_the_other_kind;
@@ -478,26 +478,14 @@ fn gradients(volume: &Volume<f32>) -> Vec<f64> {
 }
 
 /// Numbers per voxel from a file, 0 or above.
-#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
 fn read(key: &str, path: &Path, grid: &VolumeGrid) -> Result<Vec<f32>> {
-    let numbers = read_volume::<f32>(path)
-        .or_else(|_| {
-            read_volume::<f64>(path).map(|(s, v)| (s, v.iter().map(|&v| v as f32).collect()))
-        })
-        .or_else(|_| {
-            read_volume::<u8>(path).map(|(s, v)| (s, v.iter().map(|&v| f32::from(v)).collect()))
-        })
-        .or_else(|_| {
-            read_volume::<bool>(path)
-                .map(|(s, v)| (s, v.iter().map(|&v| f32::from(u8::from(v))).collect()))
-        });
-    let (shape, values): ([usize; 3], Vec<f32>) = numbers.map_err(|e| match e {
-        Error::Io { .. } => Error::config(key, e.to_string(), "a file that can be read"),
-        _ => Error::config(
-            key,
-            path.display().to_string(),
-            "an .npy array [z, y, x] of f32, f64, u8 or bool",
-        ),
+    let (shape, values) = read_volume(path).map_err(|e| match e {
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => Error::config(key, format!("{}: {found}", path.display()), accepted),
+        _ => Error::config(key, e.to_string(), "a file that can be read"),
     })?;
     if shape != grid.shape {
         return Err(Error::config(
@@ -844,7 +832,7 @@ mod tests {
             ("good.npy", None),
             ("long.npy", Some("shape [1, 1, 3]")),
             ("bad.npy", Some("holds -2")),
-            ("text.npy", Some("an .npy array")),
+            ("text.npy", Some("a 3D .npy array")),
             ("none.npy", Some("a file that can be read")),
         ] {
             let common = common(serde_json::json!({"weights": {"file": file}}));

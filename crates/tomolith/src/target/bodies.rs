@@ -33,10 +33,10 @@
 use super::diagnosis::{Repair, components};
 use super::placing::{Map, Placement};
 use super::voxels::zeros;
-use super::{MeshShape, Shape, TargetSpec};
+use super::{MeshShape, MeshUnit, Shape, TargetSpec, mesh_unit};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
-use crate::io::mesh::{Mesh, read_mesh};
+use crate::io::mesh::Mesh;
 use crate::units::concise;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -78,6 +78,9 @@ pub struct BodySpec {
     /// Mesh file, relative to the job (default: `target.mesh`)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<PathBuf>,
+    /// Unit of this body's own file: "mm", "um", "cm", "m" or "inch" (default: `target.mesh_unit`)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh_unit: Option<MeshUnit>,
     /// Which connected components of the file, counted from 1, the largest first (default: all)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub components: Option<Vec<usize>>,
@@ -150,7 +153,7 @@ impl Assembly {
     }
 }
 
-/// The mesh of every body, in the frame of its file.
+/// The mesh of every body in the frame of its file, mm.
 fn meshes(
     spec: &TargetSpec,
     bodies: &[BodySpec],
@@ -172,18 +175,27 @@ fn meshes(
                 "a mesh file here, or in `target.mesh` for all bodies",
             ));
         }
-        let mesh = read_mesh(folder.join(&file))
+        let unit = unit_of(spec, &bodies[first]);
+        if bodies[first].mesh.is_none() && bodies[first].mesh_unit.is_some() {
+            return Err(Error::config(
+                format!("{}.mesh_unit", key(first)),
+                "the key is given without a file of the body's own",
+                "`target.mesh_unit`, the unit of the file that bodies share",
+            ));
+        }
+        let mesh = mesh_unit::read(&folder.join(&file), unit, &key(first))
             .map_err(|e| at_key(e, &format!("{}.mesh", key(first))))?;
-        let sharing: Vec<usize> = (first..bodies.len())
-            .filter(|&i| file_of(spec, &bodies[i]) == file)
-            .collect();
+        let is_same = |i: &usize| {
+            (file_of(spec, &bodies[*i]), unit_of(spec, &bodies[*i])) == (file.clone(), unit)
+        };
+        let sharing: Vec<usize> = (first..bodies.len()).filter(is_same).collect();
         for &i in &sharing {
             done[i] = true;
         }
         if let [only] = sharing[..]
             && bodies[only].components.is_none()
         {
-            meshes[only] = mesh;
+            meshes[only] = mesh_unit::in_mm(mesh, unit);
             continue;
         }
         let parts = components(&mesh);
@@ -196,10 +208,14 @@ fn meshes(
                 .map(|&c| &parts[c - 1]);
             let corners =
                 chosen.flat_map(|part| (0..part.triangles.len()).map(|t| part.corners(t)));
-            meshes[i] = Mesh::of_corners(corners);
+            meshes[i] = mesh_unit::in_mm(Mesh::of_corners(corners), unit);
         }
     }
     Ok(meshes)
+}
+
+fn unit_of(spec: &TargetSpec, body: &BodySpec) -> Option<MeshUnit> {
+    body.mesh_unit.or(spec.mesh_unit)
 }
 
 fn file_of(spec: &TargetSpec, body: &BodySpec) -> PathBuf {

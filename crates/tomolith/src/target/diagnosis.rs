@@ -303,8 +303,9 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Me
         return Err(Error::Mesh {
             path: path.to_owned(),
             found: format!(
-                "its {} triangles enclose no volume ({volume:e} mm³)",
-                found.triangles
+                "its {} triangles enclose no volume ({} mm³)",
+                found.triangles,
+                concise(volume)
             ),
             accepted: "a closed surface round a volume".to_owned(),
         });
@@ -547,7 +548,9 @@ mod tests {
                 .unwrap_err()
                 .to_string()
         };
-        assert!(refused(sheet.clone()).contains("enclose no volume"));
+        let text = refused(sheet.clone());
+        assert!(text.contains("enclose no volume (0 mm³)"), "{text}");
+        assert!(refused(inverted(sheet.clone())).contains("(0 mm³)"));
         sheet.triangles.truncate(2);
         assert!(refused(sheet.welded()).starts_with("mesh a.stl: its "));
         // A thin plate is no sheet

@@ -5,11 +5,12 @@
 use super::diagnosis::Repair;
 use super::phantom::Phantom;
 use super::placing::Placement;
-use super::{Assembly, BodySpec, GreyImage, MeshShape, PHANTOMS, Shape, Target};
+use super::{
+    Assembly, BodySpec, GreyImage, MeshShape, MeshUnit, PHANTOMS, Shape, Target, mesh_unit,
+};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::{GreyPixels, read_grey, read_stack};
-use crate::io::mesh::read_mesh;
 use crate::kind::Section;
 use crate::units::Mm;
 use rayon::prelude::*;
@@ -24,6 +25,9 @@ pub struct TargetSpec {
     /// Mesh file, relative to the job: .stl, .obj, .ply or .3mf
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<PathBuf>,
+    /// Unit of the mesh file: "mm" (default), "um", "cm", "m" or "inch"; a .3mf file states its own
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh_unit: Option<MeshUnit>,
     /// Part by formula: a name, or a table with parameters such as `phantom.gear = { teeth = 16 }`
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "phantom_schema")]
@@ -147,6 +151,14 @@ impl TargetSpec {
 pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Result<Box<dyn Shape>> {
     let placement = spec.placement();
     let pixels = spec.image.is_some() || spec.stack.is_some();
+    if spec.mesh_unit.is_some() && spec.mesh.is_none() && spec.body.is_none() {
+        return Err(Error::config(
+            "mesh_unit",
+            "the key is given without a mesh",
+            "this key for meshes only",
+        )
+        .under(section_path));
+    }
     for (key, given) in [
         ("height_mm", spec.height_mm.is_some()),
         ("grey", spec.grey.is_some()),
@@ -167,7 +179,8 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
         }
         Source::Mesh(file) => {
             let path = base_folder.join(file);
-            let mesh = read_mesh(&path)?;
+            let mesh = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
+            let mesh = mesh_unit::in_mm(mesh, spec.mesh_unit);
             let repair = spec.repair.unwrap_or_default();
             let shape = MeshShape::new(mesh, &placement, &path, section_path, repair)?;
             Ok(Box::new(shape))
@@ -178,6 +191,17 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
             Ok(Box::new(shape))
         }
         Source::Image(file) => {
+            if ["stl", "obj", "ply", "3mf"].iter().any(|mesh| {
+                file.extension()
+                    .is_some_and(|e| e.eq_ignore_ascii_case(mesh))
+            }) {
+                return Err(Error::config(
+                    "image",
+                    format!("`{}` is a mesh", file.display()),
+                    "a .png or .tif; meshes go to `target.mesh`",
+                )
+                .under(section_path));
+            }
             let slices = vec![read_grey(base_folder.join(file))?];
             grey(spec, slices, true, &placement, section_path)
         }
@@ -327,11 +351,78 @@ mod tests {
         assert!(refused("mesh = \"a.stl\"").contains("a.stl"));
         assert!(refused("mesh = \"a.step\"").contains("extension `.step` is not known"));
         assert!(refused("phantom = \"gear\"\nheight_mm = 2").starts_with("target.height_mm"));
+        assert!(refused("phantom = \"gear\"\nmesh_unit = \"m\"").starts_with("target.mesh_unit"));
+        let image = refused("mesh = \"a.PNG\"");
+        assert!(
+            image.starts_with("target.mesh: `/nowhere/a.PNG` is an image")
+                && image.contains("target.image"),
+            "{image}"
+        );
+        assert!(refused("image = \"a.stl\"\nsize_mm = 2").contains("meshes go to `target.mesh`"));
+        assert!(refused("mesh = \"a.3mf\"\nmesh_unit = \"m\"").contains("states its own"));
         assert!(
             refused("phantom = \"gear\"\nsize_mm = 2\nscale = 2").starts_with("target.scale: both")
         );
         assert!(refused("phantom = \"gear\"\nscale = inf").starts_with("target.scale: inf"));
         assert!(toml::from_str::<TargetSpec>("phantm = \"gear\"").is_err());
+    }
+
+    #[test]
+    fn a_mesh_has_the_unit_that_the_job_says() {
+        let folder = tempfile::tempdir().unwrap();
+        let cube = crate::io::mesh::samples::cuboid([0.0; 3], [0.002, 0.004, 0.006]);
+        crate::io::mesh::write_stl_binary(folder.path().join("a.stl"), &cube).unwrap();
+        let size = |toml: &str| {
+            let spec: TargetSpec = toml::from_str(toml).unwrap();
+            let [low, high] = build(&spec, folder.path(), "target").unwrap().bounds_mm();
+            [high[0] - low[0], high[2] - low[2]]
+        };
+        for (unit, factor) in [
+            ("um", 1e-3),
+            ("mm", 1.0),
+            ("cm", 10.0),
+            ("m", 1e3),
+            ("inch", 25.4),
+            ("in", 25.4),
+        ] {
+            for toml in [
+                format!("mesh = \"a.stl\"\nmesh_unit = \"{unit}\""),
+                format!("body = [{{ mesh = \"a.stl\", mesh_unit = \"{unit}\" }}]"),
+                format!("mesh_unit = \"{unit}\"\nbody = [{{ mesh = \"a.stl\" }}]"),
+            ] {
+                let [x, z] = size(&toml);
+                assert!((x / (0.002 * factor) - 1.0).abs() < 1e-6, "{toml}: {x}");
+                assert!((z / (0.006 * factor) - 1.0).abs() < 1e-6, "{toml}: {z}");
+            }
+        }
+        assert!(toml::from_str::<TargetSpec>("mesh_unit = \"furlong\"").is_err());
+    }
+
+    #[test]
+    fn a_part_far_too_large_or_small_is_asked_for_its_unit() {
+        let asked = |toml: &str, longest: f64| {
+            let spec: TargetSpec = toml::from_str(toml).unwrap();
+            spec.ask_for_unit([[0.0; 3], [longest, 0.0, 0.0]], [0.15, 15.0])
+        };
+        let mesh = "mesh = \"a.stl\"";
+        for (longest, unit) in [(0.006, "\"m\""), (0.1, "\"inch\""), (6000.0, "\"um\"")] {
+            let text = asked(mesh, longest).unwrap();
+            assert!(
+                text.ends_with(&format!("set target.mesh_unit = {unit}")),
+                "{text}"
+            );
+        }
+        // A part that is merely too large, one of the right size, and what says its size
+        for (toml, longest) in [
+            (mesh, 30.0),
+            (mesh, 0.2),
+            ("mesh = \"a.3mf\"", 0.006),
+            ("mesh = \"a.stl\"\nsize_mm = 3", 0.006),
+            ("mesh = \"a.stl\"\nmesh_unit = \"mm\"", 0.006),
+            ("phantom = \"gear\"", 0.006),
+        ] {
+            assert_eq!(asked(toml, longest), None, "{toml}: {longest}");
+        }
     }
 
     #[test]

@@ -8,6 +8,8 @@ use std::path::Path;
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
+const ACCEPTED: &str = "an ASCII STL file beginning with `solid`, or a binary one with as many triangles as its header says";
+
 /// Reads either kind. The length decides: a binary file may begin with the word `solid` too.
 pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     let start = bytes.trim_ascii_start();
@@ -16,11 +18,57 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
         .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     // The count and the coordinates of a binary file are full of zero bytes, a text has none
     let is_text = named && !bytes[..bytes.len().min(1024)].contains(&0);
-    if binary_length(bytes) == Some(bytes.len()) || !is_text {
-        parse_binary(bytes, path, sink)
-    } else {
-        parse_text(bytes, path, sink)
+    if binary_length(bytes) == Some(bytes.len()) {
+        return parse_binary(bytes, path, sink);
     }
+    if let Some(found) = other(bytes, is_text) {
+        return Err(bad(path, found, ACCEPTED));
+    }
+    if is_text {
+        parse_text(bytes, path, sink)
+    } else {
+        parse_binary(bytes, path, sink)
+    }
+}
+
+/// What a file is that is named like an STL file and is none: another format, or a text.
+fn other(bytes: &[u8], is_named: bool) -> Option<String> {
+    let start = &bytes[..bytes.len().min(1024)];
+    let is_text = !start
+        .iter()
+        .any(|b| b.is_ascii_control() && !b.is_ascii_whitespace());
+    let known = [
+        (&b"PK\x03\x04"[..], "a zip archive, perhaps 3MF"),
+        (b"\x89PNG", "a PNG image"),
+        (b"ply", "a PLY file"),
+        (b"glTF", "a glTF file"),
+        (b"ISO-10303-21", "a STEP file"),
+    ];
+    let known = known.iter().find(|(magic, _)| start.starts_with(magic));
+    let what = match known {
+        Some((_, what)) => what,
+        None if is_named => {
+            // The name of a solid may be anything, what follows it may not
+            let lines = bytes.split(|b| *b == b'\n').skip(1).map(<[u8]>::trim_ascii);
+            let next = lines
+                .filter(|line| !line.is_empty())
+                .map(<[u8]>::to_ascii_lowercase)
+                .next();
+            let follows = |word: &[u8]| next.as_ref().is_none_or(|line| line.starts_with(word));
+            if follows(b"facet") || follows(b"endsolid") {
+                return None;
+            }
+            "a text"
+        }
+        None if is_text => "a text",
+        None => return None,
+    };
+    let beginning = String::from_utf8_lossy(&start[..start.len().min(24)]);
+    let beginning = beginning.lines().next().unwrap_or_default();
+    Some(format!(
+        "{what} (it begins with `{}`), neither an ASCII nor a binary STL file",
+        beginning.trim()
+    ))
 }
 
 /// Bytes that a binary file with this header has.
@@ -30,12 +78,11 @@ fn binary_length(bytes: &[u8]) -> Option<usize> {
 }
 
 fn parse_binary(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let accepted = "an ASCII STL file beginning with `solid`, or a binary one with as many triangles as its header says";
     let Some(length) = binary_length(bytes) else {
         return Err(bad(
             path,
             format!("{} bytes are too few for an STL file", bytes.len()),
-            accepted,
+            ACCEPTED,
         ));
     };
     if length > bytes.len() {
@@ -46,7 +93,7 @@ fn parse_binary(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
                 (length - HEADER) / TRIANGLE,
                 bytes.len()
             ),
-            accepted,
+            ACCEPTED,
         ));
     }
     // A blank header keeps the reader from taking a binary file whose name begins with `solid` for text

@@ -123,6 +123,19 @@ fn damage_is_named() {
     assert!(refused(b"", "stl").contains("empty"));
     let text = stl_text(&part());
     assert!(refused(&text[..text.len() - 20], "stl").contains("truncated"));
+    for other in [
+        &b"Dear colleague,\nthe part is attached."[..],
+        b"solid advice\nis hard to find",
+        b"ply\nformat ascii 1.0\n",
+        b"PK\x03\x04\0\0\0\0",
+    ] {
+        let found = refused(other, "stl");
+        assert!(
+            found.contains("neither an ASCII nor a binary STL file")
+                && !found.contains("truncated"),
+            "{found}"
+        );
+    }
     let with = |from: &str, to: &str| {
         String::from_utf8(stl_text(&part()))
             .unwrap()

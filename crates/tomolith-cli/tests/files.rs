@@ -1,0 +1,395 @@
+//! Files that other programs made: movies, frames, arrays, meshes.
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tomolith::io::npy::{read_patterns, read_volume};
+
+const JOB: &str = r#"[target]
+phantom = "gear"
+size_mm = 2.0
+[grid]
+pitch_mm = 0.1
+[resin]
+refractive_index = 1.5
+absorption_per_mm = 0.05
+[vial.index_matched]
+radius_mm = 3.0
+[[light]]
+pixels = [32, 16]
+angles = 24
+projector.collimated = { pixel_pitch_mm = 0.1 }
+[stop]
+iterations = 2
+"#;
+
+struct Bench {
+    temp: tempfile::TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let bench = Bench {
+            temp: tempfile::tempdir().unwrap(),
+        };
+        bench.write("job.toml", JOB.as_bytes());
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn write(&self, name: &str, bytes: &[u8]) {
+        fs::write(self.path(name), bytes).unwrap();
+    }
+
+    /// A line, with programs in this folder alone on its path.
+    fn output(&self, line: &str, programs: &Path) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .current_dir(self.temp.path())
+            .env("PATH", programs)
+            .args(line.split(' '))
+            .output()
+            .unwrap()
+    }
+
+    /// What a line said that must end with a code, on a machine without other programs.
+    fn expect(&self, code: i32, line: &str) -> String {
+        said(code, line, &self.output(line, &self.path("nothing")))
+    }
+
+    /// The last line of a command with `--json`.
+    fn json(&self, line: &str) -> Value {
+        let said = self.expect(0, &format!("{line} --json"));
+        serde_json::from_str(said.trim().lines().last().unwrap()).unwrap()
+    }
+
+    /// What the light of the simulated patterns is.
+    fn shown(&self, folder: &str) -> Vec<f32> {
+        let mut arrays = read_patterns(&self.path(folder).join("patterns.npz")).unwrap();
+        arrays.remove(0).shown
+    }
+}
+
+/// What was said, without the line breaks and the frame of its display.
+fn said(code: i32, line: &str, output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stdout).into_owned()
+        + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{line}: {text}");
+    if text.starts_with('{') {
+        return text;
+    }
+    let words = text.split_whitespace().filter(|word| *word != "│");
+    words.collect::<Vec<_>>().join(" ")
+}
+
+fn contains(text: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(text.contains(part), "`{part}` is not in: {text}");
+    }
+}
+
+/// An `.npy` file.
+fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
+    let text = format!("{text:<117}\n");
+    [b"\x93NUMPY\x01\x00\x76\x00", text.as_bytes(), data].concat()
+}
+
+#[test]
+fn a_lossless_movie_is_the_frames_bit_for_bit() {
+    let bench = Bench::new();
+    bench.expect(
+        0,
+        "run job.toml --quiet --output a --set output.movie=lossless --set evaluate.bit_depth=12",
+    );
+    assert!(bench.path("a/gear_10rpm.mov").is_file());
+    assert!(!bench.path("a/gear_10rpm.mp4").exists());
+    let report: Value =
+        serde_json::from_slice(&fs::read(bench.path("a/report.json")).unwrap()).unwrap();
+    assert_eq!(report["movies"][0]["largest_error_of_255"], 0);
+    let exposure = fs::read_to_string(bench.path("a/exposure.json")).unwrap();
+    assert!(exposure.contains("gear_10rpm.mov"), "{exposure}");
+    fs::copy(bench.path("a/gear_10rpm.mov"), bench.path("alone.mov")).unwrap();
+    bench.expect(
+        0,
+        "simulate job.toml --patterns alone.mov --quiet --output b",
+    );
+    assert_eq!(bench.shown("a"), bench.shown("b"));
+    contains(
+        &bench.expect(2, "run job.toml --set output.movie=divx"),
+        &["output.movie", "h264", "lossless"],
+    );
+}
+
+#[test]
+fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
+    let bench = Bench::new();
+    bench.write("movie.mkv", b"\x1a\x45\xdf\xa3 and so on");
+    bench.write("text.mp4", b"no movie");
+    let line = "simulate job.toml --patterns movie.mkv --quiet --output a";
+    contains(
+        &bench.expect(2, line),
+        &[
+            "movie.mkv: a Matroska or WebM file, which the program ffmpeg can read, but it is not installed",
+            "ffmpeg -i movie.mkv -pix_fmt gray frames/frame_%04d.png",
+        ],
+    );
+    contains(
+        &bench.expect(2, "simulate job.toml --patterns text.mp4 --output a"),
+        &["text.mp4: no movie: it begins with `no movie`"],
+    );
+    if cfg!(not(unix)) {
+        println!("a stand-in for ffmpeg is a shell script: not tested here");
+        return;
+    }
+    // A program of that name that gives 24 images, their pixels k, k + 1, …
+    let programs = bench.path("programs");
+    fs::create_dir(&programs).unwrap();
+    let (program, body) = (programs.join("ffmpeg"), bench.path("body"));
+    fs::write(&program, format!("#!/bin/sh\n. {}\n", body.display())).unwrap();
+    Command::new("chmod")
+        .arg("+x")
+        .arg(&program)
+        .status()
+        .unwrap();
+    let script = |text: &str| fs::write(&body, text).unwrap();
+    let image = |k: usize, columns: usize| {
+        let pixels = (0..16 * columns).map(|i| (i + k) as u8);
+        let head = format!("P5\n{columns} 16\n255\n").into_bytes();
+        head.into_iter().chain(pixels).collect::<Vec<u8>>()
+    };
+    let images: Vec<u8> = (0..24).flat_map(|k| image(k, 32)).collect();
+    bench.write("images.pgm", &images);
+    let cat = format!("/bin/cat {}", bench.path("images.pgm").display());
+    script(&cat);
+    said(0, line, &bench.output(line, &programs));
+    let shown = bench.shown("a");
+    for i in [0, 1, 511, 512, 24 * 512 - 1] {
+        let level = (i % 512 + i / 512) as u8;
+        assert!((shown[i] - f32::from(level) / 255.0).abs() < 1e-6, "{i}");
+    }
+    for (body, found) in [
+        // What ffmpeg patches is refused, and what does not fit
+        (
+            format!("{cat}; echo '[h264 @ 0x5] concealing 3 errors' >&2"),
+            "ffmpeg reports: concealing 3 errors",
+        ),
+        (format!("{cat}; exit 3"), "ffmpeg ended with"),
+        (format!("{cat}; {cat}"), "more than 24 frames"),
+        (
+            format!("{cat} | /usr/bin/head -c 5250"),
+            "10 frames instead of 24",
+        ),
+        (
+            "printf 'P5\\n64 16\\n255\\n'".to_owned(),
+            "64 × 16 pixels instead of 32 × 16",
+        ),
+        ("echo nonsense".to_owned(), "cannot be read"),
+    ] {
+        script(&body);
+        contains(&said(2, line, &bench.output(line, &programs)), &[found]);
+    }
+}
+
+#[test]
+fn grey_frames_may_be_stored_in_colour() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("frames")).unwrap();
+    let save = |k: usize, tint: u8| {
+        let file = fs::File::create(bench.path(&format!("frames/{k:02}.png"))).unwrap();
+        let mut encoder = png::Encoder::new(file, 32, 16);
+        encoder.set_color(png::ColorType::Rgb);
+        let grey = |i: usize| (i / 2 + k) as u8;
+        let pixels: Vec<u8> = (0..512)
+            .flat_map(|i| [grey(i), grey(i) ^ tint, grey(i)])
+            .collect();
+        encoder
+            .write_header()
+            .unwrap()
+            .write_image_data(&pixels)
+            .unwrap();
+    };
+    (0..24).for_each(|k| save(k, 0));
+    let line = "simulate job.toml --patterns frames --quiet --output a";
+    bench.expect(0, line);
+    let shown = bench.shown("a");
+    assert!((shown[5 * 512 + 100] - 55.0 / 255.0).abs() < 1e-6);
+    save(7, 1);
+    contains(
+        &bench.expect(2, line),
+        &["07.png: a coloured pixel in row 0, column 0"],
+    );
+}
+
+#[test]
+fn patterns_are_numbers_of_any_type() {
+    let bench = Bench::new();
+    let bytes: Vec<u8> = (0..24 * 512).map(|i| (i % 7) as u8).collect();
+    let halves = [0x0000u16, 0x3c00, 0x4000, 0x4200, 0x4400, 0x4500, 0x4600];
+    let big: Vec<u8> = bytes
+        .iter()
+        .flat_map(|&b| halves[usize::from(b)].to_be_bytes())
+        .collect();
+    bench.write("u1.npy", &npy("|u1", "24, 16, 32", &bytes));
+    bench.write("f2.npy", &npy(">f2", "24, 16, 32", &big));
+    for name in ["u1", "f2"] {
+        bench.expect(
+            0,
+            &format!("simulate job.toml --patterns {name}.npy --quiet --output {name}"),
+        );
+        let shown = bench.shown(name);
+        for (found, wanted) in shown.iter().zip(&bytes) {
+            assert!(
+                (found - f32::from(*wanted)).abs() < 0.02,
+                "{name}: {found} {wanted}"
+            );
+        }
+    }
+    // A start, a map and an objective's weights ask the same reader
+    bench.expect(
+        0,
+        "run job.toml --quiet --output c --set start.patterns.file=f2.npy",
+    );
+    bench.write("dose.npy", &npy(">i2", "2, 2", &[0, 1, 0, 9, 0, 8, 0, 2]));
+    bench.write("target.npy", &npy("|u1", "2, 2", &[0, 1, 1, 0]));
+    let found = bench.json("metrics dose.npy target.npy");
+    assert_eq!(found["evaluation"]["iou"], 1.0);
+
+    let whole = npy("|u1", "24, 16, 32", &bytes);
+    bench.write("cut.npy", &whole[..5000]);
+    let text = bench.expect(2, "simulate job.toml --patterns cut.npy --output d");
+    contains(
+        &text,
+        &[
+            "truncated: an array (24, 16, 32) of 1 bytes a number takes 12416 bytes with its header, 5000 are there",
+        ],
+    );
+    let patterns = fs::read(bench.path("c/patterns.npz")).unwrap();
+    bench.write("cut.npz", &patterns[..patterns.len() / 2]);
+    let text = bench.expect(2, "simulate job.toml --patterns cut.npz --output d");
+    contains(
+        &text,
+        &["cut.npz: truncated: its array `patterns", "ends at byte"],
+    );
+    bench.write("flat.npy", &npy("|u1", "24, 512", &bytes));
+    let text = bench.expect(2, "simulate job.toml --patterns flat.npy --output d");
+    contains(&text, &["2 dimensions, shape (24, 512), instead of 3"]);
+    assert!(!text.contains("Some("), "{text}");
+}
+
+/// A box as OBJ, its corner at the origin.
+fn obj([x, y, z]: [f64; 3]) -> String {
+    let corner = |i: usize| {
+        let [a, b, c] = [i & 1, i >> 1 & 1, i >> 2].map(|bit| bit as f64);
+        format!("v {} {} {}\n", a * x, b * y, c * z)
+    };
+    let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    (0..8).map(corner).collect::<String>() + faces
+}
+
+#[test]
+fn a_mesh_in_another_unit_is_asked_for_it() {
+    let bench = Bench::new();
+    bench.write("metres.obj", obj([0.002, 0.002, 0.001]).as_bytes());
+    bench.write("microns.obj", obj([2000.0, 2000.0, 1000.0]).as_bytes());
+    let job = |name: &str| {
+        JOB.replace(
+            "phantom = \"gear\"\nsize_mm = 2.0",
+            &format!("mesh = \"{name}\""),
+        )
+    };
+    for (name, unit, asked) in [
+        (
+            "metres.obj",
+            "m",
+            "is its file in metres? set target.mesh_unit = \"m\"",
+        ),
+        (
+            "microns.obj",
+            "um",
+            "is its file in micrometres? set target.mesh_unit = \"um\"",
+        ),
+    ] {
+        bench.write("mesh.toml", job(name).as_bytes());
+        contains(&bench.expect(2, "check mesh.toml"), &[asked]);
+        bench.expect(
+            0,
+            &format!("check mesh.toml --set target.mesh_unit=\"{unit}\""),
+        );
+    }
+    let line = "voxelize metres.obj --pitch-mm 0.1 --output v.npy";
+    contains(
+        &bench.expect(0, line),
+        &[
+            "no voxel is at least half inside",
+            "is its file in metres? give --mesh-unit \"m\"",
+        ],
+    );
+    let found = bench.json(&format!("{line} --mesh-unit m"));
+    assert_eq!(found["part_voxels"], 20 * 20 * 10);
+    bench.write("image.png", b"");
+    bench.write("mesh.toml", job("image.png").as_bytes());
+    contains(
+        &bench.expect(2, "check mesh.toml"),
+        &["target.mesh: ", "is an image", "`target.image`"],
+    );
+    bench.write("text.stl", b"Dear colleague,\nthe part is attached.\n");
+    let text = bench.expect(2, "voxelize text.stl --pitch-mm 0.1 --output v.npy");
+    contains(
+        &text,
+        &["a text (it begins with `Dear colleague,`), neither an ASCII nor a binary STL file"],
+    );
+    assert!(!text.contains("truncated"), "{text}");
+}
+
+#[test]
+fn a_repaired_mesh_can_be_saved() {
+    let bench = Bench::new();
+    // Without its top, a flat hole
+    let open = obj([1.0, 2.0, 3.0]).replace("f 5 6 8 7\n", "");
+    bench.write("open.obj", open.as_bytes());
+    let line = "voxelize open.obj --pitch-mm 0.1 --output v.npy --save-mesh fixed.stl";
+    contains(
+        &bench.expect(0, line),
+        &["The mesh is open", "written fixed.stl"],
+    );
+    let found = bench.json("voxelize fixed.stl --pitch-mm 0.1 --output w.npy");
+    assert_eq!(found["warnings"], serde_json::json!([]));
+    assert!((found["exact_volume_mm3"].as_f64().unwrap() - 6.0).abs() < 1e-5);
+    assert_eq!(
+        read_volume(&bench.path("v.npy")).unwrap(),
+        read_volume(&bench.path("w.npy")).unwrap()
+    );
+    let text = bench.expect(
+        2,
+        "voxelize open.obj --pitch-mm 0.1 --output v.npy --save-mesh fixed.obj",
+    );
+    contains(&text, &["--save-mesh", ".stl"]);
+}
+
+#[test]
+fn a_grid_that_cuts_the_part_is_refused_or_says_what_is_lost() {
+    let bench = Bench::new();
+    bench.write("box.obj", obj([2.0, 2.0, 2.0]).as_bytes());
+    let line = "voxelize box.obj --pitch-mm 0.1 --shape 20 20 15 --output v.npy";
+    contains(
+        &bench.expect(2, line),
+        &[
+            "--shape: a grid of 2 × 2 × 1.5 mm cuts the part, which is 2 × 2 × 2 mm",
+            "--clip",
+        ],
+    );
+    assert!(!bench.path("v.npy").exists());
+    let clip = format!("{line} --clip");
+    contains(
+        &bench.expect(0, &clip),
+        &["the grid cuts the part: 25 % of its volume is lost"],
+    );
+    let lost = bench.json(&clip)["lost_share"].as_f64().unwrap();
+    assert!((lost - 0.25).abs() < 1e-5, "{lost}");
+    let whole = bench.json("voxelize box.obj --pitch-mm 0.1 --shape 20 20 20 --output v.npy");
+    assert_eq!(whole["lost_share"], Value::Null);
+}
