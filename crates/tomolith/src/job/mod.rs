@@ -24,6 +24,7 @@ pub mod folder;
 pub mod import;
 mod judge;
 pub mod kinds;
+mod levels;
 mod light;
 mod named;
 mod noise;

@@ -2,6 +2,7 @@
 
 use super::coarse;
 use super::folder::RunFolder;
+use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
 use super::scene::{Scene, Voxels, at_section};
@@ -40,6 +41,10 @@ pub(crate) struct Optimised {
     qualities: Vec<Quality>,
     /// How long measuring them took, s.
     pub(crate) metrics_s: f64,
+    /// The patterns on few levels of the machine, where they were improved on them.
+    pub(crate) levels: Option<Levelled>,
+    /// How long that took, s.
+    pub(crate) levels_s: f64,
     /// That it did nothing, when it did nothing.
     pub(crate) warning: Option<String>,
 }
@@ -172,15 +177,20 @@ pub(crate) fn optimise(
         metrics_s,
         ..
     } = watch;
+    let normalises = optimizer.normalises();
+    drop(optimizer);
     darken(&mut x, &dark);
-    let raw: Vec<Patterns> = model
-        .patterns()
-        .iter()
-        .map(|layout| layout.patterns_of(x.as_slice()))
-        .collect();
+    let raw = levels::patterns(model.patterns(), &x);
+    let begin = Instant::now();
+    let ran = ran.and_then(|outcome| {
+        let ended = outcome.reason != StopReason::Cancelled;
+        let levels = ended.then(|| levels::improve(scene, &mut problem, &x, progress));
+        Ok((outcome, levels.transpose()?.flatten()))
+    });
+    let levels_s = begin.elapsed().as_secs_f64();
     match ran {
-        Ok(outcome) if outcome.reason != StopReason::Cancelled => {
-            let warning = idle(&outcome.history, optimizer.normalises(), spec.bounds.bits);
+        Ok((outcome, levels)) if outcome.reason != StopReason::Cancelled => {
+            let warning = idle(&outcome.history, normalises, spec.bounds.bits);
             if let Some(text) = warning.clone() {
                 progress.event(&Event::Warning { text });
             }
@@ -191,6 +201,8 @@ pub(crate) fn optimise(
                 updates,
                 qualities,
                 metrics_s,
+                levels,
+                levels_s,
                 warning,
             })
         }

@@ -20,6 +20,7 @@ use crate::io::mp4::MovieCheck;
 use crate::io::write_whole;
 use crate::metrics::Evaluation;
 use crate::optimize::Kept;
+use crate::optimize::levels::Gain;
 use std::io::Write;
 use std::path::Path;
 
@@ -96,6 +97,8 @@ pub struct ReportData<'a> {
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
     pub kept: Option<Kept>,
+    /// What was gained on few levels of the machine, where patterns were improved on them.
+    pub levels: Option<Gain>,
     /// Movies.
     pub movies: Vec<MovieReport>,
     /// The resolved job.
@@ -260,6 +263,7 @@ mod tests {
                 published: serde_json::Map::new(),
                 history: &self.history,
                 kept: None,
+                levels: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
                 warnings: vec!["x < y".to_owned()],
