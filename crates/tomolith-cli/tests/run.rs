@@ -254,6 +254,51 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
 }
 
 #[test]
+fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
+    let bench = Bench::new();
+    let run = |folder: &str, more: &str| {
+        let said = bench.expect(
+            0,
+            &format!("run job.toml --json --set evaluate.bit_depth=1 {more} --output {folder}"),
+        );
+        (said, json(&bench.path(folder).join("report.json")))
+    };
+    let (said, report) = run("few", "--set evaluate.levels=optimised");
+    assert!(said.contains("bit depth 1: loss"), "{said}");
+    let (_, rounded) = run("rounded", "--set evaluate.levels=rounded");
+    assert!(rounded["levels"].is_null());
+    let number = |v: &Value| v.as_f64().unwrap();
+    let gain = &report["levels"];
+    assert!(number(&gain["loss"]) < 0.1 * number(&gain["rounded_loss"]));
+    assert!(number(&gain["calls"]) <= 70.0);
+    assert_ne!(report["evaluation"], rounded["evaluation"]);
+    // What the optimisation reached is told apart from what is shown of it
+    assert_eq!(report["optimisation"], rounded["optimisation"]);
+    // The default is to improve, and more bits are rounded
+    assert_eq!(run("default", "").1["levels"], *gain);
+    bench.expect(0, "run job.toml --set evaluate.bit_depth=6 --output many");
+    assert!(json(&bench.path("many/report.json"))["levels"].is_null());
+
+    let simulate = |folder: &str, machine: &str| {
+        let line = format!("simulate job.toml --set evaluate.bit_depth=1 {machine}");
+        bench.expect(0, &format!("{line} --patterns {folder} --output again"));
+        let again = json(&bench.path("again/report.json"));
+        let report = json(&bench.path(folder).join("report.json"));
+        for section in ["evaluation", "lights"] {
+            assert_eq!(again[section], report[section], "{folder}: {section}");
+        }
+    };
+    simulate("few", "");
+    // A machine with pixels of its own makes the same light of what it was asked for
+    let machine = "--set printer.canvas=[60,30] --set printer.pixel_pitch_mm=0.08";
+    let (said, report) = run("machine", machine);
+    assert!(said.contains("bit depth 1: loss"), "{said}");
+    let gain = &report["levels"];
+    assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
+    simulate("machine", machine);
+}
+
+#[test]
 fn doses_are_energies_where_the_resin_says_what_it_needs() {
     let bench = Bench::new();
     let line = "run job.toml --quiet --set resin.critical_dose_mj_per_mm3=2";

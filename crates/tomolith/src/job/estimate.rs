@@ -9,6 +9,7 @@ use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
 use crate::models::rays::kept::{self, Walks};
 use crate::models::scatter::JUDGING;
+use crate::optimize::levels;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
 const BYTES_PER_VOXEL: f64 = 21.0;
@@ -247,6 +248,8 @@ pub(crate) struct Work<'a> {
     pub(crate) sub_angles: [usize; 2],
     /// Whether light is followed along random paths.
     pub(crate) random_paths: bool,
+    /// Whether patterns are improved on few levels afterwards.
+    pub(crate) levels: bool,
     /// Limit of the optimisation's time, s.
     pub(crate) wall_s: Option<f64>,
 }
@@ -300,7 +303,13 @@ impl Work<'_> {
             .min(self.wall_s.unwrap_or(f64::INFINITY))
             + OTHER_CALLS * own * dose_s
             + first_s
-            + model_s;
+            + model_s
+            + if self.levels {
+                let [doses, adjoints] = levels::CALLS.map(|calls| calls as f64);
+                own * (doses * dose_s + adjoints * adjoint_s)
+            } else {
+                0.0
+            };
         let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
             + extent.pixels as f64 * MEASURES_PER_PIXEL
             + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
@@ -383,6 +392,7 @@ mod tests {
             iterations: 7,
             sub_angles: [1, 4],
             random_paths: false,
+            levels: false,
             wall_s: None,
         };
         let cost = work.cost(&rates());

@@ -37,6 +37,7 @@ pub mod page;
 pub mod progress;
 mod rates;
 pub mod read;
+mod refinement;
 mod replace;
 pub mod resources;
 mod scene;

@@ -1,9 +1,10 @@
 //! The optimisation of a job: from voxels to patterns.
 
 use super::folder::RunFolder;
-use super::levels::{self, Level};
+use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
+use super::refinement::{self, Level};
 use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
@@ -43,6 +44,10 @@ pub(crate) struct Optimised {
     qualities: Vec<Quality>,
     /// How long measuring them took, s.
     pub(crate) metrics_s: f64,
+    /// The patterns on few levels of the machine, where they were improved on them.
+    pub(crate) levels: Option<Levelled>,
+    /// How long that took, s.
+    pub(crate) levels_s: f64,
     /// That it did nothing, or could not be kept.
     pub(crate) warnings: Vec<String>,
 }
@@ -130,8 +135,18 @@ pub(crate) fn optimise(
                     warnings.push(text.clone());
                     progress.event(&Event::Warning { text });
                 }
+                let begin = Instant::now();
+                let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
+                    Ok(levels) => levels,
+                    Err(error) => {
+                        keep(scene, &raw, &folder.checkpoint(), progress)?;
+                        return Err(at_section("optimizer", error));
+                    }
+                };
                 return Ok(Optimised {
                     raw,
+                    levels,
+                    levels_s: begin.elapsed().as_secs_f64(),
                     outcome,
                     updates: stage.model.updates(),
                     model: stage.reason,
@@ -242,10 +257,23 @@ impl<'a> Stage<'a> {
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
     fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
         darken(x, &self.dark);
-        let lights = self.model.patterns().iter();
-        lights
-            .map(|layout| layout.patterns_of(x.as_slice()))
-            .collect()
+        levels::patterns(self.model.patterns(), x)
+    }
+
+    /// The patterns on few levels of the machine, where the job has few.
+    fn improve(
+        &self,
+        scene: &Scene,
+        x: &HostField,
+        bounds: &[Limits],
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Option<Levelled>> {
+        let model = self.model.as_ref();
+        let objective = scene.objective(&scene.spec, &model.outputs()[0], &self.voxels)?;
+        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+            .with_penalties(scene.penalties(model.patterns())?);
+        levels::improve(scene, &mut problem, x, progress)
     }
 
     /// Runs the optimiser on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
@@ -265,11 +293,11 @@ impl<'a> Stage<'a> {
             if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
                 break;
             }
-            let Some(wider) = levels::widened(&scene.spec, steps)? else {
+            let Some(wider) = refinement::widened(&scene.spec, steps)? else {
                 break;
             };
             progress.event(&Event::Note {
-                text: format!("every voxel is within its thresholds after iteration {at}: from here on they are {} further apart", concise(levels::WIDER * steps as f64)),
+                text: format!("every voxel is within its thresholds after iteration {at}: from here on they are {} further apart", concise(refinement::WIDER * steps as f64)),
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;

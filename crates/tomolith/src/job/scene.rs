@@ -5,11 +5,11 @@ use super::device;
 use super::estimate::{self, Extent};
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
-use super::levels::{self, Level};
 use super::named::{
     asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
 };
 use super::read::Job;
+use super::refinement::{self, Level};
 use super::resources::{available_disk_mb, available_memory_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, coarse, light};
@@ -137,7 +137,7 @@ impl Scene {
                 .check_files(&grid, &job.base())
                 .map_err(|e| e.under(&path))?;
         }
-        let levels = levels::levels(&spec, &optics, &grid, shape.bounds_mm())?;
+        let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let plain = Extent::new(
@@ -150,7 +150,7 @@ impl Scene {
         let setup = optimising(&optics, &shape, has_cells);
         let extent = Extent {
             finest: levels[levels.len() - 1].grid.clone(),
-            effort: levels::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
+            effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
             walks: setup.walks(&optics.model, &optics.lights, &grid),
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
@@ -180,7 +180,7 @@ impl Scene {
             shape,
             has_cells,
             levels,
-            sees_fractions: levels::sees_fractions(&spec)?,
+            sees_fractions: refinement::sees_fractions(&spec)?,
             spec,
             optics,
             printers,

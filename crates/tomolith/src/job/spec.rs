@@ -455,6 +455,9 @@ pub struct StopSpec {
 pub struct EvaluateSpec {
     /// Bits to which patterns are quantised, 1 to 16.
     pub bit_depth: u32,
+    /// How patterns come to the levels of 5 bits or fewer: "optimised" on them after the optimisation, or "rounded". With more bits they
+    /// are rounded.
+    pub levels: Levelling,
     /// Angles at which the arc of a frame is averaged.
     pub sub_angles: usize,
     /// How many times finer the grid is; lowered, and said so, when memory is short.
@@ -470,6 +473,17 @@ pub struct EvaluateSpec {
     /// Grey targets: share of the voxels that must be in their bands, 0 to 1; else as `require_iou`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_in_band: Option<f64>,
+}
+
+/// How patterns come to few levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Levelling {
+    /// They are improved on them.
+    #[default]
+    Optimised,
+    /// Each pixel takes the nearest.
+    Rounded,
 }
 
 /// What is written, and where.
@@ -577,6 +591,7 @@ impl Default for EvaluateSpec {
     fn default() -> Self {
         EvaluateSpec {
             bit_depth: 8,
+            levels: Levelling::Optimised,
             sub_angles: 4,
             refine: 2,
             threshold: None,

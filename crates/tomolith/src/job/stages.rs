@@ -4,6 +4,7 @@ use super::device::{self, Written};
 use super::estimate::Work;
 use super::folder::RunFolder;
 use super::judge::judge;
+use super::levels;
 use super::optimise::{Optimised, keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress};
@@ -47,12 +48,14 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
         .map_err(|e| job.locate(e))?;
     warnings.extend(optimised.warnings.clone());
     clock.stage("evaluating the written patterns");
-    let patterns = Written::of_raw(optimised.raw.clone(), &scene)?;
+    let levels = optimised.levels.as_ref();
+    let asked = levels.map_or(&optimised.raw, |levels| &levels.asked);
+    let patterns = Written::of_raw(asked.clone(), &scene)?;
     let judged = judge(
         &scene,
         &voxels,
         &patterns.shown,
-        patterns.raw.as_deref(),
+        Some(&optimised.raw),
         clock.progress,
         cancel,
     );
@@ -217,16 +220,16 @@ impl<'p> Clock<'p> {
 }
 
 /// Where the time of an optimisation went; None when some of it was spent before a resume.
-fn parts_of(seconds: f64, optimised: &Optimised) -> Option<[Timing; 5]> {
+fn parts_of(seconds: f64, optimised: &Optimised) -> Option<Vec<Timing>> {
     let in_loop = optimised.outcome.history.last()?.seconds;
     let Counters {
         model_s,
         objective_s,
         ..
     } = optimised.outcome.counters;
-    let metrics_s = optimised.metrics_s;
+    let (metrics_s, levels_s) = (optimised.metrics_s, optimised.levels_s);
     let parts = [
-        ("pixels and start", seconds - in_loop),
+        ("pixels and start", seconds - in_loop - levels_s),
         ("dose and adjoint", model_s),
         ("objective", objective_s),
         ("metrics", metrics_s),
@@ -234,12 +237,20 @@ fn parts_of(seconds: f64, optimised: &Optimised) -> Option<[Timing; 5]> {
             "steps, checkpoints",
             in_loop - model_s - objective_s - metrics_s,
         ),
+        ("levels", levels_s),
     ];
-    (parts.iter().all(|(_, seconds)| *seconds >= 0.0)).then(|| {
-        parts.map(|(name, seconds)| Timing {
+    let is_known = parts.iter().all(|(_, seconds)| *seconds >= 0.0);
+    let done = if optimised.levels.is_some() {
+        &parts[..]
+    } else {
+        &parts[..5]
+    };
+    is_known.then(|| {
+        let timing = |(name, seconds): &(&str, f64)| Timing {
             name: format!("{OPTIMISING}: {name}"),
-            seconds,
-        })
+            seconds: *seconds,
+        };
+        done.iter().map(timing).collect()
     })
 }
 
@@ -273,6 +284,7 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
             scene.spec.evaluate.sub_angles,
         ],
         random_paths: matches!(scene.optics.model_for(1, &scene.grid), Choice::Scatter(_)),
+        levels: levels::asked(&scene.spec.evaluate),
         wall_s: scene.spec.stop.wall_s,
     };
     let cost = work.cost(&rates);

@@ -3,6 +3,7 @@
 use super::device::{self, Written};
 use super::folder::RunFolder;
 use super::judge::Judged;
+use super::levels::sentence;
 use super::limits::limits;
 use super::optimise::Optimised;
 use super::outcome::{earlier, large};
@@ -217,6 +218,11 @@ fn report(
         published: published(done, exposures.lights())?,
         history,
         kept: done.optimised.as_ref().map(|o| o.outcome.kept),
+        levels: done
+            .optimised
+            .as_ref()
+            .and_then(|o| o.levels.as_ref())
+            .map(|levels| levels.gain),
         deviation: made.deviation.as_ref(),
         movies: made.movies,
         job_text: &resolved.to_toml()?,
@@ -325,6 +331,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {
             facts.push(("Kept", earlier(kept, last)));
+        }
+        if let Some(levels) = &optimised.levels {
+            facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
         }
         facts.push(("Model", optimised.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));

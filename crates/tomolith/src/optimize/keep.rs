@@ -348,7 +348,7 @@ mod tests {
         (x, iou, outcome)
     }
 
-    const SCRIPT: [(f32, f64); 4] = [(0.0, 1.0), (1.0, 3.0), (0.6, 2.0), (0.0, 4.0)];
+    const SCRIPT: [(f32, f64); 4] = [(0.0, 1.0), (1.0, 3.0), (0.0, 2.0), (0.0, 4.0)];
 
     fn scripted(script: &[(f32, f64)]) -> Scripted {
         Scripted {

@@ -15,6 +15,7 @@ pub(crate) mod follow;
 pub mod gradient;
 pub mod keep;
 pub mod lbfgs;
+pub mod levels;
 pub mod needs;
 pub mod osmo;
 pub mod pm;

@@ -249,7 +249,7 @@ impl<'a, F: Field> Problem<'a, F> {
     }
 
     /// Dose, loss and cotangent of patterns that need no bringing into the bounds.
-    fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
+    pub(super) fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
         let Position {
             dose,
             cotangent,

@@ -22,6 +22,8 @@
 //! lights        frames, size and scale of each light's patterns
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
+//! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
+//!               model calls; else null
 //! movies        what a decoder makes of each movie
 //! warnings      sentences
 //! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
@@ -115,6 +117,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "published": data.published,
         "lights": lights,
         "history": history,
+        "levels": data.levels,
         "movies": movies,
         "warnings": data.warnings,
         "run": {

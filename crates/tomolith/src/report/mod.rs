@@ -24,6 +24,7 @@ use crate::io::write_whole;
 use crate::metrics::Evaluation;
 use crate::metrics::surface::Deviation;
 use crate::optimize::Kept;
+use crate::optimize::levels::Gain;
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, Limits};
 use std::io::Write;
@@ -108,6 +109,8 @@ pub struct ReportData<'a> {
     pub kept: Option<Kept>,
     /// The print's surface and how far it is off, where there is one.
     pub deviation: Option<&'a Deviation>,
+    /// What was gained on few levels of the machine, where patterns were improved on them.
+    pub levels: Option<Gain>,
     /// Movies.
     pub movies: Vec<MovieReport>,
     /// The resolved job.
@@ -294,6 +297,7 @@ mod tests {
                 history: &self.history,
                 kept: None,
                 deviation: None,
+                levels: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
                 warnings: vec!["x < y".to_owned()],

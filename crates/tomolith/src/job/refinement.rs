@@ -1,0 +1,273 @@
+//! The voxels and pixels on which patterns are optimised, from coarse to fine.
+//!
+//! **Voxels finer than pixels.** A print has details that a voxel as large as a pixel does not see, so an objective that weighs a voxel by the
+//! share that is part (`surface = "fraction"`, the default) is asked on voxels of a quarter of a pixel, as far as [`BUDGET`] allows. Along z
+//! they stay as high as a row of pixels: collimated light is the same at all heights of a row, and the share of a voxel that is part says
+//! all that finer slices would. A voxel of height q and width p/4 costs 16 times a cube of the pixel, where cubes of p/4 would cost 64
+//! times.
+//!
+//! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
+//! [`MOST_ANGLES`] angles. Each angle costs as much as a frame that stands still.
+//!
+//! **Coarse first.** Half of the iterations run on voxels twice as wide; where the job's own voxels are all that the budget allows, on
+//! pixels, voxels and half as many frames instead.
+
+use super::build::Optics;
+use super::coarse::{coarser_grid, coarser_lights, is_large_enough};
+use super::spec::JobSpec;
+use crate::error::Result;
+use crate::grid::VolumeGrid;
+use crate::models::Choice;
+use crate::models::parallel::Light;
+use crate::objective::emphasis::Common;
+use crate::objective::{OBJECTIVES, threshold};
+
+/// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 20 iterations then take five to ten
+/// seconds on two cores.
+const BUDGET: f64 = 8e9;
+/// Finding the pixels that light a column of voxels takes as long as lighting so many of its voxels.
+const COLUMN: usize = 64;
+/// Voxels across a pixel that are fine enough: a judgement on still finer ones finds the same print (docs/fidelity.md).
+const PER_PIXEL: f64 = 4.0;
+/// Angles at which a frame is averaged at most.
+const MOST_ANGLES: usize = 4;
+/// Rounding of lengths, in voxels.
+const ROUNDING: f64 = 1e-6;
+
+/// Some iterations on some voxels with some lights.
+#[derive(Clone, Debug)]
+pub(crate) struct Level {
+    /// The voxels.
+    pub(crate) grid: VolumeGrid,
+    /// The lights, with the angles at which their frames are averaged.
+    pub(crate) lights: Vec<Light>,
+    /// The iterations after it, counted from the start.
+    pub(crate) until: usize,
+}
+
+impl Level {
+    fn new(grid: VolumeGrid, lights: &[Light], sub_angles: Option<usize>, until: usize) -> Self {
+        let mut lights = lights.to_vec();
+        for light in &mut lights {
+            light.sub_angles = sub_angles.unwrap_or(light.sub_angles);
+        }
+        Level {
+            grid,
+            lights,
+            until,
+        }
+    }
+}
+
+/// What the iterations of all levels cost, relative to `iterations` on the job's own voxels.
+pub(super) fn effort(
+    levels: &[Level],
+    grid: &VolumeGrid,
+    lights: &[Light],
+    iterations: usize,
+) -> f64 {
+    let mut done = 0;
+    let mut sum = 0.0;
+    for level in levels {
+        sum += (level.until - done) as f64 * updates(&level.grid, &level.lights);
+        done = level.until;
+    }
+    sum / (iterations.max(1) as f64 * updates(grid, lights))
+}
+
+/// What a dose costs, in voxel-angle updates before masks.
+fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
+    let angles = |light: &Light| light.pixels.frames() * light.sub_angles;
+    let [nz, ny, nx] = grid.shape;
+    ((nz + COLUMN) * ny * nx) as f64 * lights.iter().map(angles).sum::<usize>() as f64
+}
+
+/// The levels of a job, the finest last.
+///
+/// # Errors
+/// [`Error::Config`](crate::Error::Config) for an objective that is none.
+pub(super) fn levels(
+    spec: &JobSpec,
+    optics: &Optics,
+    grid: &VolumeGrid,
+    bounds_mm: [[f64; 3]; 2],
+) -> Result<Vec<Level>> {
+    let lights = &optics.lights;
+    let iterations = spec.stop.iterations;
+    if let Some(coarse) = &spec.coarse {
+        let mut levels: Vec<Level> = (1..=coarse.levels)
+            .rev()
+            .filter(|level| is_large_enough(optics, grid, 1 << level))
+            .map(|level| {
+                (
+                    coarser_grid(grid, 1 << level),
+                    coarser_lights(lights, 1 << level),
+                )
+            })
+            .enumerate()
+            .map(|(i, (grid, lights))| Level::new(grid, &lights, None, (i + 1) * coarse.iterations))
+            .collect();
+        let until = levels.len() * coarse.iterations + iterations;
+        levels.push(Level::new(grid.clone(), lights, None, until));
+        return Ok(levels);
+    }
+    let own = || vec![Level::new(grid.clone(), lights, None, iterations)];
+    if !is_free(spec, optics)? {
+        return Ok(own());
+    }
+    let (fine, sub_angles) = match spec.grid.refine {
+        Some(refine) => {
+            let along = along(grid, lights).min(refine);
+            let across = refine.next_multiple_of(along);
+            (
+                grid.divided(across, along),
+                fit_angles(spec, lights, bounds_mm, |_| true),
+            )
+        }
+        None => finest(spec, lights, grid, bounds_mm),
+    };
+    let half = iterations / 2;
+    let across = fine.shape[2] / grid.shape[2];
+    let along = fine.shape[0] / grid.shape[0];
+    let mut levels = Vec::new();
+    if across > along && half > 0 {
+        let fewer = (along..across)
+            .rev()
+            .find(|n| 2 * n <= across + 1 && n % along == 0);
+        let grid = grid.divided(fewer.unwrap_or(along), along);
+        levels.push(Level::new(grid, lights, Some(sub_angles.min(2)), half));
+    } else if spec.grid.refine.is_none() && half > 0 && is_large_enough(optics, grid, 2) {
+        let lights = coarser_lights(lights, 2);
+        levels.push(Level::new(coarser_grid(grid, 2), &lights, None, half));
+    }
+    levels.push(Level::new(fine, lights, Some(sub_angles), iterations));
+    Ok(levels)
+}
+
+/// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
+/// job's own voxels.
+fn is_free(spec: &JobSpec, optics: &Optics) -> Result<bool> {
+    let is_parallel = match &optics.model {
+        Choice::Cheapest => optics.setup().beyond_parallel(&optics.lights).is_none(),
+        Choice::Parallel(_) => true,
+        _ => false,
+    };
+    let asked = spec.stop.iou.is_some() || spec.stop.loss > 0.0;
+    Ok(is_parallel && !asked && sees_fractions(spec)?)
+}
+
+/// Slices into which a voxel is cut, so that none is higher than a row of pixels.
+fn along(grid: &VolumeGrid, lights: &[Light]) -> usize {
+    let row = |light: &Light| light.pixels.pitch_mm[1];
+    let lowest = lights.iter().map(row).fold(f64::INFINITY, f64::min);
+    (grid.height_mm / lowest - ROUNDING).ceil().max(1.0) as usize
+}
+
+/// The finest voxels that the budget allows, and the angles at which frames are averaged.
+fn finest(
+    spec: &JobSpec,
+    lights: &[Light],
+    grid: &VolumeGrid,
+    bounds_mm: [[f64; 3]; 2],
+) -> (VolumeGrid, usize) {
+    let pixel = |light: &Light| light.pixels.pitch_mm[0];
+    let narrowest = lights.iter().map(pixel).fold(f64::INFINITY, f64::min);
+    let along = along(grid, lights);
+    let wanted = (grid.pitch_mm * PER_PIXEL / narrowest - ROUNDING)
+        .ceil()
+        .max(1.0) as usize;
+    let cost = |grid: &VolumeGrid, angles: usize| {
+        let frames = lights
+            .iter()
+            .map(|light| light.pixels.frames())
+            .sum::<usize>();
+        let [nz, ny, nx] = grid.shape;
+        ((nz + COLUMN) * ny * nx) as f64 * (frames * angles) as f64
+    };
+    let turning = fit_angles(spec, lights, bounds_mm, |_| true);
+    let fine = (1..=wanted.next_multiple_of(along))
+        .rev()
+        .filter(|across| across % along == 0)
+        .map(|across| grid.divided(across, along))
+        .find(|fine| cost(fine, turning.min(2)) <= BUDGET);
+    match fine {
+        Some(fine) => {
+            let angles = fit_angles(spec, lights, bounds_mm, |n| cost(&fine, n) <= BUDGET);
+            (fine, angles)
+        }
+        None => (grid.clone(), spec.light[0].sub_angles.unwrap_or(1)),
+    }
+}
+
+/// Angles at which frames are averaged: those of the job, or one for every half pixel that the rim of the part moves during a frame.
+fn fit_angles(
+    spec: &JobSpec,
+    lights: &[Light],
+    [low, high]: [[f64; 3]; 2],
+    fits: impl Fn(usize) -> bool,
+) -> usize {
+    if let Some(given) = spec.light[0].sub_angles {
+        return given;
+    }
+    let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
+    let moved = |light: &Light| rim * light.pixels.frame_arc / light.pixels.pitch_mm[0];
+    let most = lights.iter().map(moved).fold(0.0, f64::max);
+    let wanted = (2.0 * most - ROUNDING)
+        .ceil()
+        .clamp(1.0, MOST_ANGLES as f64) as usize;
+    (1..=wanted).rev().find(|&n| fits(n)).unwrap_or(1)
+}
+
+/// Whether all objectives weigh a voxel by its inside fraction, and none has numbers of its own for the job's voxels.
+///
+/// # Errors
+/// [`Error::Config`](crate::Error::Config) for an objective that is none.
+pub(super) fn sees_fractions(spec: &JobSpec) -> Result<bool> {
+    for section in spec.objectives()? {
+        let (common, section) = Common::split(section)?;
+        let (kind, inner) = section.kind(OBJECTIVES)?;
+        let default = if kind.name == "threshold" {
+            "fraction"
+        } else {
+            "voxel"
+        };
+        let surface = inner.value.get("surface").and_then(|s| s.as_str());
+        if surface.unwrap_or(default) != "fraction" || common.has_fields() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// By how much a wider window lowers what the void may have.
+pub(super) const WIDER: f64 = 0.05;
+
+/// The job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or no
+/// lower one is left.
+///
+/// # Errors
+/// [`Error::Config`](crate::Error::Config) for an objective that is none.
+pub(super) fn widened(spec: &JobSpec, steps: usize) -> Result<Option<JobSpec>> {
+    let sections = spec.objectives()?;
+    let [section] = sections.as_slice() else {
+        return Ok(None);
+    };
+    let (kind, inner) = Common::split(section.clone())?.1.kind(OBJECTIVES)?;
+    let named = ["lower", "upper"]
+        .iter()
+        .any(|key| inner.value.get(key).is_some());
+    let lower = threshold::Params::default().lower - steps as f64 * WIDER;
+    if kind.name != threshold::KIND.name || named || lower < WIDER {
+        return Ok(None);
+    }
+    let mut spec = spec.clone();
+    let mut parameters = inner.value.as_object().cloned().unwrap_or_default();
+    parameters.insert("lower".to_owned(), lower.into());
+    let mut table = match spec.objective.take() {
+        Some(serde_json::Value::Object(table)) => table,
+        _ => serde_json::Map::new(),
+    };
+    table.insert(kind.name.to_owned(), parameters.into());
+    spec.objective = Some(table.into());
+    Ok(Some(spec))
+}
