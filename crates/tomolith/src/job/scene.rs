@@ -3,6 +3,7 @@
 use super::build::Optics;
 use super::device;
 use super::estimate::{self, Extent};
+use super::fit::wall_tolerance_mm;
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
 use super::named::{
@@ -99,11 +100,13 @@ impl Scene {
         try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
-        optics.must_hold(shape.as_ref())?;
+        let grid = grid_of(&spec, &optics, shape.as_ref());
+        optics.wall_tolerance_mm = wall_tolerance_mm(&spec, grid.as_ref().ok())?;
+        let touching = optics.must_hold(shape.as_ref())?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
-        let grid = grid_of(&spec, &optics, shape.as_ref())?;
+        let grid = grid?;
         let covered = optics
             .setup()
             .must_be_covered(&optics.model, &optics.lights, &grid)?;
@@ -146,6 +149,7 @@ impl Scene {
             warnings: [
                 shape.warnings(),
                 optics.leaning(shape.as_ref()),
+                touching,
                 light,
                 covered,
             ]
