@@ -290,7 +290,7 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
                 let dose = dose_of(&model, &vec![1.0; model.patterns[0].len()]);
                 let all: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
                 let tracer = Tracer::new(vial.as_ref(), light.resin, 1.0, light.polarisation);
-                let (rays, width) = (20_000, (columns + 2) as f64 * 0.1);
+                let (rays, width) = (4000, (columns + 2) as f64 * 0.1);
                 let absorbed: f64 = (light.pixels.azimuths.iter())
                     .map(|&azimuth| {
                         let ray = |i: usize| {
