@@ -13,7 +13,7 @@ use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::io::csr::Csr;
 use tomolith::models::matrix::MatrixModel;
-use tomolith::models::parallel::{Light, Parallel};
+use tomolith::models::parallel::{Kernel, Light, Parallel};
 use tomolith::models::{DoseModel, Run};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
@@ -23,6 +23,7 @@ struct Case {
     name: &'static str,
     vial: Box<dyn Vial>,
     resin: Resin,
+    kernel: Kernel,
     n: usize,
     /// Slices, and rows of pixels.
     slices: usize,
@@ -38,6 +39,7 @@ fn straight(n: usize, resin: Resin, name: &'static str) -> Case {
         name,
         vial,
         resin,
+        kernel: Kernel::DistanceDriven,
         n,
         slices: n,
         angles: 360,
@@ -61,6 +63,7 @@ fn cases(quick: bool) -> Vec<Case> {
             name: "cylinder",
             vial: Box::new(glass),
             resin: absorbing,
+            kernel: Kernel::DistanceDriven,
             n: 256,
             slices: 256,
             angles: 360,
@@ -83,7 +86,12 @@ fn planes() -> Vec<Case> {
             ..case
         })
     };
-    of(1).chain(of(PACK)).collect()
+    let line = Case {
+        kernel: Kernel::Line,
+        slices: 1,
+        ..straight(512, Resin::pure_radon(1.4849), "line")
+    };
+    of(1).chain([line]).chain(of(PACK)).collect()
 }
 
 /// 2D problems of a pack.
@@ -179,7 +187,8 @@ fn main() -> Result<(), tomolith::Error> {
         cases(asked("quick"))
     };
     for case in cases {
-        let light = Light::new(case.pixels(), case.resin);
+        let mut light = Light::new(case.pixels(), case.resin);
+        light.kernel = case.kernel;
         let start = Instant::now();
         let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
         let built = start.elapsed().as_secs_f64();

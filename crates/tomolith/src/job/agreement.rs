@@ -9,6 +9,9 @@
 //! over the blocks of the part and of the void. The noise of a and b is independent, so it is not in the mean of the product; what is
 //! left of it there is about noise²/√blocks, which is stated as the least error that can be seen. The 99.9th percentile is of
 //! |o − (a + b)/2|: the noise of the paths is in it, so the error is below. All over the part's mean dose.
+//!
+//! Far from the light such numbers say nothing, since all is little there. Over the blocks whose scattered dose by orders is less than a
+//! tenth of the part's mean, Σo / Σ(a + b)/2 − 1 is stated, with its standard error √Σ(a − b)² / Σ(a + b).
 
 use super::judge::lit_rows;
 use super::scene::{Scene, Voxels};
@@ -38,6 +41,8 @@ pub(crate) struct Agreement {
     pub(crate) most_in_void: f64,
     /// The least that these paths could have seen.
     pub(crate) seen: f64,
+    /// Where scattered light is dim: by how much orders are above paths there, and the standard error of that; None without such blocks.
+    pub(crate) dim: Option<[f64; 2]>,
     /// Edge of a block, mm.
     pub(crate) block_mm: f64,
     /// Paths of each of the two estimates.
@@ -46,12 +51,14 @@ pub(crate) struct Agreement {
 
 /// Paths of an estimate, about: two seconds of a core.
 pub(crate) const PATHS: usize = 400_000;
-/// Paths of a pixel at most, where few are lit.
-const MOST_PER_PIXEL: usize = 256;
+/// Paths of a pixel at most, where few are lit: eight pixels still have a third of all paths.
+const MOST_PER_PIXEL: usize = 1 << 14;
 /// Blocks along the longest edge of the grid.
 const BLOCKS: usize = 16;
 /// An error that is worth a warning.
 const WORTH_SAYING: f64 = 0.01;
+/// Scattered light below this part of its mean in the part is dim.
+const DIM: f64 = 0.1;
 
 impl Agreement {
     /// Of patterns on the grid of voxels, vial standing, by about so many paths, twice; None where scattered light does not go order
@@ -80,7 +87,7 @@ impl Agreement {
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed, most_paths);
-            let paths_per_pixel = (most_paths / count.max(1)).clamp(1, MOST_PER_PIXEL);
+            let paths_per_pixel = paths_per_pixel(most_paths, count);
             paths = count * paths_per_pixel;
             let lights = lit(scene, &sample);
             let params = scatter::Params {
@@ -106,6 +113,7 @@ impl Agreement {
             most_in_part: over_mean(found.most[0]),
             most_in_void: over_mean(found.most[1]),
             seen: over_mean(found.seen),
+            dim: found.dim,
             block_mm: block as f64 * grid().pitch_mm,
             paths,
         }))
@@ -154,8 +162,23 @@ impl fmt::Display for Agreement {
             self.paths,
             100.0 * self.most_in_part,
             100.0 * self.most_in_void
-        )
+        )?;
+        match self.dim {
+            Some([off, noise]) => write!(
+                f,
+                "; where scattered light is below {:.0} % of its mean in the part: {:+.1} % of what is there, ± {:.1} %",
+                100.0 * DIM,
+                100.0 * off,
+                100.0 * noise
+            ),
+            None => Ok(()),
+        }
     }
+}
+
+/// Paths of each of so many lit pixels.
+fn paths_per_pixel(most: usize, count: usize) -> usize {
+    (most / count.max(1)).clamp(1, MOST_PER_PIXEL)
 }
 
 /// The lights of a scene with the pixels that patterns light.
@@ -231,6 +254,8 @@ struct Errors {
     most: [f64; 2],
     /// The least that could be seen.
     seen: f64,
+    /// Where scattered light is dim: how much more it is by orders than by paths, and the standard error of that.
+    dim: Option<[f64; 2]>,
 }
 
 fn errors(
@@ -278,7 +303,28 @@ fn errors(
         seen = seen.max((noise / count / count.sqrt()).sqrt());
         (product / count).max(0.0).sqrt()
     });
-    Errors { rms, most, seen }
+    Errors {
+        rms,
+        most,
+        seen,
+        dim: dim(&blocks, 0.5 * block.pow(3) as f64),
+    }
+}
+
+/// How much more scattered light is by orders than by paths in the blocks, of at least so many voxels, where it is little.
+fn dim(blocks: &[[[f64; 4]; 2]], least: f64) -> Option<[f64; 2]> {
+    let (sum, count) = (blocks.iter()).fold((0.0, 0.0), |(sum, count), [part, _]| {
+        (sum + part[0], count + part[3])
+    });
+    let limit = DIM * sum / f64::max(count, 1.0);
+    let is_dim = |&&[o, _, _, n]: &&[f64; 4]| n >= least && o < limit * n;
+    let (mut orders, mut paths, mut squares) = (0.0, 0.0, 0.0);
+    for &[o, a, b, _] in blocks.iter().flatten().filter(is_dim) {
+        orders += 2.0 * o;
+        paths += a + b;
+        squares += (a - b).powi(2);
+    }
+    (paths > 0.0).then(|| [orders / paths - 1.0, f64::sqrt(squares) / paths])
 }
 
 #[cfg(test)]
@@ -314,6 +360,7 @@ mod tests {
             rms: [part, void],
             most,
             seen,
+            dim,
         } = errors(&orders, &[noisy(1), noisy(2)], &labels, 2);
         assert!(
             seen < 0.01 && part < 0.005 + seen && void < 0.005 + seen,
@@ -321,6 +368,17 @@ mod tests {
         );
         // Means of two blocks of 8 voxels, each even between ±0.25: 3.6 % of noise, of which 999 of 1000 lie within about 3.3 times
         assert!(most.iter().all(|m| (0.1..0.14).contains(m)), "{most:?}");
+        // Nothing is dim here; with a void of a twentieth, of which orders have 3 % too much, that is found
+        assert_eq!(dim, None);
+        let scale = |i: usize| if i < grid.len() / 2 { 1.0 } else { 0.05 };
+        let dimmer = |v: &Volume<f32>| volume(&|i| scale(i) * f64::from(v.values[i]));
+        let more = volume(&|i| if i < grid.len() / 2 { 1.0 } else { 0.05 * 1.03 });
+        let both = [dimmer(&noisy(1)), dimmer(&noisy(2))];
+        let [off, noise] = errors(&more, &both, &labels, 2).dim.unwrap();
+        assert!(
+            (off - 0.03).abs() < 5.0 * noise && noise < 0.002,
+            "{off} {noise}"
+        );
         let worse = volume(&|i| if i < grid.len() / 2 { 1.05 } else { 1.0 });
         let [part, void] = errors(&worse, &[noisy(1), noisy(2)], &labels, 2).rms;
         assert!((part - 0.05).abs() < 0.003 && void < 0.01, "{part} {void}");
@@ -334,12 +392,17 @@ mod tests {
             most_in_part: 0.03,
             most_in_void: 0.011,
             seen: 0.002,
+            dim: Some([0.11, 0.02]),
             block_mm: 0.3,
             paths: 400_000,
         };
         let text = found.to_string();
         assert!(
             text.starts_with("1.23 % of") && text.contains("less than 0.20 % in the void"),
+            "{text}"
+        );
+        assert!(
+            text.ends_with("+11.0 % of what is there, ± 2.0 %"),
             "{text}"
         );
         assert!(found.warning().unwrap().contains("1.2 %"));
@@ -350,6 +413,14 @@ mod tests {
             }
             .warning(),
             None
+        );
+    }
+
+    #[test]
+    fn few_pixels_get_as_many_paths_as_all_would() {
+        assert_eq!(
+            [1_000_000, 100, 0].map(|n| paths_per_pixel(PATHS, n)),
+            [1, 4000, 1 << 14]
         );
     }
 

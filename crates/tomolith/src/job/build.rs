@@ -44,6 +44,8 @@ pub(crate) struct Optics {
     pub(crate) model: Choice,
     /// What every dose is multiplied by.
     pub(crate) dose_factor: f64,
+    /// How far the target may reach into a wall, mm.
+    pub(super) wall_tolerance_mm: f64,
     /// Why light that scatters does not go order by order though it could ([`trial`](super::trial)).
     pub(crate) orders_off: Option<&'static str>,
 }
@@ -117,6 +119,7 @@ impl Optics {
             bodies: obstacles.len(),
             model,
             dose_factor: 1.0,
+            wall_tolerance_mm: 0.0,
             orders_off: None,
         };
         if spec.resin.dose_convention == DoseConvention::Drtvam {

@@ -8,11 +8,30 @@ use crate::io::csr::Csr;
 use crate::models::parallel::Light;
 use crate::models::{Choice, matrix};
 use crate::target::{Shape, label};
-use crate::units::concise;
+use crate::units::{concise, exact};
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 
 /// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
 const STRAY: f64 = 1e-3;
+/// Part of a voxel that a target may reach into a wall where a job does not say how far.
+const TOUCH: f64 = 0.01;
+
+/// How far the target of a job may reach into a wall, mm.
+///
+/// # Errors
+/// [`Error::Config`] for less than nothing.
+pub(super) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Result<f64> {
+    match spec.target.wall_tolerance_mm {
+        Some(asked) if !(asked.0.is_finite() && asked.0 >= 0.0) => Err(Error::config(
+            "target.wall_tolerance_mm",
+            format!("found {asked}"),
+            "a length ≥ 0",
+        )),
+        Some(asked) => Ok(asked.0),
+        None => Ok(grid.map_or(0.0, |grid| TOUCH * grid.pitch_mm)),
+    }
+}
 
 impl Optics {
     /// Refuses an evaluation that a stored matrix cannot give.
@@ -70,26 +89,35 @@ impl Optics {
         })
     }
 
-    /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised.
+    /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised. Says by how much it touches the
+    /// vial's wall.
     ///
     /// # Errors
     /// [`Error::Config`] with both sizes.
-    pub(crate) fn must_hold(&self, spec: &JobSpec, shape: &dyn Shape) -> Result<()> {
+    pub(crate) fn must_hold(&self, spec: &JobSpec, shape: &dyn Shape) -> Result<Vec<String>> {
         let [low, high] = shape.bounds_mm();
         // A shape touches every face of its box, so some of it is this far from the axis
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
         let resin = self.vial.resin_wall().inscribed_radius();
-        if out > resin * (1.0 + 1e-9) {
+        let over = out - resin * (1.0 + 1e-9);
+        if over > self.wall_tolerance_mm {
             return Err(Error::config(
                 "target",
                 format!(
                     "reaches {} mm from the axis, but the resin ends at {} mm",
-                    concise(out),
-                    concise(resin)
+                    exact(out),
+                    exact(resin)
                 ),
-                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial",
+                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial; \
+                 target.wall_tolerance_mm lets it reach a little into the wall",
             ));
         }
+        let touching = (over > 0.0).then(|| {
+            format!(
+                "the target reaches {} mm into the wall of the vial, where nothing prints: as much is cut off there",
+                concise(out - resin)
+            )
+        });
         for (i, light) in self.lights.iter().enumerate() {
             let field = field_mm(light);
             // Seen by a projector that the axis leans towards or away from, it is at least this high
@@ -120,7 +148,20 @@ impl Optics {
                 }
             }
         }
-        Ok(())
+        Ok(touching.into_iter().collect())
+    }
+
+    /// Whether there is resin within the tolerance of a point (mm) that is in none.
+    fn touches(&self, [x, y, z]: [f64; 3]) -> bool {
+        const AROUND: usize = 16;
+        let far = self.wall_tolerance_mm;
+        let is_resin = |at: [f64; 3]| self.vial.in_resin(at);
+        far > 0.0
+            && !is_resin([x, y, z])
+            && ((0..AROUND).any(|i| {
+                let (sin, cos) = (TAU * i as f64 / AROUND as f64).sin_cos();
+                is_resin([x + far * cos, y + far * sin, z])
+            }) || [-far, far].iter().any(|up| is_resin([x, y, z + up])))
     }
 
     /// Warns of a target whose box looks larger than the field because the axis leans: its far edge is seen higher.
@@ -200,28 +241,35 @@ impl Optics {
         let [_, ny, nx] = grid.shape;
         let (reach, light) = self.reach_mm();
         let size = (nx * ny).max(1);
-        let of_slice = |(labels, inside): (&[u8], &[f32])| {
-            let (mut part, mut stray, mut beyond, mut farthest) = (0u64, 0u64, 0u64, 0.0f64);
+        let of_slice = |(iz, (labels, inside)): (usize, (&[u8], &[f32]))| {
+            let [mut part, mut stray, mut cut, mut beyond] = [0u64; 4];
+            let mut farthest = 0.0f64;
             for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
                 let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
                 if !is_part {
                     continue;
                 }
                 part += 1;
-                stray += u64::from(label == label::OUTSIDE);
-                let radius = grid.x(i % nx).hypot(grid.y(i / nx));
+                let (x, y) = (grid.x(i % nx), grid.y(i / nx));
+                if label == label::OUTSIDE {
+                    let touches = self.touches([x, y, grid.z(iz)]);
+                    cut += u64::from(touches);
+                    stray += u64::from(!touches);
+                }
+                let radius = x.hypot(y);
                 farthest = farthest.max(radius);
                 beyond += u64::from(radius > reach);
             }
-            (part, stray, beyond, farthest)
+            ([part, stray, cut, beyond], farthest)
         };
         let slices = labels
             .values
             .par_chunks(size)
-            .zip(inside.values.par_chunks(size));
-        let (part, stray, beyond, farthest) = slices.map(of_slice).reduce(
-            || (0, 0, 0, 0.0),
-            |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2, a.3.max(b.3)),
+            .zip(inside.values.par_chunks(size))
+            .enumerate();
+        let ([part, stray, cut, beyond], farthest) = slices.map(of_slice).reduce(
+            || ([0; 4], 0.0),
+            |(a, far), (b, other)| (std::array::from_fn(|i| a[i] + b[i]), far.max(other)),
         );
         let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
         if part == 0 {
@@ -243,12 +291,22 @@ impl Optics {
                     mm3(stray),
                     mm3(part)
                 ),
-                "a target inside the resin: give target.size_mm or target.offset_mm, another vial or grid.region",
+                "a target inside the resin: give target.size_mm or target.offset_mm, another vial or grid.region; \
+                 target.wall_tolerance_mm lets it reach a little into a wall",
             ));
         } else if stray > 0 {
             warnings.push(format!(
                 "{} mm³ of the target lie outside the resin and will not print",
                 mm3(stray)
+            ));
+        }
+        if cut > 0 {
+            warnings.push(format!(
+                "the target touches a wall of the vial: {} of its {} mm³ lie in it, no deeper than {} mm \
+                 (target.wall_tolerance_mm), and will not print",
+                mm3(cut),
+                mm3(part),
+                concise(self.wall_tolerance_mm)
             ));
         }
         let hidden = self.in_bodies(inside, labels, grey);
@@ -361,6 +419,7 @@ mod tests {
     use crate::job::build::tests::{key, spec};
     use crate::kind::Section;
     use crate::models::rays;
+    use crate::optics::vial::{double_tube::DoubleTube, index_matched::IndexMatched};
     use std::path::Path;
 
     #[test]
@@ -383,6 +442,87 @@ mod tests {
             "{text}"
         );
         assert!(!warned(&[]).contains("within bodies"));
+    }
+
+    #[test]
+    fn a_part_that_touches_an_inner_tube_by_microns_is_cut_there_and_that_is_said() {
+        let mut optics = Optics::new(&spec(&[]), Path::new("")).unwrap();
+        optics.vial = Box::new(DoubleTube {
+            radii_mm: [4.4, 4.0, 1.0, 0.8],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.5,
+            core_refractive_index: 1.33,
+        });
+        // A ring from 0.99 mm on about a tube of 1 mm: voxels of 5 µm whose middles lie within the tube
+        let grid = VolumeGrid {
+            shape: [1, 300, 300],
+            pitch_mm: 0.005,
+            height_mm: 0.005,
+            center_mm: [0.75, 0.75, 0.0],
+        };
+        let radius = |i: usize| grid.x(i % 300).hypot(grid.y(i / 300));
+        let all = || 0..grid.len();
+        let inside = Volume {
+            grid: grid.clone(),
+            values: all()
+                .map(|i| f32::from(u8::from(radius(i) > 0.99)))
+                .collect(),
+        };
+        let in_resin = |i: usize| {
+            optics
+                .vial
+                .in_resin([grid.x(i % 300), grid.y(i / 300), 0.0])
+        };
+        let label = |i: usize| [label::OUTSIDE, label::PART][usize::from(in_resin(i))];
+        let labels = Volume {
+            grid: grid.clone(),
+            values: all().map(label).collect(),
+        };
+        assert!(optics.warnings(&inside, &labels, false).is_err());
+        optics.wall_tolerance_mm = 0.005;
+        assert!(optics.warnings(&inside, &labels, false).is_err());
+        optics.wall_tolerance_mm = 0.0102;
+        let warnings = optics.warnings(&inside, &labels, false).unwrap();
+        // A quarter of a ring from 0.99 to 1 mm, 5 µm high: 0.0000781 mm³
+        let text = warnings
+            .iter()
+            .find(|w| w.contains("touches a wall"))
+            .unwrap();
+        assert!(
+            text.contains("0.00007") && text.contains("0.0102 mm"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_tolerance_of_the_wall_is_a_hundredth_of_a_voxel_or_what_the_job_says() {
+        let grid = VolumeGrid::centered([2, 2, 2], 0.05);
+        let of = |changes: &[&str]| wall_tolerance_mm(&spec(changes), Some(&grid));
+        assert_eq!(of(&[]).unwrap(), 0.0005);
+        let asked = "target.wall_tolerance_mm=\"3 um\"";
+        assert!((of(&[asked]).unwrap() - 0.003).abs() < 1e-12);
+        let refused = of(&["target.wall_tolerance_mm=-1.0"]).unwrap_err();
+        assert_eq!(key(refused), "target.wall_tolerance_mm");
+        // The gear of 5 mm in a vial of 2.499 mm
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let job = spec(&[]);
+        let mut optics = Optics::new(&job, Path::new("")).unwrap();
+        assert!(optics.must_hold(&job, gear.as_ref()).unwrap().is_empty());
+        optics.vial = Box::new(IndexMatched { radius_mm: 2.499 });
+        optics.wall_tolerance_mm = 0.0005;
+        assert_eq!(
+            key(optics.must_hold(&job, gear.as_ref()).unwrap_err()),
+            "target"
+        );
+        optics.wall_tolerance_mm = 0.002;
+        let text = optics.must_hold(&job, gear.as_ref()).unwrap().join("");
+        assert!(text.contains("0.001 mm into the wall"), "{text}");
     }
 
     #[test]

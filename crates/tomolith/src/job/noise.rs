@@ -37,6 +37,10 @@ pub(crate) struct Noise {
 
 /// A gap of the IoU that is worth a warning.
 const WORTH_SAYING: f64 = 0.01;
+/// Noise of a voxel that is worth a warning: worst voxels, of which IoU and PW tell, are off by three to four times as much.
+const LOUD: f64 = 0.02;
+/// Paths of a pixel that a job may ask for.
+const MOST_PATHS: f64 = 4096.0;
 
 impl Noise {
     /// Of patterns under a model; None where it draws no paths.
@@ -90,14 +94,39 @@ impl Noise {
         }))
     }
 
-    /// What people must know when the patterns fit their own paths.
+    /// What people must know when the patterns fit their own paths, or when these are too few to judge by.
     pub(crate) fn warning(&self) -> Option<String> {
+        let both = [self.misfit(), self.loudness()];
+        both.into_iter()
+            .flatten()
+            .reduce(|a, b| format!("{a}; {b}"))
+    }
+
+    fn misfit(&self) -> Option<String> {
         let (training, independent) = (self.training_iou?, self.independent_iou?);
         (training - independent > WORTH_SAYING).then(|| {
             format!(
                 "the patterns fit the noise of their own {} paths a pixel: IoU {training:.4} on these, {independent:.4} on independent ones; \
                  raise model.scatter.paths_per_pixel, or use more frames",
                 self.training_paths
+            )
+        })
+    }
+
+    fn loudness(&self) -> Option<String> {
+        let noise = self.part.max(self.void);
+        (noise > LOUD).then(|| {
+            // Noise falls with the root of their number
+            let enough = (self.training_paths as f64 * (noise / LOUD).powi(2)).ceil();
+            let advice = if enough <= MOST_PATHS {
+                format!("about {enough} paths a pixel would bring it to {:.0} %", 100.0 * LOUD)
+            } else {
+                format!("even {MOST_PATHS} paths a pixel, the most, would leave more than {:.0} %", 100.0 * LOUD)
+            };
+            format!(
+                "random paths leave a noise of {:.1} % of the part's mean response in a voxel: IoU, PW and thresholds of this report are \
+                 blurred by it; raise model.scatter.paths_per_pixel (now {}; {advice})",
+                100.0 * noise, self.training_paths
             )
         })
     }
@@ -186,7 +215,29 @@ mod tests {
                 .unwrap()
                 .contains("IoU 1.0000 on these, 0.7700")
         );
-        assert_eq!(noise(0.995).warning(), None);
+        // 3 % in the void is too much to judge by, and is said too
+        let quiet = |independent: f64| Noise {
+            void: 0.012,
+            ..noise(independent)
+        };
+        assert_eq!(quiet(0.995).warning(), None);
+        assert!(!quiet(0.77).warning().unwrap().contains("leave a noise"));
+        let text = noise(0.995).warning().unwrap();
+        assert!(
+            text.contains("a noise of 3.0 %") && text.contains("now 4; about 9 paths a pixel"),
+            "{text}"
+        );
+        assert!(
+            noise(0.77)
+                .warning()
+                .unwrap()
+                .contains("; random paths leave")
+        );
+        let loud = Noise {
+            part: 0.9,
+            ..quiet(1.0)
+        };
+        assert!(loud.warning().unwrap().contains("even 4096 paths"));
         assert!(noise(0.77).to_string().contains("1.20 % in the part"));
     }
 }

@@ -3,6 +3,7 @@
 use super::build::Optics;
 use super::device;
 use super::estimate::{self, Extent};
+use super::fit::wall_tolerance_mm;
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
 use super::named::{
@@ -112,13 +113,16 @@ impl Scene {
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
-        optics
+        let placed = grid_of(&spec, &optics, shape.as_ref());
+        optics.wall_tolerance_mm =
+            wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
+        let touching = optics
             .must_hold(&spec, shape.as_ref())
             .map_err(|e| asking(e, unit.as_deref()))?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }
-        let (grid, moved_mm) = grid_of(&spec, &optics, shape.as_ref())?;
+        let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
         notes.extend(on_its_own_grid(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
@@ -171,6 +175,7 @@ impl Scene {
                 few_angles(&spec).into_iter().collect(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
+                touching,
                 light,
                 covered,
                 unit.into_iter().collect(),

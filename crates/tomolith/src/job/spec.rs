@@ -264,7 +264,8 @@ pub struct LightSpec {
     /// Sense in which the VIAL turns, seen from above.
     #[serde(default)]
     pub rotation: Rotation,
-    /// Polarisation at the walls of the vial.
+    /// Polarisation before the vial: "s" has its electric field in the plane of ray and vial axis (along the axis where the ray is
+    /// level), "p" across both; where the axis is tilted, so are they.
     #[serde(default)]
     pub polarisation: Polarisation,
     /// Which pixels may be lit; the others stay dark. All that can help the part when left out.

@@ -1,11 +1,13 @@
 //! Scattered light on coarser voxels: it is smooth, so a few random legs say more about it there.
 //!
 //! Doses between the middles of cells are interpolated linearly along x, y and z; beyond the outermost middles they stay as
-//! they are there. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose.
+//! they are there. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose. A voxel of which a part is resin gets
+//! that part of its dose ([`Coarse::with_shares`]) where cells hold what resin would get.
 
 use crate::grid::VolumeGrid;
 use crate::models::layout::DoseLayout;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The coarse cells of a grid of voxels.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub(super) struct Coarse {
     fine: DoseLayout,
     /// Along x, y, z: the cell below each voxel's middle, and the weight of the next one.
     places: [Vec<(usize, f32)>; 3],
+    /// Part of each (y, x) of voxels that gets its dose; None: all of all.
+    shares: Option<Arc<Vec<f32>>>,
 }
 
 impl Coarse {
@@ -58,7 +62,22 @@ impl Coarse {
             layout: DoseLayout::new("dose", cells, 0),
             fine: fine.clone(),
             places,
+            shares: None,
         }
+    }
+
+    /// Voxels of which so much gets dose, for each (y, x).
+    pub(super) fn with_shares(self, shares: Arc<Vec<f32>>) -> Self {
+        Coarse {
+            shares: Some(shares),
+            ..self
+        }
+    }
+
+    /// Part of the voxels (y, x) that gets dose.
+    fn share(&self, y: usize, x: usize) -> f32 {
+        let at = y * self.fine.grid.shape[2] + x;
+        self.shares.as_ref().map_or(1.0, |shares| shares[at])
     }
 
     /// Floats of one y of cells: `[x][z]`.
@@ -74,20 +93,23 @@ impl Coarse {
         fine[self.fine.range()]
             .par_chunks_mut(fine_row * self.fine.grid.shape[2])
             .zip(of_y)
+            .enumerate()
             .for_each_init(
                 || vec![0.0; row],
-                |line, (voxels, &(y, next_y))| {
+                |line, (of_voxels, (voxels, &(y, next_y)))| {
                     let planes = [
                         &cells[y * plane..][..plane],
                         &cells[(y + 1) * plane..][..plane],
                     ];
-                    for (voxels, &(x, next_x)) in voxels.chunks_exact_mut(fine_row).zip(of_x) {
+                    let voxels = voxels.chunks_exact_mut(fine_row).zip(of_x).enumerate();
+                    for (i, (voxels, &(x, next_x))) in voxels {
+                        let share = self.share(of_voxels, i);
                         line.fill(0.0);
                         for (plane, wy) in planes.iter().zip([1.0 - next_y, next_y]) {
                             for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
                                 let cells = &plane[x * row..][..row];
                                 for (sum, cell) in line.iter_mut().zip(cells) {
-                                    *sum += wy * wx * cell;
+                                    *sum += share * wy * wx * cell;
                                 }
                             }
                         }
@@ -107,9 +129,12 @@ impl Coarse {
         // Along z and x within every y of voxels, then along y
         let planes: Vec<Vec<f32>> = fine[self.fine.range()]
             .par_chunks(fine_row * self.fine.grid.shape[2])
-            .map(|voxels| {
+            .enumerate()
+            .map(|(of_voxels, voxels)| {
                 let (mut sums, mut line) = (vec![0.0; plane], vec![0.0; row]);
-                for (voxels, &(x, next_x)) in voxels.chunks_exact(fine_row).zip(of_x) {
+                let voxels = voxels.chunks_exact(fine_row).zip(of_x).enumerate();
+                for (i, (voxels, &(x, next_x))) in voxels {
+                    let share = self.share(of_voxels, i);
                     line.fill(0.0);
                     for (&voxel, &(z, next)) in voxels.iter().zip(of_z) {
                         line[z] += (1.0 - next) * voxel;
@@ -117,7 +142,7 @@ impl Coarse {
                     }
                     for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
                         for (sum, value) in sums[x * row..][..row].iter_mut().zip(&line) {
-                            *sum += wx * value;
+                            *sum += share * wx * value;
                         }
                     }
                 }

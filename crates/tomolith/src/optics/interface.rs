@@ -39,9 +39,9 @@ pub enum Polarisation {
     /// Half s, half p. Each half keeps its own transmittance through all walls; they are averaged at the end.
     #[default]
     Unpolarised,
-    /// Electric field along the rotation axis.
+    /// Electric field along the rotation axis; of light that is tilted towards it, along the axis as seen across the ray.
     S,
-    /// Electric field across the rotation axis.
+    /// Electric field across the rotation axis and the ray.
     P,
 }
 

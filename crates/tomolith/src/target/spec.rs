@@ -73,6 +73,9 @@ pub struct TargetSpec {
     /// Height along z of what an image is drawn to, or of a whole stack, mm (> 0; images and stacks only)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub height_mm: Option<Mm>,
+    /// How far it may reach into a wall of the vial, mm (≥ 0; default: a hundredth of a voxel); what lies there is not printed
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wall_tolerance_mm: Option<Mm>,
 }
 
 /// A name of the table, or a table with one name.

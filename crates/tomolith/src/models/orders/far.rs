@@ -13,6 +13,7 @@ use crate::models::smear::{Sharpen, Smear, full_cells};
 use crate::optics::vial::Vial;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
+use std::sync::Arc;
 
 /// Orders are summed until one adds less than this part of all.
 const ENOUGH: f64 = 1e-3;
@@ -60,7 +61,7 @@ impl Far {
         mu: f64,
         near: &DoseLayout,
         factor: usize,
-        fine: &DoseLayout,
+        (fine, shares): (&DoseLayout, &Arc<Vec<f32>>),
     ) -> Self {
         let grid = VolumeGrid {
             shape: near.grid.shape.map(|n| n / factor),
@@ -68,7 +69,7 @@ impl Far {
             height_mm: near.grid.pitch_mm * factor as f64,
             center_mm: near.grid.center_mm,
         };
-        let coarse = Coarse::of_grid(grid.clone(), fine);
+        let coarse = Coarse::of_grid(grid.clone(), fine).with_shares(Arc::clone(shares));
         let [nz, ny, nx] = grid.shape;
         let convolver = Convolver::new([nx, ny, nz], coarse.layout.row);
         let flight = Flight {
@@ -356,14 +357,20 @@ impl Back<'_> {
     }
 }
 
-/// Part of each (y, x) of cells that is resin, by 8 × 8 points.
-fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
+/// Part of each (y, x) of cells or voxels that is resin, by 8 × 8 points; the resin is convex.
+pub(super) fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
     const POINTS: usize = 8;
     let [_, ny, nx] = grid.shape;
     let at = |i: usize| ((i as f64 + 0.5) / POINTS as f64 - 0.5) * grid.pitch_mm;
+    let half = grid.pitch_mm / 2.0;
     (0..ny * nx)
+        .into_par_iter()
         .map(|i| {
             let (x, y) = (grid.x(i % nx), grid.y(i / nx));
+            let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
+            if (corners.iter()).all(|(dx, dy)| vial.in_resin([x + dx, y + dy, 0.0])) {
+                return 1.0;
+            }
             let inside = (0..POINTS * POINTS)
                 .filter(|j| vial.in_resin([x + at(j % POINTS), y + at(j / POINTS), 0.0]))
                 .count();

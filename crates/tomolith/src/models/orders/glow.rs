@@ -3,7 +3,7 @@
 use super::bins::Bins;
 use super::cones::Cones;
 use super::convolver::{Convolver, Kernel};
-use super::far::Far;
+use super::far::{Far, resin_of};
 use super::flight::{Flight, Pattern};
 use super::harmonics::{Harmonic, coefficients};
 use super::level::Level;
@@ -22,6 +22,7 @@ use crate::optics::vial::Vial;
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A phase function by harmonics, its forward lobe folded into the straight light.
 #[derive(Clone, Debug)]
@@ -95,14 +96,15 @@ impl Glow {
         fine: &DoseLayout,
         (offset, first_frame): (usize, usize),
     ) -> Result<Self> {
-        let edge = cell_edge(vial, folded, params);
+        let edges = cell_edges(vial, folded, params);
+        let edge = edges[0];
         let (bins, binned) = Bins::new(&light, edge);
         let rays = |optics| by_rays(vial, vec![binned.clone()], &[optics], params, &fine.grid);
         let rays = cone.cloned().map(rays).transpose()?;
         let lit = rays.as_ref();
         let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
         let mu = light.resin.attenuation_per_mm;
-        let cells = Cells::new(vial, (folded, edge, mu), lit, &fine.grid);
+        let cells = Cells::new(vial, (folded, edges, mu), lit, &fine.grid);
         cells.must_be_few()?;
         let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
         let [nz, ny, nx] = cells.grid.shape;
@@ -128,6 +130,7 @@ impl Glow {
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
         let is_full = full_cells(&layout, |at| vial.in_resin(at));
         let (mean, line) = (Smear::mean(flight.edge), Smear::interpolation(flight.edge));
+        let shares = Arc::new(resin_of(vial, &fine.grid));
         Ok(Glow {
             pixels: offset..offset + len,
             frames,
@@ -140,11 +143,11 @@ impl Glow {
                 mu,
                 &layout,
                 cells.factor,
-                fine,
+                (fine, &shares),
             ),
             straight,
             convolver,
-            coarse: Coarse::of_grid(cells.grid, fine),
+            coarse: Coarse::of_grid(cells.grid, fine).with_shares(shares),
         })
     }
 
@@ -223,16 +226,21 @@ fn order_one(folded: &Folded, Channel(terms): &Channel) -> Pattern {
     Pattern(terms.iter().map(scattered).collect())
 }
 
-/// Edge of the cells of order 1, mm.
-fn cell_edge(vial: &dyn Vial, folded: &Folded, params: &Params) -> f64 {
+/// Edges of the cells of order 1, mm: in use, and where a job asks for none.
+fn cell_edges(vial: &dyn Vial, folded: &Folded, params: &Params) -> [f64; 2] {
     let radius = vial.resin_wall().inscribed_radius();
-    params.cell_mm.map_or_else(
-        || {
-            let edge = (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0);
-            edge.min(0.2 / folded.per_mm)
-        },
-        |edge| edge.min(radius / 4.0),
-    )
+    let usual = (0.04 / folded.per_mm).clamp(radius / 32.0, radius / 12.0);
+    let usual = usual.min(0.2 / folded.per_mm);
+    let asked = params.cell_mm.map(|edge| edge.min(radius / 4.0));
+    [asked.unwrap_or(usual), usual]
+}
+
+/// Cells of order 1 along an edge of one of the later orders: as long as 0.4 mm at μ = 1, and 20 of them across, but no more than where
+/// no edge is asked for, so that smaller cells are smaller in all orders.
+fn cells_of_later_orders([edge, usual]: [f64; 2], mu: f64, radius: f64) -> usize {
+    let longest = (0.4 / mu).min(radius / 10.0);
+    let count = |edge: f64| (longest / edge).floor().max(1.0);
+    count(edge).min(count(usual)) as usize
 }
 
 /// How far above and below what is lit or wanted light may go and come back, mm.
@@ -263,13 +271,13 @@ impl Cells {
     /// Cells over the resin, from below to above what is lit or wanted.
     fn new(
         vial: &dyn Vial,
-        (folded, edge, mu): (&Folded, f64, f64),
+        (folded, edges, mu): (&Folded, [f64; 2], f64),
         [lit_low, lit_high]: [f64; 2],
         fine: &VolumeGrid,
     ) -> Self {
         let radius = vial.resin_wall().inscribed_radius();
-        // Later orders: 0.4 mm at μ = 1, and 20 cells across
-        let factor = ((0.4 / mu).min(radius / 10.0) / edge).floor().max(1.0) as usize;
+        let edge = edges[0];
+        let factor = cells_of_later_orders(edges, mu, radius);
         let margin = margin_mm(folded, mu, radius);
         let [low, high] = fine.bounds_mm();
         let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
@@ -301,5 +309,20 @@ impl Cells {
             format!("{nz} × {ny} × {nx} cells of {} mm", self.grid.pitch_mm),
             format!("at most {MOST_CELLS} cells: about {edge} mm or more, or [model.scatter]"),
         ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smaller_cells_are_smaller_in_all_orders() {
+        // Of its own 0.125 mm cells, a vial of 3.75 mm has later ones of 0.375 mm
+        let later = |edge: f64| edge * cells_of_later_orders([edge, 0.125], 0.3, 3.75) as f64;
+        assert_eq!(later(0.125), 0.375);
+        assert_eq!(later(0.0625), 0.1875);
+        // Larger ones never exceed that
+        assert_eq!((later(0.25), later(0.1875)), (0.25, 0.375));
     }
 }

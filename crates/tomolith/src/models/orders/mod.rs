@@ -88,7 +88,7 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Edge of the cells on which light scattered once is computed, mm; later orders use larger ones.
+    /// Edge of the cells on which light scattered once is computed, mm; later orders use larger ones, which get smaller with it.
     pub cell_mm: Option<f64>,
     /// Rays of a pixel in a frame, 1 to 4096, where light is not collimated and normal to the axis; 4 (default).
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -12,6 +12,7 @@
 
 use super::strips::{Beam, Major, Strip};
 use super::tiles::{Local, TILE, TileEntries};
+use super::walls::Walls;
 use crate::grid::VolumeGrid;
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::resin::Resin;
@@ -23,6 +24,7 @@ pub(super) struct Mapped {
     map: Arc<AbsorptionMap>,
     resin: Resin,
     grid: VolumeGrid,
+    walls: Walls,
     /// Active absorption and total attenuation of every voxel of the plane.
     voxels: Vec<[f32; 2]>,
     /// For each beam: attenuation from the wall to where each row of tiles begins and the last ends, strip after strip.
@@ -41,13 +43,14 @@ impl Mapped {
     pub(super) fn new(
         map: &Arc<AbsorptionMap>,
         resin: Resin,
-        grid: &VolumeGrid,
+        (grid, walls): (&VolumeGrid, &Walls),
         beams: &[Beam],
     ) -> Self {
         let mut mapped = Mapped {
             map: map.clone(),
             resin,
             grid: grid.clone(),
+            walls: walls.clone(),
             voxels: Vec::new(),
             depths: Vec::new(),
         };
@@ -92,7 +95,7 @@ impl Mapped {
     }
 
     /// The piece of a strip in a row; None where it is not lit.
-    fn piece(strip: &Strip, row: i64) -> Option<Piece> {
+    fn piece(&self, major: Major, strip: &Strip, row: i64) -> Option<Piece> {
         let [low, high] = strip.span.map(f64::from);
         let (from, to) = ((row as f64).max(low), (row as f64 + 1.0).min(high));
         if from >= to {
@@ -102,10 +105,12 @@ impl Mapped {
         let [a, b] = strip
             .edges
             .map(|[offset, slope]| f64::from(offset) + f64::from(slope) * middle);
+        let room = self.walls.room(major, row);
+        let [left, right] = room.within([a.min(b) as f32, a.max(b) as f32]);
         Some(Piece {
             row,
-            left: a.min(b),
-            right: a.max(b).max(a.min(b) + 1e-4),
+            left: f64::from(left),
+            right: f64::from(right),
             way: (to - from) * f64::from(strip.row_mm),
         })
     }
@@ -137,7 +142,7 @@ impl Mapped {
             for row in walk {
                 let face_before = if strip.upward { row } else { row + 1 };
                 self.mark(&mut depths, face_before, rows, depth);
-                if let Some(piece) = Self::piece(strip, row) {
+                if let Some(piece) = self.piece(beam.major, strip, row) {
                     depth += self.loss(beam.major, &piece);
                 }
             }
@@ -189,7 +194,7 @@ impl Mapped {
                 } else {
                     local.rows - 1 - step
                 };
-                if let Some(piece) = Self::piece(strip, first_row + row as i64) {
+                if let Some(piece) = self.piece(beam.major, strip, first_row + row as i64) {
                     let loss = self.loss(beam.major, &piece);
                     let passed = if loss > 0.0 {
                         -(-loss).exp_m1() / loss

@@ -68,9 +68,11 @@ mod mapped;
 mod plan;
 mod plane;
 pub mod radon;
+mod rake;
 mod strips;
 mod tiles;
 mod views;
+mod walls;
 
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField, LANES};
@@ -667,6 +669,5 @@ impl Parallel {
             .sum()
     }
 }
-
 #[cfg(test)]
 mod tests;

@@ -7,9 +7,11 @@ use super::heights::{Heights, Intervals, Levels};
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
+use super::rake::Rake;
 use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::views::Views;
+use super::walls::Walls;
 use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
@@ -44,10 +46,13 @@ pub(super) struct LightPlan {
     pub(super) of_view: Vec<Range<usize>>,
     /// Beams that are combs, for a single slice.
     pub(super) combs: Vec<Option<Comb>>,
+    /// Beams that are rakes, for a single slice.
+    pub(super) rakes: Vec<Option<Rake>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     pub(super) levels: Levels,
     deposit: Deposit,
+    walls: Walls,
     pub(super) kernel: Kernel,
     mapped: Option<Mapped>,
     /// Vectors of lanes that an active pixel of (view, column) lights, half-open.
@@ -105,10 +110,11 @@ impl LightPlan {
                 range.start..i + 1
             };
         }
+        let walls = Walls::new(vial, grid);
         let mapped = light
             .map
             .as_ref()
-            .map(|map| Mapped::new(map, resin, grid, &beams));
+            .map(|map| Mapped::new(map, resin, (grid, &walls), &beams));
         let is_even = mapped.is_none();
         let is_comb = grid.shape[0] == 1
             && is_even
@@ -121,11 +127,16 @@ impl LightPlan {
                 is_comb.then(comb).flatten()
             })
             .collect();
+        let is_rake = grid.shape[0] == 1 && light.kernel == Kernel::Line;
+        let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
+        let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
         let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
         let meeting = |tile, ((beam, comb), bounds): ((&Beam, &Option<Comb>), &Vec<Bounds>)| {
-            let meeting = tiles::meeting(beam, bounds, comb.as_ref(), tile);
+            let meeting = tiles::meeting(beam, bounds, comb.as_ref(), &walls, tile);
+            let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
             Meeting {
                 chain: meeting.chain && is_even,
+                rake: is_rake && Rake::holds(strips, tile, beam.major),
                 ..meeting
             }
         };
@@ -164,9 +175,11 @@ impl LightPlan {
             views,
             of_view,
             combs,
+            rakes,
             meetings,
             levels,
             deposit,
+            walls,
             kernel: light.kernel,
             mapped,
             lit,
@@ -334,7 +347,10 @@ impl LightPlan {
         }
         let strips = &beam.strips[first..end];
         match self.kernel {
-            Kernel::DistanceDriven => found.add(strips, local, &self.deposit, keep),
+            Kernel::DistanceDriven => {
+                let rooms = self.walls.rooms(local, beam.major);
+                found.add(strips, (local, &rooms), &self.deposit, keep);
+            }
             kernel => found.add_radon(kernel, strips, local, keep),
         }
     }

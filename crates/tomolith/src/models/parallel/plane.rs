@@ -1,12 +1,13 @@
 //! A single slice: lanes over voxels and strips in place of z.
 //!
 //! Dose works tile by tile, all frames for one tile; the adjoint frame by frame, all tiles for a few frames. Straight
-//! evenly spaced strips are [`comb`](super::comb)s, other chains vectors over strips, and what is left (tiles that a
-//! resin wall cuts, kernels of pure Radon) single entries of the common enumerator.
+//! evenly spaced strips are [`comb`](super::comb)s, the rays of the kernel `line` [`rake`](super::rake)s, other chains vectors over
+//! strips, and what is left (tiles that a resin wall cuts, the kernels `linear` and `strip`) single entries of the common enumerator.
 
 use super::chains::{Avx512, Chain, Taps, WINDOW};
 use super::comb::{Comb, Integrals, Square};
 use super::plan::LightPlan;
+use super::rake::MOST;
 use super::strips::Major;
 use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::{Parallel, tile_rows};
@@ -91,6 +92,15 @@ impl Parallel {
                     if let (true, Some(comb)) = (meeting.comb, &plan.combs[beam]) {
                         let source = &all[(beam - beams.start) * stride..][..stride];
                         comb.add_dose(self.path.isa, tile, plan.beams[beam].major, source, square);
+                    } else if let (true, Some(rake)) = (meeting.rake, &plan.rakes[beam]) {
+                        let strips = meeting.first as usize..meeting.end as usize;
+                        let rays = rake.rays(strips.clone(), tile, plan.beams[beam].major);
+                        let values = plan.frame(values, beam);
+                        let mut of_rays = [0.0; MOST];
+                        for (to, column) in of_rays.iter_mut().zip(rake.columns(strips)) {
+                            *to = rake.per_row() * values[column];
+                        }
+                        rays.add_dose(self.path.isa, &of_rays, square);
                     } else if let Some(wide) = self.path.wide.filter(|_| meeting.chain) {
                         let values = plan.frame(values, beam);
                         bench.add_chain(wide, plan, (beam, meeting), tile, values, square);
@@ -263,7 +273,14 @@ impl Gathering {
             }
             let first = (beam.frame as usize - self.frames.start) * plan.columns;
             let pixels = &mut pixels[first..first + plan.columns];
-            if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
+            if let (true, Some(rake)) = (meeting.rake, &plan.rakes[i]) {
+                let strips = meeting.first as usize..meeting.end as usize;
+                let rays = rake.rays(strips.clone(), tile, beam.major);
+                let sums = rays.adjoint(model.path.isa, &integrals.value);
+                for (column, sum) in rake.columns(strips).zip(sums) {
+                    pixels[column] += rake.per_row() * sum;
+                }
+            } else if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
                 let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
                 let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
                 let sums = wide.chain_adjoint(&chain, &local, integrals);

@@ -197,14 +197,24 @@ fn cut(tracer: &Tracer, azimuth: f64, column: u32, low: f64, high: f64, out: &mu
     }
 }
 
-/// Nodes and weights of Gauss's rule of five points on (−1, 1).
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
+/// Nodes and weights on (−1, 1): u = sin θ, Gauss's rule of eight points over θ. Ways end in a square root where rays graze a wall, which
+/// is smooth in θ.
+const NODES: [(f64, f64); 8] = {
+    const HALF: [(f64, f64); 4] = [
+        (0.284_167_923_901_928_74, 0.546_216_104_904_208_2),
+        (0.734_889_938_755_432_3, 0.334_189_396_145_489_65),
+        (0.949_425_384_298_818_8, 0.109_682_471_335_215_37),
+        (0.998_055_213_850_506_8, 0.009_912_027_615_086_584),
+    ];
+    let mut rule = [(0.0, 0.0); 8];
+    let mut i = 0;
+    while i < 4 {
+        rule[i] = HALF[i];
+        rule[7 - i] = (-HALF[i].0, HALF[i].1);
+        i += 1;
+    }
+    rule
+};
 
 /// Adds one bundle per leg. Its power is such that its middle ray leaves what all rays between `low` and `high` leave
 /// together: near the rim of the resin their ways differ much.
@@ -217,7 +227,7 @@ fn push(
     out: &mut Vec<Bundle>,
 ) {
     let half = (high - low) / 2.0;
-    let samples = GAUSS.map(|(node, weight)| {
+    let samples = NODES.map(|(node, weight)| {
         (
             tracer.trace((low + high) / 2.0 + node * half, azimuth),
             weight * half,

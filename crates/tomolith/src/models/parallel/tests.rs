@@ -3,6 +3,7 @@
 use super::strips::{Beam, Columns, Major, Strip};
 use super::tiles::{Bounds, meeting};
 use super::views::Views;
+use super::walls::Walls;
 use super::*;
 use crate::check;
 use crate::grid::{Patterns, Volume};
@@ -251,6 +252,70 @@ fn every_column_leaves_the_energy_that_its_rays_lose() {
                     (left - lost).abs() < 1e-3 * 0.1 * (1.0 - (-mu * 4.0f64).exp()).max(1e-12),
                     "{vial:?} μ {mu} column {column}: {left} against {lost}"
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
+    // 5.5 voxels of radius: columns that end at the rim, beyond it, and within; clear and opaque resin
+    for (radius, half) in [(0.55, 11), (0.53, 12)] {
+        let vials: [Box<dyn Vial>; 4] = [
+            Box::new(IndexMatched { radius_mm: radius }),
+            Box::new(Cylinder {
+                inner_radius_mm: radius,
+                outer_radius_mm: 1.1 * radius,
+                refractive_index: 1.58,
+            }),
+            Box::new(Square {
+                inner_width_mm: 2.0 * radius,
+                outer_width_mm: 2.4 * radius,
+                refractive_index: 1.54,
+            }),
+            Box::new(DoubleTube {
+                radii_mm: [1.1 * radius, radius, 0.4 * radius, 0.3 * radius],
+                outer_refractive_index: 1.5,
+                inner_refractive_index: 1.5,
+                core_refractive_index: 1.33,
+            }),
+        ];
+        for vial in vials {
+            for (mu, columns) in [(0.1, 13), (0.1, 14), (6.0, 13), (6.0, 14)] {
+                let pixels = PatternGrid::full_turn(17, 0.1, 1, columns + 2, 0.1);
+                let light = Light::new(pixels, Resin::absorbing(1.5, mu));
+                let grid = VolumeGrid::centered([1, half, half], 0.1);
+                let model =
+                    Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+                let dose = dose_of(&model, &vec![1.0; model.patterns[0].len()]);
+                let all: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
+                let tracer = Tracer::new(vial.as_ref(), light.resin, 1.0, light.polarisation);
+                let (rays, width) = (4000, (columns + 2) as f64 * 0.1);
+                let absorbed: f64 = (light.pixels.azimuths.iter())
+                    .map(|&azimuth| {
+                        let ray = |i: usize| {
+                            let u = width * ((i as f64 + 0.5) / rays as f64 - 0.5);
+                            tracer.trace(u, azimuth).account.absorbed
+                        };
+                        (0..rays).map(ray).sum::<f64>() / rays as f64 * width
+                    })
+                    .sum();
+                let off = all / absorbed - 1.0;
+                assert!(
+                    off.abs() < 1e-3,
+                    "{vial:?} μ {mu}, {columns} columns: {off}"
+                );
+                // And nothing lies where no corner of a voxel, nor its middle, has resin
+                for (i, &value) in dose.values.iter().enumerate() {
+                    let (x, y) = (grid.x(i % half), grid.y(i / half));
+                    let points = [-0.05, -0.025, 0.0, 0.025, 0.05].map(|d| 0.999_999 * d);
+                    let has_resin = (points.iter())
+                        .any(|dx| points.iter().any(|dy| vial.in_resin([x + dx, y + dy, 0.0])));
+                    assert!(
+                        has_resin || value < 1e-3 * (1.0 - (-mu * 0.1f64).exp()) as f32,
+                        "{vial:?} μ {mu}: voxel at {x} {y} has {value}"
+                    );
+                }
             }
         }
     }
@@ -632,6 +697,8 @@ fn frames_have_opposites_only_where_light_can_be_reversed() {
 #[test]
 fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
     let tiles = Tile::cover(100, 70);
+    let grid = VolumeGrid::centered([1, 70, 100], 0.1);
+    let walls = Walls::new(&IndexMatched { radius_mm: 50.0 }, &grid);
     let noise = |i: usize| (i * 7919 % 1009) as f32 / 1009.0;
     let mut met = 0;
     for (k, major) in (0..40).map(|k| (k, [Major::X, Major::Y][k % 2])) {
@@ -657,8 +724,8 @@ fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
         // Bounds without limits leave every strip to be asked alone
         let open = vec![Bounds::OPEN; Bounds::of_beam(&beam).len()];
         for tile in &tiles {
-            let found = meeting(&beam, &Bounds::of_beam(&beam), None, tile);
-            assert_eq!(found, meeting(&beam, &open, None, tile));
+            let found = meeting(&beam, &Bounds::of_beam(&beam), None, &walls, tile);
+            assert_eq!(found, meeting(&beam, &open, None, &walls, tile));
             met += usize::from(found.end > found.first);
         }
     }

@@ -4,11 +4,13 @@
 //! light leaves in the row is the difference of two exponentials, e^(−μ s₀) − e^(−μ s₁) = −e^(−μ s₀)·expm1(−μ(s₁−s₀)),
 //! so what is deposited row by row adds up to what the ray loses, exactly. It is shared among the voxels of the row by
 //! the length of the interval that each covers (the *distance-driven* kernel: De Man & Basu, Phys. Med. Biol. 49, 2463
-//! (2004)). Hence a pixel's energy is conserved and a uniform light gives a uniform dose, both without any tuning.
+//! (2004)), cut where the row's resin ends ([`walls`](super::walls)). Hence a pixel's energy is conserved, in the resin, and a uniform
+//! light gives a uniform dose, both without any tuning.
 
 use super::comb::Comb;
 use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
+use super::walls::{Room, Walls};
 
 /// Edge of a tile of voxels in the plane.
 pub(super) const TILE: usize = 16;
@@ -211,6 +213,8 @@ pub(super) struct Meeting {
     pub(super) chain: bool,
     /// Whether they are a [`Comb`](super::comb::Comb) there.
     pub(super) comb: bool,
+    /// Whether they are a [`Rake`](super::rake::Rake) there.
+    pub(super) rake: bool,
 }
 
 /// Neighbouring strips that are asked together first whether they meet a tile.
@@ -250,7 +254,13 @@ impl Bounds {
 }
 
 /// How a beam, whose strips have these bounds, and a tile meet.
-pub(super) fn meeting(beam: &Beam, bounds: &[Bounds], comb: Option<&Comb>, tile: &Tile) -> Meeting {
+pub(super) fn meeting(
+    beam: &Beam,
+    bounds: &[Bounds],
+    comb: Option<&Comb>,
+    walls: &Walls,
+    tile: &Tile,
+) -> Meeting {
     let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
     let meets = |strip: &Strip| local.may_meet(strip);
     let some = || {
@@ -269,12 +279,13 @@ pub(super) fn meeting(beam: &Beam, bounds: &[Bounds], comb: Option<&Comb>, tile:
     let chain = end - first <= MOST_IN_CHAIN
         && beam.has_columns()
         && beam.is_chain(first, end)
-        && local.is_plain(&beam.strips[first..end]);
+        && local.is_plain(&beam.strips[first..end], beam.major, walls);
     Meeting {
         first: first as u16,
         end: end as u16,
         chain,
         comb: chain && comb.is_some_and(|comb| comb.holds(first..end)),
+        rake: false,
     }
 }
 
@@ -285,9 +296,10 @@ pub(super) const NARROWEST_IN_CHAIN: f32 = 0.25;
 
 impl Local {
     /// Whether these strips, in growing order, stay wide enough and meet no resin wall within the tile.
-    fn is_plain(&self, strips: &[Strip]) -> bool {
+    fn is_plain(&self, strips: &[Strip], major: Major, walls: &Walls) -> bool {
         let (first, last) = (self.origin[0], self.origin[0] + self.rows as f32);
-        strips.iter().all(|strip| {
+        let ends = [strips[0].edges[0], strips[strips.len() - 1].edges[1]];
+        let are_plain = strips.iter().all(|strip| {
             let width = |t: f32| {
                 let [low, high] = strip.edges.map(|[offset, slope]| offset + slope * t);
                 high - low
@@ -295,12 +307,10 @@ impl Local {
             strip.span[0] <= first
                 && strip.span[1] >= last
                 && width(first).min(width(last)) >= NARROWEST_IN_CHAIN
-        })
+        });
+        are_plain && walls.hold(self, major, ends)
     }
 }
-
-/// Narrower strips are spread over this width, in voxels: at a fold the edges cross.
-const NARROWEST: f32 = 1e-4;
 
 impl TileEntries {
     /// The entries of one strip.
@@ -312,11 +322,11 @@ impl TileEntries {
         }
     }
 
-    /// Appends what `strips` light in the tile; `keep` says which columns count.
+    /// Appends what `strips` light in the tile, whose rows have so much resin; `keep` says which columns count.
     pub(super) fn add(
         &mut self,
         strips: &[Strip],
-        local: &Local,
+        (local, rooms): (&Local, &[Room; TILE]),
         deposit: &Deposit,
         keep: impl Fn(u32) -> bool,
     ) {
@@ -325,7 +335,7 @@ impl TileEntries {
                 continue;
             }
             let begin = self.slots.len() as u32;
-            self.add_strip(strip, local, deposit);
+            self.add_strip(strip, (local, rooms), deposit);
             self.end_run(strip.column, local.place(strip.edges[0]), begin);
         }
     }
@@ -343,7 +353,12 @@ impl TileEntries {
         }
     }
 
-    fn add_strip(&mut self, strip: &Strip, local: &Local, deposit: &Deposit) {
+    fn add_strip(
+        &mut self,
+        strip: &Strip,
+        (local, rooms): (&Local, &[Room; TILE]),
+        deposit: &Deposit,
+    ) {
         let low = (strip.span[0] - local.origin[0]).max(0.0);
         let high = (strip.span[1] - local.origin[0]).min(local.rows as f32);
         if low >= high {
@@ -387,10 +402,7 @@ impl TileEntries {
             energy *= ratio;
             let middle = 0.5 * (from + to);
             let (m1, m2) = (a[0] + a[1] * middle, b[0] + b[1] * middle);
-            let (mut left, mut right) = (m1.min(m2), m1.max(m2));
-            if right - left < NARROWEST {
-                (left, right) = (left - 0.5 * NARROWEST, right + 0.5 * NARROWEST);
-            }
+            let [left, right] = rooms[row].within([m1.min(m2), m1.max(m2)]);
             let per_voxel = deposited / (right - left);
             let (left, right) = (left.max(0.0), right.min(across));
             if left >= right {
