@@ -293,7 +293,11 @@ impl Found {
             Some(format!("{name} {}", signed(change)))
         };
         let steps: Vec<String> = causes.iter().filter_map(step).collect();
-        let improve = causes.first().filter(|limit| limit.loss >= WORTH_CHANGING);
+        // What light leaves of grey values may be left by finer pixels too
+        let is_certain =
+            |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
+        let worth = |limit: &&Limit| limit.loss >= WORTH_CHANGING && is_certain(limit);
+        let improve = causes.first().filter(worth);
         let improve = improve.map_or_else(String::new, |limit| {
             let verb = match limit.cause {
                 Cause::Grid => "lower",

@@ -70,7 +70,7 @@ impl ExposureWindow {
         match evaluation.latitude? {
             Latitude::Thresholds { iou, at } => {
                 let dose_of = |threshold: f64| {
-                    if threshold.is_finite() {
+                    if threshold.is_finite() && !response.is_identity() {
                         f64::from(response.inverse(threshold as f32))
                     } else {
                         threshold
