@@ -15,6 +15,7 @@ use crate::io::mp4::{check_movie, read_movie, write_movie};
 use crate::io::npy::read_patterns;
 use crate::io::stack::{read_stack, write_stack};
 use crate::io::write_whole;
+use crate::models::Run;
 use crate::models::parallel::Light;
 use crate::report::MovieReport;
 use crate::response::Response;
@@ -417,15 +418,16 @@ impl<'a> Shown<'a> {
         part: &str,
         sets: &[FrameSet<'_>],
         progress: &mut dyn Progress,
+        run: &Run,
     ) -> Result<Vec<MovieReport>> {
-        write_frames(&folder.join("frames"), sets)?;
+        write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
         if self
             .spec
             .printer
             .as_ref()
             .is_some_and(|printer| printer.stack)
         {
-            write_stack(&folder.join("frames.npz"), sets)?;
+            write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
         }
         let rpm = self.spec.output.rpm;
         let (mut movies, mut lights) = (Vec::new(), Vec::new());
@@ -441,9 +443,11 @@ impl<'a> Shown<'a> {
                     .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
                 let name = movie_name(&part, rpm);
                 let path = folder.join(&name);
-                write_movie(&path, set, frame_rate(rpm, set.grid.frames(), arc)?)?;
+                let run = run.part(0.7 / sets.len() as f64);
+                let rate = frame_rate(rpm, set.grid.frames(), arc)?;
+                write_movie(&path, set, rate, &run.part(0.6))?;
                 movies.push(MovieReport {
-                    check: check_movie(&path, set)?,
+                    check: check_movie(&path, set, &run.part(0.4))?,
                     file: name.clone(),
                 });
                 movie = Some(name);

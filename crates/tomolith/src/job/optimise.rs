@@ -82,7 +82,7 @@ pub(crate) fn optimise(
         lights,
         scene.grid.clone(),
         Some(&voxels.wanted()),
-        cancel,
+        &cancel.part(0.4),
     )?;
     progress.event(&Event::Note {
         text: plan.reason.clone(),
@@ -111,7 +111,8 @@ pub(crate) fn optimise(
         }
         None => {
             let start = scene.start()?;
-            starting_patterns(scene, voxels, (model, straight), start.as_ref(), cancel)?
+            let run = cancel.part(0.5);
+            starting_patterns(scene, voxels, (model, straight), start.as_ref(), &run)?
         }
     };
     darken(&mut start, &dark);
@@ -417,7 +418,7 @@ pub(super) fn keep(
             raw: None,
         })
         .collect();
-    write_patterns(&path, &pairs)?;
+    write_patterns(&path, &pairs, &Run::new())?;
     let text = format!(
         "the best patterns so far are in {}; `--resume` goes on from the last checkpoint",
         path.display()

@@ -19,7 +19,7 @@ use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
 use crate::kind::Section;
 use crate::models::planner::Setup;
-use crate::models::{DoseLayout, PatternLayout};
+use crate::models::{DoseLayout, PatternLayout, Run};
 use crate::objective::emphasis::Common;
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
@@ -273,7 +273,16 @@ impl Scene {
     /// # Errors
     /// As [`target::voxelise`].
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
-        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
+        self.voxels_under(grid, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`voxels`](Self::voxels); [`Error::Cancelled`].
+    pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+        let shape = self.shape.as_ref();
+        let target = target::voxelise_under(shape, &self.name, grid, &run.part(0.9))
             .map_err(|e| at_grid(&self.spec, e))?;
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {

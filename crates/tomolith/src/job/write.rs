@@ -17,6 +17,7 @@ use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
+use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{LightReport, MovieReport, ReportData, Timing, write_html, write_json};
 use crate::units::concise;
@@ -46,6 +47,7 @@ pub(crate) fn all(
     folder: &RunFolder,
     timings: Vec<Timing>,
     progress: &mut dyn Progress,
+    run: &Run,
 ) -> Result<()> {
     let Done {
         scene,
@@ -81,8 +83,8 @@ pub(crate) fn all(
         gel_dose,
     );
     let arrays = || -> Result<()> {
-        write_patterns(&new.join("patterns.npz"), &pairs)?;
-        write_volume(&new.join("dose.npy"), &judged.dose)?;
+        write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
+        write_volume(&new.join("dose.npy"), &judged.dose, &run.part(0.05))?;
         write_vti(
             &new.join("dose.vti"),
             &judged.dose.grid,
@@ -91,14 +93,15 @@ pub(crate) fn all(
                 ("target", VtiValues::F32(&voxels.target.inside.values)),
                 ("label", VtiValues::U8(&voxels.labels.values)),
             ],
+            &run.part(0.1),
         )
     };
     // The large arrays go to the disk while frames, movies and the surface are made
     let (arrays, movies) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let movies = shown.write(&new, &scene.name, &sets, progress);
+        let movies = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
         let movies = movies.and_then(|movies| {
-            print(scene, judged, &new.join("print.stl"))?;
+            print(scene, judged, &new.join("print.stl"), run.part(0.15))?;
             Ok(movies)
         });
         (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
@@ -111,6 +114,7 @@ pub(crate) fn all(
     }
     let models = models(done);
     folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    run.check()?;
     report(done, &new, &history, movies, &shown, timings, models)
 }
 
@@ -352,15 +356,19 @@ fn date(now: std::time::SystemTime) -> String {
 }
 
 /// The predicted surface, the one that the evaluation measures, on all of its voxels.
-fn print(scene: &Scene, judged: &Judged, path: &Path) -> Result<()> {
-    let mut print = Print::new(&judged.fine.labels, &judged.response)?;
+fn print(scene: &Scene, judged: &Judged, path: &Path, run: Run) -> Result<()> {
+    let writing = run.aside();
+    let mut print = Print::under(&judged.fine.labels, &judged.response, run)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
     let title = format!("{}, predicted print", scene.name);
-    write_stl_pieces(path, &title, |put| {
-        print.surface_pieces(|piece| put(&piece.corners, &piece.triangles))
-    })
+    write_stl_pieces(
+        path,
+        &title,
+        |put| print.surface_pieces(|piece| put(&piece.corners, &piece.triangles)),
+        &writing,
+    )
 }
 
 fn history(optimised: &Optimised) -> Vec<HistoryRow> {

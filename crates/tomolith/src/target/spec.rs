@@ -11,6 +11,7 @@ use crate::grid::VolumeGrid;
 use crate::io::image::{GreyPixels, read_grey, read_stack};
 use crate::io::mesh::read_mesh;
 use crate::kind::Section;
+use crate::run::Run;
 use crate::units::Mm;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -247,9 +248,22 @@ fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
 /// # Errors
 /// [`Error::Resources`] when there is not enough memory.
 pub fn voxelise(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
+    voxelise_under(shape, name, grid, &Run::new())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`voxelise`]; [`Error::Cancelled`].
+pub fn voxelise_under(
+    shape: &dyn Shape,
+    name: &str,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Target> {
     Ok(Target {
         name: name.to_owned(),
-        inside: shape.sample(grid)?,
+        inside: shape.sample_under(grid, run)?,
         grey: shape.is_grey(),
     })
 }
