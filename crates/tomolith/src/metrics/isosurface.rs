@@ -716,11 +716,8 @@ mod tests {
         let enough = || Err(Error::config("a", "enough", "b"));
         assert!(ended(&enough, &Run::new()).to_string().contains("enough"));
         let run = Run::new();
-        let cancel = || {
-            run.cancel();
-            Ok(())
-        };
-        assert!(matches!(ended(&cancel, &run), Error::Cancelled));
+        run.cancel();
+        assert!(matches!(ended(&|| Ok(()), &run), Error::Cancelled));
     }
 
     #[test]
