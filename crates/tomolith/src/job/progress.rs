@@ -1,5 +1,6 @@
 //! What a run says while it works. The library never prints: a [`Progress`] does, in its own way.
 
+use crate::error::Result;
 use crate::models::Run;
 use serde::Serialize;
 use std::panic::resume_unwind;
@@ -75,8 +76,8 @@ const SEEN: Duration = Duration::from_secs(1);
 pub(crate) fn watched<T: Send>(
     progress: &mut dyn Progress,
     run: &Run,
-    work: impl FnOnce(&mut dyn Progress) -> T + Send,
-) -> T {
+    work: impl FnOnce(&mut dyn Progress) -> Result<T> + Send,
+) -> Result<T> {
     thread::scope(|scope| {
         let (tell, told) = channel();
         let (answer, heard) = channel();
@@ -94,10 +95,11 @@ pub(crate) fn watched<T: Send>(
                 Err(RecvTimeoutError::Disconnected) => break,
             }
         }
-        if !run.is_stop_asked() {
+        let result = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+        if result.is_ok() {
             gauge.end(progress);
         }
-        worker.join().unwrap_or_else(|panic| resume_unwind(panic))
+        result
     })
 }
 
@@ -191,9 +193,9 @@ mod tests {
                     steps.add(1);
                 }
             }
-            7
+            Ok(7)
         });
-        assert_eq!(result, 7);
+        assert_eq!(result.unwrap(), 7);
         let stages: Vec<&[Event]> = told.0.split(|e| matches!(e, Event::Stage { .. })).collect();
         assert_eq!(stages.len(), 3);
         for stage in &stages[1..] {
@@ -210,7 +212,8 @@ mod tests {
 
     #[test]
     fn a_panic_of_the_work_is_the_callers() {
-        let work = || watched(&mut Silent, &Run::new(), |_| panic!("of the work"));
+        let work =
+            || -> Result<()> { watched(&mut Silent, &Run::new(), |_| panic!("of the work")) };
         let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_err();
         assert_eq!(panic.downcast_ref(), Some(&"of the work"));
     }
