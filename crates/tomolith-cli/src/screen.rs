@@ -103,6 +103,9 @@ impl Progress for Screen {
         if !matches!(event, Event::Iteration { .. } | Event::Part { .. }) {
             self.clear();
         }
+        if let (Style::Plain { last }, Event::Stage { .. }) = (&mut self.style, event) {
+            *last = None;
+        }
         match (&mut self.style, event) {
             (Style::Quiet, _) => {}
             (Style::Json, event) => say(&serde_json::to_string(event).unwrap_or_default()),
@@ -113,10 +116,24 @@ impl Progress for Screen {
             )),
             (_, Event::Note { text }) => mutter(&format!("{:>12} {text}", "")),
             (_, Event::Warning { text }) => mutter(&format!("{:>12} {text}", "Warning")),
-            (Style::Plain { .. }, Event::Part { .. }) => {}
-            (Style::Bar { bar }, Event::Part { done }) => {
-                let bar = bar.get_or_insert_with(|| new_bar(1000, "{bar:40} {percent} %"));
+            (Style::Plain { last }, Event::Part { done, left_s }) => {
+                // A short stage needs no line, and one that is over tells itself by the next
+                let is_due = last.get_or_insert_with(Instant::now).elapsed() >= PAUSE;
+                if let (true, Some(left)) = (is_due && *done < 1.0, left_s) {
+                    *last = Some(Instant::now());
+                    mutter(&format!(
+                        "{:>12} {:3.0} %  {left:.0} s left",
+                        "",
+                        100.0 * done
+                    ));
+                }
+            }
+            (Style::Bar { bar }, Event::Part { done, left_s }) => {
+                let bar =
+                    bar.get_or_insert_with(|| new_bar(1000, "{bar:40} {percent:>3} %  {msg}"));
                 bar.set_position((done * 1000.0) as u64);
+                let left = left_s.map(|left| format!("{left:.0} s left"));
+                bar.set_message(left.unwrap_or_default());
             }
             (
                 Style::Bar { bar },

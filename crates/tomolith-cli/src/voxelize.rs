@@ -12,6 +12,7 @@ use tomolith::io::npy::write_volume;
 use tomolith::io::vti::{VtiValues, write_vti};
 use tomolith::job::Document;
 use tomolith::kind::Section;
+use tomolith::models::Run;
 use tomolith::target::{
     MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build, default_grid,
     voxelise,
@@ -348,8 +349,14 @@ fn write(path: &Path, kind: Kind, target: &Target, binary: bool) -> Result<()> {
                 grid: grid.clone(),
                 values: bytes(),
             },
+            &Run::new(),
         ),
-        Kind::Vti if binary => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))]),
+        Kind::Vti if binary => write_vti(
+            path,
+            grid,
+            &[("inside", VtiValues::U8(&bytes()))],
+            &Run::new(),
+        ),
         kind => write_values(path, kind, "inside", &target.inside),
     }
 }
@@ -362,11 +369,12 @@ pub(crate) fn write_values(
     volume: &Volume<f32>,
 ) -> Result<()> {
     match kind {
-        Kind::Npy => write_volume(path, volume),
+        Kind::Npy => write_volume(path, volume, &Run::new()),
         Kind::Vti => write_vti(
             path,
             &volume.grid,
             &[(name, VtiValues::F32(&volume.values))],
+            &Run::new(),
         ),
         Kind::Png => write_slices(path, volume),
     }
@@ -401,7 +409,7 @@ fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
         values: &levels,
     };
     let aside = path.with_extension("png.folder");
-    write_frames(&aside, &[set])?;
+    write_frames(&aside, &[set], &Run::new())?;
     let moved = std::fs::rename(aside.join("frame_0000.png"), path);
     std::fs::remove_dir_all(&aside).map_err(|e| Error::io(&aside, e))?;
     moved.map_err(|e| Error::io(path, e))

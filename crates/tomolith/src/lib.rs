@@ -27,6 +27,7 @@ pub mod optics;
 pub mod optimize;
 pub mod report;
 pub mod response;
+mod run;
 pub mod target;
 pub mod units;
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Floor of each room; `check` may see all.
 const FLOORS: &[(u32, &[&str])] = &[
-    (1, &["grid", "field", "error", "kind", "units"]),
+    (1, &["grid", "field", "error", "kind", "units", "run"]),
     (2, &["io"]),
     (3, &["target", "optics", "exposure"]),
     (4, &["models", "response"]),

@@ -18,7 +18,7 @@
 //! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let frames = folder.path().join("frames");
-//! write_frames(&frames, &[set]).unwrap();
+//! write_frames(&frames, &[set], &Run::new()).unwrap();
 //! let read = read_frames(&frames).unwrap();
 //! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
 //! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
@@ -27,6 +27,7 @@
 use super::whole::{Refused, write_folder_whole};
 use crate::error::{Error, Result};
 use crate::grid::PatternGrid;
+use crate::run::Run;
 use crate::units::exact;
 use rayon::prelude::*;
 use std::fs::{self, File};
@@ -103,7 +104,8 @@ pub struct Frames {
 ///
 /// # Errors
 /// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`]; `folder` is then as it was.
-pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
+pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
+    let frames = run.steps(lights.iter().map(|set| set.grid.frames()).sum());
     for set in lights {
         set.check()?;
     }
@@ -113,12 +115,17 @@ pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
                 .light
                 .map_or_else(|| aside.to_owned(), |name| aside.join(name));
             fs::create_dir_all(&place)?;
-            (0..set.grid.frames())
-                .into_par_iter()
-                .try_for_each(|frame| {
-                    write_frame(&place.join(format!("frame_{frame:04}.png")), set, frame)
-                })
-                .map_err(Refused::Io)?;
+            (0..set.grid.frames()).into_par_iter().try_for_each(
+                |frame| -> Result<(), Refused> {
+                    run.check()?;
+                    frames.add(1);
+                    Ok(write_frame(
+                        &place.join(format!("frame_{frame:04}.png")),
+                        set,
+                        frame,
+                    )?)
+                },
+            )?;
         }
         Ok(())
     })
@@ -362,7 +369,7 @@ mod tests {
         for bits in [1, 4, 8, 10, 12, 16] {
             let quantised = waves(0.1234, bits);
             let place = folder.path().join("frames");
-            write_frames(&place, &[quantised.frames(None)]).unwrap();
+            write_frames(&place, &[quantised.frames(None)], &Run::new()).unwrap();
             let read = read_frames(&place).unwrap();
             assert_eq!(read.shape, [11, 7, 9]);
             assert_eq!(
@@ -379,7 +386,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("frames");
         let (a, b) = (waves(1.0, 8), waves(3.0, 8));
-        write_frames(&place, &[a.frames(Some("blue")), b.frames(Some("uv"))]).unwrap();
+        write_frames(
+            &place,
+            &[a.frames(Some("blue")), b.frames(Some("uv"))],
+            &Run::new(),
+        )
+        .unwrap();
         assert_eq!(
             read_frames(&place.join("uv")).unwrap().full_scale,
             Some(b.full_scale)
@@ -391,14 +403,14 @@ mod tests {
     fn odd_frames_out_and_truncated_files_are_named() {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("frames");
-        write_frames(&place, &[waves(1.0, 8).frames(None)]).unwrap();
+        write_frames(&place, &[waves(1.0, 8).frames(None)], &Run::new()).unwrap();
         let third = place.join("frame_0003.png");
         let bytes = fs::read(&third).unwrap();
         fs::write(&third, &bytes[..bytes.len() / 2]).unwrap();
         let text = read_frames(&place).unwrap_err().to_string();
         assert!(text.contains("frame_0003.png"), "{text}");
         let other = folder.path().join("other");
-        write_frames(&other, &[waves(1.0, 12).frames(None)]).unwrap();
+        write_frames(&other, &[waves(1.0, 12).frames(None)], &Run::new()).unwrap();
         fs::copy(other.join("frame_0003.png"), &third).unwrap();
         let text = read_frames(&place).unwrap_err().to_string();
         assert!(

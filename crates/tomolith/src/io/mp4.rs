@@ -32,8 +32,8 @@
 //! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("ramp_12rpm.mp4");
-//! write_movie(&path, &set, 60.0).unwrap();
-//! let check = check_movie(&path, &set).unwrap();
+//! write_movie(&path, &set, 60.0, &Run::new()).unwrap();
+//! let check = check_movie(&path, &set, &Run::new()).unwrap();
 //! assert_eq!((check.frames, check.width, check.height), (4, 32, 30)); // one black column was added
 //! assert!((check.frame_rate - 60.0).abs() < 1e-6);
 //! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
@@ -42,8 +42,9 @@
 use super::frames::FrameSet;
 use super::movie::h264::{each_image, groups, said};
 use super::movie::track::Track;
-use super::whole::{Refused, write_whole};
+use super::whole::{Refused, write_whole_under};
 use crate::error::{Error, Result};
+use crate::run::{Run, Steps};
 use muxide::api::{MuxerBuilder, VideoCodec};
 use openh264::OpenH264API;
 use openh264::encoder::{
@@ -81,7 +82,7 @@ pub struct MovieCheck {
 /// # Errors
 /// [`Error::Config`] for an impossible frame rate, [`Error::Unsupported`] for no frames or too large ones,
 /// [`Error::Shape`], [`Error::Io`], [`Error::Format`] when the encoder refuses.
-pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64) -> Result<()> {
+pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, run: &Run) -> Result<()> {
     set.check()?;
     if !(frame_rate.is_finite() && frame_rate > 0.0 && frame_rate <= 10_000.0) {
         return Err(Error::config(
@@ -91,12 +92,13 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64) -> Result<(
         ));
     }
     let (width, height) = padded_size(set)?;
+    let steps = run.steps(set.grid.frames());
     let groups: Vec<Vec<Vec<u8>>> = groups(set.grid.frames())
         .into_par_iter()
-        .map(|group| encode(set, group, width, height, frame_rate))
+        .map(|group| encode(set, group, [width, height], frame_rate, &steps))
         .collect::<Result<_, String>>()
-        .map_err(|message| refused(path, &message))?;
-    write_whole(path, |file| {
+        .map_err(|message| run.check().err().unwrap_or_else(|| refused(path, &message)))?;
+    write_whole_under(path, (&run.aside(), 0), |file| {
         let mux = |message: String| Refused::Io(std::io::Error::other(message));
         let mut muxer = MuxerBuilder::new(file)
             .video(VideoCodec::H264, width as u32, height as u32, frame_rate)
@@ -148,9 +150,9 @@ fn padded_size(set: &FrameSet<'_>) -> Result<(usize, usize)> {
 fn encode(
     set: &FrameSet<'_>,
     group: std::ops::Range<usize>,
-    width: usize,
-    height: usize,
+    [width, height]: [usize; 2],
     frame_rate: f64,
+    steps: &Steps<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
     // The quantiser is fixed, so the bit rate decides nothing but the level that the stream claims to need
     let bits_a_second = (4.0 * (width * height) as f64 * frame_rate).clamp(1e5, 2e8);
@@ -172,6 +174,10 @@ fn encode(
     let mut planes = YUVPlanes::grey(width, height);
     group
         .map(|frame| {
+            steps.add(1);
+            if steps.is_cancelled() {
+                return Err("cancelled".to_owned());
+            }
             planes.fill(set, frame);
             let packet = encoder
                 .encode(&planes.buffer())
@@ -220,7 +226,7 @@ impl YUVPlanes {
 /// # Errors
 /// [`Error::Io`]; [`Error::Format`] when the file is damaged, has another number or size of frames, or cannot be
 /// decoded.
-pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
+pub fn check_movie(path: &Path, set: &FrameSet<'_>, run: &Run) -> Result<MovieCheck> {
     set.check()?;
     let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
     let damaged = |message: &str| refused(path, message);
@@ -233,11 +239,12 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
         )));
     }
     let size = padded_size(set)?;
+    let steps = run.steps(track.samples.len());
     let sums: Vec<(u8, u64)> = groups(track.samples.len())
         .into_par_iter()
-        .map(|group| compare(&track, group, set, size))
+        .map(|group| compare(&track, group, (set, size), &steps))
         .collect::<Result<_, String>>()
-        .map_err(|message| damaged(&message))?;
+        .map_err(|message| run.check().err().unwrap_or_else(|| damaged(&message)))?;
     let squares: u64 = sums.iter().map(|s| s.1).sum();
     Ok(MovieCheck {
         frames: track.samples.len(),
@@ -254,11 +261,15 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>) -> Result<MovieCheck> {
 fn compare(
     track: &Track<'_>,
     group: std::ops::Range<usize>,
-    set: &FrameSet<'_>,
-    size: (usize, usize),
+    (set, size): (&FrameSet<'_>, (usize, usize)),
+    steps: &Steps<'_>,
 ) -> Result<(u8, u64), String> {
     let (mut largest, mut squares) = (0, 0);
     each_image(track, group, |frame, image| {
+        steps.add(1);
+        if steps.is_cancelled() {
+            return Err("cancelled".to_owned());
+        }
         if image.dimensions() != size {
             return Err(format!("frame {frame} has {:?} pixels", image.dimensions()));
         }
@@ -310,8 +321,8 @@ mod tests {
             full_scale: 1.0,
             values,
         };
-        write_movie(&path, &set, rate).unwrap();
-        check_movie(&path, &set).unwrap()
+        write_movie(&path, &set, rate, &Run::new()).unwrap();
+        check_movie(&path, &set, &Run::new()).unwrap()
     }
 
     #[test]
@@ -347,7 +358,7 @@ mod tests {
             full_scale: 1.0,
             values: &values,
         };
-        write_movie(&path, &set, 30.0).unwrap();
+        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
         let read = read_movie(&path, [20, 17, 33]).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);
         for (found, expected) in read.values.iter().zip(&values) {
@@ -380,18 +391,23 @@ mod tests {
                 values,
             }
         }
-        write_movie(&path, &view(&grid, &values), 30.0).unwrap();
+        write_movie(&path, &view(&grid, &values), 30.0, &Run::new()).unwrap();
         assert!(
-            check_movie(&path, &view(&grid, &values))
+            check_movie(&path, &view(&grid, &values), &Run::new())
                 .unwrap()
                 .largest_error
                 <= 1
         );
         values[17 * 32 * 32 + 5] -= 100;
-        let check = check_movie(&path, &view(&grid, &values)).unwrap();
+        let check = check_movie(&path, &view(&grid, &values), &Run::new()).unwrap();
         assert!((99..=101).contains(&check.largest_error), "{check:?}");
         values.rotate_left(32 * 32); // frames in another order
-        assert!(check_movie(&path, &view(&grid, &values)).unwrap().rms_error > 10.0);
+        assert!(
+            check_movie(&path, &view(&grid, &values), &Run::new())
+                .unwrap()
+                .rms_error
+                > 10.0
+        );
     }
 
     #[test]
@@ -420,11 +436,14 @@ mod tests {
             full_scale: 1.0,
             values: &values,
         };
-        write_movie(&path, &set, 30.0).unwrap();
+        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         for cut in (0..bytes.len()).step_by(7) {
             std::fs::write(&path, &bytes[..cut]).unwrap();
-            assert!(check_movie(&path, &set).is_err(), "cut at {cut}");
+            assert!(
+                check_movie(&path, &set, &Run::new()).is_err(),
+                "cut at {cut}"
+            );
         }
         for i in 0..bytes.len().min(900) {
             let mut wrong = bytes.clone();
@@ -446,7 +465,7 @@ mod tests {
         let path = Path::new("/nonexistent-folder/m.mp4");
         for rate in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(
-                write_movie(path, &set, rate),
+                write_movie(path, &set, rate, &Run::new()),
                 Err(Error::Config { .. })
             ));
         }
@@ -460,7 +479,7 @@ mod tests {
             values: &values,
         };
         assert!(matches!(
-            write_movie(path, &set, 30.0),
+            write_movie(path, &set, 30.0, &Run::new()),
             Err(Error::Unsupported { .. })
         ));
     }

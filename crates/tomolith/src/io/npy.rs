@@ -15,15 +15,16 @@
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("patterns.npz");
 //! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
-//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }]).unwrap();
+//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Run::new()).unwrap();
 //! let read = read_patterns(&path).unwrap();
 //! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
 //! ```
 
 use super::numbers::{Archive, Numbers, bad, tuple};
-use super::whole::{Refused, write_whole};
+use super::whole::{Refused, write_whole_under};
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::run::Run;
 use ndarray::ArrayView3;
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpyExt};
 use std::io::{Seek, SeekFrom, Write};
@@ -65,9 +66,9 @@ fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayV
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when values and grid do not fit.
-pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>) -> Result<()> {
+pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>, run: &Run) -> Result<()> {
     let array = view(path, volume.grid.shape, &volume.values)?;
-    write_whole(path, |file| {
+    write_whole_under(path, (run, size_of_val(&volume.values[..])), |file| {
         array
             .write_npy(file)
             .map_err(|e| Refused::Io(std::io::Error::other(e)))
@@ -142,8 +143,10 @@ fn array_name(kind: &str, light: Option<&str>) -> String {
 ///
 /// # Errors
 /// [`Error::Io`] or [`Error::Shape`].
-pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>]) -> Result<()> {
-    write_whole(path, |file| {
+pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Result<()> {
+    let arrays = lights.iter().flat_map(|pair| [Some(pair.shown), pair.raw]);
+    let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
+    write_whole_under(path, (run, bytes), |file| {
         let mut sink = Sink::new(file);
         let mut npz = NpzWriter::new(&mut sink);
         for pair in lights {
@@ -322,7 +325,7 @@ mod tests {
         let grid = VolumeGrid::centered([2, 3, 4], 0.1);
         let values: Vec<f32> = (0..24).map(|i| (i as f32).sqrt()).collect();
         let volume = Volume { grid, values };
-        write_volume(&path, &volume).unwrap();
+        write_volume(&path, &volume, &Run::new()).unwrap();
         assert_eq!(read_volume_on(&path, &volume.grid).unwrap(), volume);
         let bytes = std::fs::read(&path).unwrap();
         assert_eq!(&bytes[..6], b"\x93NUMPY");
@@ -368,6 +371,7 @@ mod tests {
                 shown: &a,
                 raw: Some(&b),
             }],
+            &Run::new(),
         )
         .unwrap();
         let read = read_patterns(&path).unwrap();
@@ -389,7 +393,7 @@ mod tests {
                 raw: None,
             },
         ];
-        write_patterns(&path, &lights).unwrap();
+        write_patterns(&path, &lights, &Run::new()).unwrap();
         let read = read_patterns(&path).unwrap();
         assert_eq!(
             read.iter().map(|l| l.light.as_deref()).collect::<Vec<_>>(),

@@ -19,7 +19,7 @@
 //! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("frames.npz");
-//! write_stack(&path, &[set]).unwrap();
+//! write_stack(&path, &[set], &Run::new()).unwrap();
 //! let read = read_stack(&path, None).unwrap();
 //! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
 //! assert_eq!(read.values, [0, 1, 7, 15]);
@@ -27,8 +27,9 @@
 
 use super::frames::{FrameSet, Frames, rescale};
 use super::numbers::{Archive, Kind, bad};
-use super::whole::{Refused, write_whole};
+use super::whole::{Refused, write_whole_under};
 use crate::error::Result;
+use crate::run::Run;
 use ndarray::{Array1, Array3};
 use ndarray_npy::{NpzWriter, WritableElement};
 use std::io::{Seek, Write};
@@ -42,11 +43,11 @@ fn name_of(what: &str, light: Option<&str>) -> String {
 ///
 /// # Errors
 /// [`Error::Shape`](crate::Error::Shape) when levels and grid do not fit, [`Error::Io`](crate::Error::Io).
-pub fn write_stack(path: &Path, lights: &[FrameSet<'_>]) -> Result<()> {
+pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
     for set in lights {
         set.check()?;
     }
-    write_whole(path, |file| {
+    write_whole_under(path, (run, 0), |file| {
         let mut npz = NpzWriter::new(file);
         for set in lights {
             let name = |what| name_of(what, set.light);
@@ -160,7 +161,12 @@ mod tests {
             full_scale: 0.3,
             values,
         };
-        write_stack(&path, &[set("blue", 8, &blue), set("uv", 12, &uv)]).unwrap();
+        write_stack(
+            &path,
+            &[set("blue", 8, &blue), set("uv", 12, &uv)],
+            &Run::new(),
+        )
+        .unwrap();
         let read = read_stack(&path, Some("uv")).unwrap();
         assert_eq!((read.bits, read.shape, &read.values), (12, [5, 3, 7], &uv));
         assert_eq!(read_stack(&path, Some("blue")).unwrap().values, blue);

@@ -15,8 +15,9 @@
 //! assert_eq!(bytes[84 + 8..84 + 12], 1.0f32.to_le_bytes()); // the normal is +z
 //! ```
 
-use super::whole::{Refused, write_whole};
+use super::whole::{Refused, write_whole_under};
 use crate::error::{Error, Result};
+use crate::run::Run;
 use rayon::prelude::*;
 use std::io::{Seek as _, SeekFrom, Write};
 use std::path::Path;
@@ -34,7 +35,7 @@ pub fn write_stl(
     corners: &[[f32; 3]],
     triangles: &[[u32; 3]],
 ) -> Result<()> {
-    write_stl_pieces(path, title, |put| put(corners, triangles))
+    write_stl_pieces(path, title, |put| put(corners, triangles), &Run::new())
 }
 
 /// Takes a piece of a surface: corners, and triangles as indices of them.
@@ -48,12 +49,13 @@ pub fn write_stl_pieces(
     path: &Path,
     title: &str,
     pieces: impl FnOnce(Put<'_>) -> Result<(), Refused>,
+    run: &Run,
 ) -> Result<()> {
     let refuse = |reason: &str| Error::Unsupported {
         what: format!("the surface for {}", path.display()),
         reason: reason.to_owned(),
     };
-    write_whole(path, |file| {
+    write_whole_under(path, (run, 0), |file| {
         file.write_all(&title_bytes(title))?;
         let place_of_count = file.stream_position()?;
         file.write_all(&0u32.to_le_bytes())?;

@@ -10,14 +10,15 @@
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("dose.vti");
 //! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
-//! write_vti(&path, &grid, &[("dose", VtiValues::F32(&[0.0; 6]))]).unwrap();
+//! write_vti(&path, &grid, &[("dose", VtiValues::F32(&[0.0; 6]))], &Run::new()).unwrap();
 //! let text = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned();
 //! assert!(text.contains(r#"WholeExtent="0 2 0 1 0 0" Origin="-0.5 -0.25 0" Spacing="0.5 0.5 0.5""#));
 //! ```
 
-use super::whole::write_whole;
+use super::whole::write_whole_under;
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
+use crate::run::Run;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -70,7 +71,12 @@ impl VtiValues<'_> {
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when an array and the grid do not fit.
-pub fn write_vti(path: &Path, grid: &VolumeGrid, arrays: &[(&str, VtiValues<'_>)]) -> Result<()> {
+pub fn write_vti(
+    path: &Path,
+    grid: &VolumeGrid,
+    arrays: &[(&str, VtiValues<'_>)],
+    run: &Run,
+) -> Result<()> {
     for (name, values) in arrays {
         if values.len() != grid.len() {
             return Err(Error::Shape {
@@ -80,7 +86,8 @@ pub fn write_vti(path: &Path, grid: &VolumeGrid, arrays: &[(&str, VtiValues<'_>)
             });
         }
     }
-    write_whole(path, |file| {
+    let bytes: u64 = arrays.iter().map(|(_, values)| values.bytes()).sum();
+    write_whole_under(path, (run, bytes as usize), |file| {
         file.write_all(header(grid, arrays).as_bytes())?;
         for (_, values) in arrays {
             file.write_all(&values.bytes().to_le_bytes())?;
@@ -150,6 +157,7 @@ mod tests {
                 ("dose", VtiValues::F32(&dose)),
                 ("target <1>", VtiValues::U8(&labels)),
             ],
+            &Run::new(),
         )
         .unwrap();
         let bytes = std::fs::read(&path).unwrap();
@@ -189,6 +197,7 @@ mod tests {
             Path::new("a.vti"),
             &grid,
             &[("dose", VtiValues::F32(&[0.0]))],
+            &Run::new(),
         )
         .unwrap_err();
         assert!(matches!(error, Error::Shape { .. }));

@@ -14,9 +14,10 @@
 //! ```
 
 use crate::error::{Error, Result};
+use crate::run::{Run, Steps};
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -56,14 +57,31 @@ impl Refused {
 /// [`Error::Io`] with the path, or what `write` returned; `path` is then as it was.
 pub fn write_whole<T>(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> Result<T, Refused>,
+    write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
+) -> Result<T> {
+    write_whole_under(path, (&Run::new(), 0), write)
+}
+
+/// The same as a part of a run, which is done after so many bytes.
+///
+/// # Errors
+/// As [`write_whole`]; [`Error::Cancelled`], with `path` as it was.
+pub fn write_whole_under<T>(
+    path: &Path,
+    (run, bytes): (&Run, usize),
+    write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
 ) -> Result<T> {
     let aside = aside(path)?;
     let written = (|| {
-        let mut file = BufWriter::with_capacity(1 << 20, File::create(&aside)?);
+        let watched = Watched {
+            file: File::create(&aside)?,
+            steps: run.steps(bytes),
+            waiting: 0,
+        };
+        let mut file = BufWriter::with_capacity(1 << 20, watched);
         let result = write(&mut file)?;
         file.flush()?;
-        file.get_ref().sync_all()?;
+        file.get_ref().file.sync_all()?;
         drop(file);
         fs::rename(&aside, path)?;
         Ok(result)
@@ -71,8 +89,47 @@ pub fn write_whole<T>(
     written.map_err(|refused: Refused| {
         // The first error is the one to report; a leftover does no harm
         let _ = fs::remove_file(&aside);
-        refused.at(path)
+        run.check().err().unwrap_or_else(|| refused.at(path))
     })
+}
+
+/// Bytes that are handed to the system at a time, and that may wait for the disk: a request to stop waits for no more.
+const AT_A_TIME: usize = 4 << 20;
+const WAITING: usize = 64 << 20;
+
+/// A file on its way to the disk, refused as soon as its run is cancelled.
+#[derive(Debug)]
+pub struct Watched<'r> {
+    file: File,
+    steps: Steps<'r>,
+    /// Bytes that may not be on the disk yet.
+    waiting: usize,
+}
+
+impl Write for Watched<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.steps.is_cancelled() {
+            return Err(std::io::Error::other("cancelled"));
+        }
+        let written = self.file.write(&bytes[..bytes.len().min(AT_A_TIME)])?;
+        self.steps.add(written);
+        self.waiting += written;
+        if self.waiting >= WAITING {
+            self.file.sync_data()?;
+            self.waiting = 0;
+        }
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Seek for Watched<'_> {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        self.file.seek(to)
+    }
 }
 
 /// Fills a folder through `fill` so that `path` holds the whole of it, or what it held before. Between taking away an

@@ -16,6 +16,7 @@ use crate::io::mp4::{check_movie, write_movie};
 use crate::io::npy::read_patterns;
 use crate::io::stack::{read_stack, write_stack};
 use crate::io::write_whole;
+use crate::models::Run;
 use crate::models::parallel::Light;
 use crate::report::MovieReport;
 use crate::response::Response;
@@ -418,15 +419,16 @@ impl<'a> Shown<'a> {
         part: &str,
         sets: &[FrameSet<'_>],
         progress: &mut dyn Progress,
+        run: &Run,
     ) -> Result<Vec<MovieReport>> {
-        write_frames(&folder.join("frames"), sets)?;
+        write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
         if self
             .spec
             .printer
             .as_ref()
             .is_some_and(|printer| printer.stack)
         {
-            write_stack(&folder.join("frames.npz"), sets)?;
+            write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
         }
         let rpm = self.spec.output.rpm;
         let (mut movies, mut lights) = (Vec::new(), Vec::new());
@@ -443,11 +445,12 @@ impl<'a> Shown<'a> {
                 let coding = self.spec.output.movie;
                 let name = movie_name(&part, rpm, coding.ending());
                 let path = folder.join(&name);
+                let run = run.part(0.7 / sets.len() as f64);
                 let rate = frame_rate(rpm, set.grid.frames(), arc)?;
                 let check = match coding {
                     MovieCoding::H264 => {
-                        write_movie(&path, set, rate)?;
-                        check_movie(&path, set)?
+                        write_movie(&path, set, rate, &run.part(0.6))?;
+                        check_movie(&path, set, &run.part(0.4))?
                     }
                     MovieCoding::Lossless => {
                         write_lossless(&path, set, rate)?;

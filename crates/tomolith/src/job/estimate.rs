@@ -5,6 +5,7 @@
 
 use super::build::Optics;
 use super::rates::{CallRates, Rates};
+use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
 use crate::models::rays::kept::{self, Walks};
@@ -74,6 +75,8 @@ pub(crate) struct Extent {
     pub(crate) pixels: usize,
     /// Columns of all frames of all lights.
     pub(crate) columns: usize,
+    /// Most rows of a light beside the grid, where the kernel may run along them.
+    pub(crate) rows: Option<usize>,
     /// The optimiser's memory m.
     pub(crate) memory: usize,
     /// Objectives whose weights or bands differ from voxel to voxel.
@@ -127,6 +130,7 @@ impl Extent {
                 .iter()
                 .map(|l| l.pixels.frames() * l.pixels.columns)
                 .sum(),
+            rows: rows_beside(optics, grid),
             memory,
             fields: 0,
             canvas: 0,
@@ -160,6 +164,19 @@ impl Extent {
         }
     }
 
+    /// Floats of a row that the kernel runs along, on voxels so many times finer: slices, or rows of pixels where they are fewer.
+    fn row(&self, factor: usize) -> usize {
+        let slices = row_of(self.grid.shape[0] * factor);
+        self.rows
+            .map_or(slices, |rows| slices.min(row_of(rows).max(LANES)))
+    }
+
+    /// What the kernel runs along, in all columns of voxels.
+    fn work(&self, factor: usize) -> f64 {
+        let [_, ny, nx] = self.grid.shape.map(|n| n * factor);
+        (self.row(factor) * ny * nx) as f64
+    }
+
     fn lanes(&self, factor: usize) -> f64 {
         lanes(&self.grid.refined(factor))
     }
@@ -169,9 +186,15 @@ impl Extent {
         (self.grid.len() as f64 * self.refine.pow(3) as f64).powf(2.0 / 3.0)
     }
 
-    /// Bytes of the pixels brought to the voxels' heights, which the model keeps between calls.
+    /// Bytes of the pixels brought to the heights of the kernel, which the model keeps between calls.
     fn scratch(&self, factor: usize) -> f64 {
-        (self.columns * row_of(self.grid.shape[0] * factor) * 4) as f64
+        (self.columns * self.row(factor) * 4) as f64
+    }
+
+    /// Bytes of the cotangent brought to the rows of pixels.
+    fn of_rows(&self) -> f64 {
+        let along_rows = self.work(1) < self.lanes(1);
+        f64::from(u8::from(along_rows)) * self.work(1) * 4.0
     }
 
     /// Memory of the optimisation, MB: of the voxels, of the pixels, of frames at work.
@@ -181,7 +204,7 @@ impl Extent {
         let per_voxel =
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
-            lanes(&self.finest) * per_voxel / 1e6,
+            (lanes(&self.finest) * per_voxel + self.of_rows()) / 1e6,
             (self.scratch(1) + self.bytes_of_walks() + patterns) / 1e6,
             self.working_mb[0],
         ]
@@ -238,6 +261,21 @@ pub(crate) fn whole_mb(parts: [f64; 3]) -> u64 {
     (BASE_MB + parts.iter().sum::<f64>()) as u64
 }
 
+/// Rows of pixels beside a grid, of the light that has the most of them; None where the kernel does not run along rows.
+fn rows_beside(optics: &Optics, grid: &VolumeGrid) -> Option<usize> {
+    let [bottom, top] = grid.bounds_mm().map(|corner| corner[2]);
+    let rows = |light: &crate::models::parallel::Light| {
+        let [low, high] = light.pixels.field_mm().map(|corner| corner[1]);
+        let height = high.min(top) - low.max(bottom);
+        (height / light.pixels.pitch_mm[1]).ceil().max(0.0) as usize
+    };
+    let setup = optics.setup();
+    setup
+        .runs_along_rows(&optics.model, &optics.lights, grid)
+        .then(|| optics.lights.iter().map(rows).max())
+        .flatten()
+}
+
 /// What a job asks for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Work<'a> {
@@ -280,8 +318,8 @@ impl Work<'_> {
         }
         // Raw and written on the job's voxels, standing and turning on finer ones
         let [own, turning] = self.sub_angles.map(|n| n as f64);
-        let tried = self.extent.lanes(rates.judging_refine);
-        let calls = 2.0 * own * self.extent.lanes(1) + (1.0 + turning) * self.extent.lanes(refine);
+        let tried = self.extent.work(rates.judging_refine);
+        let calls = 2.0 * own * self.extent.work(1) + (1.0 + turning) * self.extent.work(refine);
         4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
 
@@ -344,6 +382,7 @@ mod tests {
             active_pixels: 500,
             pixels: 2000,
             columns: 600,
+            rows: None,
             memory: 10,
             fields: 0,
             canvas: 0,
@@ -448,6 +487,15 @@ mod tests {
         // 2m + 4 = 24 vectors of f32
         assert!((pixels - (scratch + 500.0 * 4.0 * 24.0) / 1e6).abs() < 1e-12);
         assert_eq!(whole_mb([300.0, 4.5, 1.0]), 355);
+        // Six rows of pixels: one vector, as ten slices need; of the three that forty need
+        let along_rows = Extent {
+            rows: Some(6),
+            ..extent.clone()
+        };
+        assert_eq!(
+            [1, 4].map(|f| along_rows.work(f) / extent.lanes(f)),
+            [1.0, 1.0 / 3.0]
+        );
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
             walks: Some(Walks::SINGLE),

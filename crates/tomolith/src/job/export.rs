@@ -161,7 +161,7 @@ pub fn export(
     let part = spec.target.name();
     make_parent(folder)?;
     let movies = write_folder_whole(folder, |aside| {
-        Ok(shown.write(aside, &part, &sets, progress)?)
+        Ok(shown.write(aside, &part, &sets, progress, &Run::new())?)
     })?;
     let mut movies = movies.into_iter();
     let lights = sets.iter().zip(shown.lights()).map(|(set, light)| {
@@ -246,7 +246,7 @@ pub fn matrix(
     )?;
     progress.event(&Event::Note { text: plan.reason });
     stage(progress, "lighting every pixel");
-    let tell = &mut |done| progress.event(&Event::Part { done });
+    let tell = &mut |done| progress.event(&Event::Part { done, left_s: None });
     matrix::export(plan.model.as_ref(), path, cancel, tell)
 }
 
@@ -295,7 +295,7 @@ pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<
     write_folder_whole(folder, |aside| {
         for (name, frame) in names.iter().zip(&drawn) {
             let place = aside.join(format!("{name}.folder"));
-            write_frames(&place, &[frame.frames(None)])?;
+            write_frames(&place, &[frame.frames(None)], &Run::new())?;
             std::fs::rename(
                 place.join("frame_0000.png"),
                 aside.join(format!("{name}.png")),

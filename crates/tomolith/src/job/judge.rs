@@ -132,9 +132,11 @@ pub(crate) fn judge(
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
-            let (dose, _) = dose(scene, lights, &scene.grid, raw, &mut room, cancel)?;
+            let run = cancel.part(share::OWN_DOSE);
+            let (dose, _) = dose(scene, lights, &scene.grid, raw, &mut room, &run)?;
             let response = scene.responses(dose)?;
-            let evaluation = measure(scene, voxels, &response, raw)?;
+            let run = cancel.part(share::OWN_NUMBERS);
+            let evaluation = measure(scene, voxels, &response, raw, run)?;
             room.values = response.values;
             Some(evaluation.with_sub_angles(scene.optics.lights[0].sub_angles))
         }
@@ -143,11 +145,13 @@ pub(crate) fn judge(
         None => None,
         Some(_) => {
             let lights = scene.optics.lights.clone();
-            let (dose, _) = dose(scene, lights, &scene.grid, shown, &mut room, cancel)?;
+            let run = cancel.part(share::OWN_DOSE);
+            let (dose, _) = dose(scene, lights, &scene.grid, shown, &mut room, &run)?;
             let response = scene.responses(dose)?;
+            let run = cancel.part(share::OWN_NUMBERS);
             headline(voxels.target.grey)
                 .metric
-                .measure(&print(scene, voxels, &response)?)
+                .measure(&print_under(scene, voxels, &response, run)?)
         }
     };
     let sub_angles = scene.spec.evaluate.sub_angles;
@@ -158,17 +162,18 @@ pub(crate) fn judge(
     );
     progress.event(&Event::Note { text });
     room = Room::default();
-    let fine = scene.voxels(&grid)?;
+    let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;
     let (still, _) = dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
         shown,
         &mut room,
-        cancel,
+        &cancel.part(share::STANDING),
     )?;
     let response = scene.responses(still)?;
-    let standing = measure(scene, &fine, &response, shown)?;
+    let run = cancel.part(share::NUMBERS);
+    let standing = measure(scene, &fine, &response, shown, run)?;
     room.values = response.values;
     let (turning, model) = dose(
         scene,
@@ -176,10 +181,11 @@ pub(crate) fn judge(
         &grid,
         shown,
         &mut room,
-        cancel,
+        &cancel.part(share::TURNING),
     )?;
     drop(room);
     let mean = averaged(&turning, &scene.grid);
+    cancel.check()?;
     let material = scene.response()?;
     let options = published::Options {
         response: material.as_ref(),
@@ -191,7 +197,8 @@ pub(crate) fn judge(
     let stats = PatternStats::of(shown);
     let (published, slices, response, evaluation) = if material.is_identity() {
         // The dose is the response: what was counted of one serves the other
-        let print = print(scene, &fine, &turning)?.with_patterns(stats);
+        let run = cancel.part(share::PUBLISHED);
+        let print = print_under(scene, &fine, &turning, run)?.with_patterns(stats);
         let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
         let evaluation = evaluate(&print);
         drop(print);
@@ -200,9 +207,11 @@ pub(crate) fn judge(
         let (published, slices) =
             published::by_slices(&turning, &fine.target.inside, &fine.labels, &options)?;
         let response = scene.responses(turning)?;
-        let evaluation = measure(scene, &fine, &response, shown)?;
+        let run = cancel.part(share::PUBLISHED);
+        let evaluation = measure(scene, &fine, &response, shown, run)?;
         (published, slices, response, evaluation)
     };
+    cancel.check()?;
     let evaluation = evaluation.with_sub_angles(sub_angles);
     let shares = scene.keep_dark(&grid)?;
     let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
@@ -251,6 +260,21 @@ pub(crate) fn judge(
     })
 }
 
+/// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
+mod share {
+    /// Dose and numbers of the raw and of the written patterns on the job's own voxels, each.
+    pub(super) const OWN_DOSE: f64 = 0.04;
+    pub(super) const OWN_NUMBERS: f64 = 0.03;
+    /// The finer voxels.
+    pub(super) const SAMPLING: f64 = 0.05;
+    /// Their doses.
+    pub(super) const STANDING: f64 = 0.2;
+    pub(super) const TURNING: f64 = 0.25;
+    /// The numbers of the first; those of the second, with the published ones.
+    pub(super) const NUMBERS: f64 = 0.12;
+    pub(super) const PUBLISHED: f64 = 0.24;
+}
+
 /// The one number that says how good a print is: IoU, or the rms error of a grey target.
 pub(super) fn headline(is_grey: bool) -> &'static MetricKind {
     if is_grey { &grey::RMS } else { &iou::KIND }
@@ -292,8 +316,10 @@ pub(super) fn dose_by(
         light.selection = Selection::default();
     }
     let setup = scene.optics.setup();
+    let making = cancel.part(0.1);
     let planner::Plan { model, reason, .. } =
-        planner::plan(choice, setup, lights, grid.clone(), None, cancel)?;
+        planner::plan(choice, setup, lights, grid.clone(), None, &making)?;
+    drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
@@ -302,7 +328,7 @@ pub(super) fn dose_by(
     if room.field.len() != wanted {
         room.field = model.new_dose()?;
     }
-    model.dose(&x, &mut room.field, cancel)?;
+    model.dose(&x, &mut room.field, &cancel.part(0.85))?;
     drop(x);
     let values = std::mem::take(&mut room.values);
     let dose = model.outputs()[0].volume_in(room.field.as_slice(), values);
@@ -333,8 +359,18 @@ pub(super) fn print<'a>(
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
 ) -> Result<Print<'a>> {
+    print_under(scene, voxels, response, Run::new())
+}
+
+/// The same as a part of a run.
+fn print_under<'a>(
+    scene: &Scene,
+    voxels: &'a Voxels,
+    response: &'a Volume<f32>,
+    run: Run,
+) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
-    let mut print = Print::new(&voxels.labels, response)?.with_inside(inside)?;
+    let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
     if voxels.target.grey {
         print = print.with_grey(inside, scene.spec.half_width())?;
     }
@@ -350,9 +386,13 @@ fn measure(
     voxels: &Voxels,
     response: &Volume<f32>,
     patterns: &[Patterns],
+    run: Run,
 ) -> Result<Evaluation> {
-    let print = print(scene, voxels, response)?.with_patterns(PatternStats::of(patterns));
-    Ok(evaluate(&print))
+    let stats = PatternStats::of(patterns);
+    let print = print_under(scene, voxels, response, run.part(1.0))?.with_patterns(stats);
+    let evaluation = evaluate(&print);
+    // Numbers of a cancelled run mean nothing
+    run.check().map(|()| evaluation)
 }
 
 /// Means over the fine voxels of each coarse one.

@@ -580,7 +580,7 @@ pub(super) fn keep(
             raw: None,
         })
         .collect();
-    write_patterns(&path, &pairs)?;
+    write_patterns(&path, &pairs, &Run::new())?;
     let text = format!(
         "the best patterns so far are in {}; `--resume` goes on from the last checkpoint",
         path.display()

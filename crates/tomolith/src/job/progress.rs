@@ -1,6 +1,12 @@
 //! What a run says while it works. The library never prints: a [`Progress`] does, in its own way.
 
+use crate::error::Result;
+use crate::models::Run;
 use serde::Serialize;
+use std::panic::resume_unwind;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// Something worth telling.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,6 +46,8 @@ pub enum Event {
     Part {
         /// How much, 0 to 1.
         done: f64,
+        /// Seconds that the rest will take, if it goes on as fast.
+        left_s: Option<f64>,
     },
 }
 
@@ -55,4 +63,158 @@ pub struct Silent;
 
 impl Progress for Silent {
     fn event(&mut self, _: &Event) {}
+}
+
+/// How often a stage tells how far it is.
+const PAUSE: Duration = Duration::from_millis(200);
+/// A stage tells what is left from this share on, and after this time: earlier it would guess.
+const KNOWN: f64 = 0.02;
+const SEEN: Duration = Duration::from_secs(1);
+
+/// Does `work` in a thread of its own, while this one tells how far the stage at hand is. What the work itself tells is told
+/// from this thread too, and the work waits for that.
+pub(crate) fn watched<T: Send>(
+    progress: &mut dyn Progress,
+    run: &Run,
+    work: impl FnOnce(&mut dyn Progress) -> Result<T> + Send,
+) -> Result<T> {
+    thread::scope(|scope| {
+        let (tell, told) = channel();
+        let (answer, heard) = channel();
+        let worker = scope.spawn(move || work(&mut Relay { tell, heard }));
+        let mut gauge = Gauge::new();
+        loop {
+            match told.recv_timeout(PAUSE) {
+                Ok(event) => {
+                    gauge.follow(&event, progress);
+                    progress.event(&event);
+                    // Nobody waits when the work has panicked
+                    let _ = answer.send(());
+                }
+                Err(RecvTimeoutError::Timeout) => gauge.tell(run.done(), progress),
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        let result = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+        if result.is_ok() {
+            gauge.end(progress);
+        }
+        result
+    })
+}
+
+/// Brings events to the thread that tells them.
+struct Relay {
+    tell: Sender<Event>,
+    heard: Receiver<()>,
+}
+
+impl Progress for Relay {
+    fn event(&mut self, event: &Event) {
+        if self.tell.send(event.clone()).is_ok() {
+            let _ = self.heard.recv();
+        }
+    }
+}
+
+/// How far the stage at hand is.
+struct Gauge {
+    begin: Instant,
+    /// What was told last, 0 before anything was.
+    done: f64,
+    /// An optimisation tells its iterations instead.
+    iterates: bool,
+}
+
+impl Gauge {
+    fn new() -> Self {
+        Gauge {
+            begin: Instant::now(),
+            done: 0.0,
+            iterates: false,
+        }
+    }
+
+    fn follow(&mut self, event: &Event, progress: &mut dyn Progress) {
+        match event {
+            Event::Stage { .. } => {
+                self.end(progress);
+                *self = Gauge::new();
+            }
+            Event::Iteration { .. } => self.iterates = true,
+            _ => {}
+        }
+    }
+
+    fn tell(&mut self, done: f64, progress: &mut dyn Progress) {
+        if self.iterates || done <= self.done {
+            return;
+        }
+        self.done = done;
+        let elapsed = self.begin.elapsed();
+        let is_known = done >= KNOWN && elapsed >= SEEN;
+        let left_s = is_known.then(|| elapsed.as_secs_f64() * (1.0 - done) / done);
+        progress.event(&Event::Part { done, left_s });
+    }
+
+    /// A stage of which some was told has come to its end.
+    fn end(&mut self, progress: &mut dyn Progress) {
+        if self.done > 0.0 {
+            self.tell(1.0, progress);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Told(Vec<Event>);
+
+    impl Progress for Told {
+        fn event(&mut self, event: &Event) {
+            self.0.push(event.clone());
+        }
+    }
+
+    #[test]
+    fn stages_tell_how_far_they_are_from_the_callers_thread_and_end_whole() {
+        let (run, mut told) = (Run::new(), Told(Vec::new()));
+        let name = |name: &str| Event::Stage {
+            name: name.to_owned(),
+        };
+        let result = watched(&mut told, &run, |progress| {
+            for stage in ["a", "b"] {
+                let part = run.stage();
+                progress.event(&name(stage));
+                let steps = part.steps(4);
+                for _ in 0..4 {
+                    thread::sleep(PAUSE.mul_f64(1.3));
+                    steps.add(1);
+                }
+            }
+            Ok(7)
+        });
+        assert_eq!(result.unwrap(), 7);
+        let stages: Vec<&[Event]> = told.0.split(|e| matches!(e, Event::Stage { .. })).collect();
+        assert_eq!(stages.len(), 3);
+        for stage in &stages[1..] {
+            let done: Vec<f64> = (stage.iter())
+                .map(|event| match event {
+                    Event::Part { done, .. } => *done,
+                    other => panic!("{other:?}"),
+                })
+                .collect();
+            assert!(done.len() > 2 && done.is_sorted(), "{done:?}");
+            assert_eq!(done.last(), Some(&1.0));
+        }
+    }
+
+    #[test]
+    fn a_panic_of_the_work_is_the_callers() {
+        let work =
+            || -> Result<()> { watched(&mut Silent, &Run::new(), |_| panic!("of the work")) };
+        let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_err();
+        assert_eq!(panic.downcast_ref(), Some(&"of the work"));
+    }
 }

@@ -21,7 +21,7 @@ use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
 use crate::kind::Section;
 use crate::models::planner::Setup;
-use crate::models::{DoseLayout, PatternLayout};
+use crate::models::{DoseLayout, PatternLayout, Run};
 use crate::objective::emphasis::Common;
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
@@ -310,7 +310,16 @@ impl Scene {
     /// # Errors
     /// As [`target::voxelise`].
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
-        let target = target::voxelise(self.shape.as_ref(), &self.name, grid)
+        self.voxels_under(grid, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`voxels`](Self::voxels); [`Error::Cancelled`].
+    pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+        let shape = self.shape.as_ref();
+        let target = target::voxelise_under(shape, &self.name, grid, &run.part(0.9))
             .map_err(|e| at_grid(&self.spec, e))?;
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {
@@ -320,7 +329,7 @@ impl Scene {
         };
         // There is no resin in an insert
         if let Some(insert) = self.shape.body(Role::Insert) {
-            let inside = target::sampled(insert, grid)?.values;
+            let inside = target::sampled(insert, grid, run)?.values;
             for (label, inside) in labels.values.iter_mut().zip(inside) {
                 *label = if inside >= 0.5 {
                     label::OUTSIDE
@@ -364,7 +373,8 @@ impl Scene {
     /// As [`target::voxelise`].
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.shape.body(Role::KeepDark);
-        dark.map(|dark| target::sampled(dark, grid)).transpose()
+        dark.map(|dark| target::sampled(dark, grid, &Run::new()))
+            .transpose()
     }
 
     /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.

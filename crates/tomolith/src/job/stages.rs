@@ -7,7 +7,7 @@ use super::judge::judge;
 use super::levels;
 use super::optimise::{Optimised, keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
-use super::progress::{Event, Progress};
+use super::progress::{Event, Progress, watched};
 use super::rates;
 use super::read::Job;
 use super::replace::must_be_same;
@@ -34,20 +34,32 @@ const OPTIMISING: &str = "optimising";
 /// that holds a finished run of another job;
 /// [`Error::NonFinite`] and [`Error::Cancelled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
-    let mut clock = Clock::new(progress);
+    watched(progress, cancel, |progress| {
+        run_stages(job, resume, progress, cancel)
+    })
+}
+
+fn run_stages(
+    job: &Job,
+    resume: bool,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
+    let mut clock = Clock::new(progress, cancel);
     clock.stage("reading the job");
     let mut scene = Scene::new(job)?;
+    cancel.check()?;
     must_be_same(job, resume)?;
     let folder = open(job, &scene, clock.progress)?;
-    clock.stage("sampling the target");
-    let (voxels, mut warnings) = voxels(job, &scene, clock.progress)?;
+    let stage = clock.stage("sampling the target");
+    let (voxels, mut warnings) = voxels(job, &scene, clock.progress, &stage)?;
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
-    try_orders(&mut scene, clock.progress, cancel).map_err(|e| job.locate(e))?;
-    clock.stage(OPTIMISING);
-    let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, cancel)
+    try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
+    let stage = clock.stage(OPTIMISING);
+    let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, &stage)
         .map_err(|e| job.locate(e))?;
     warnings.extend(optimised.warnings.clone());
-    clock.stage("evaluating the written patterns");
+    let stage = clock.stage("evaluating the written patterns");
     let levels = optimised.levels.as_ref();
     let asked = levels.map_or(&optimised.raw, |levels| &levels.asked);
     let patterns = Written::of_raw(asked.clone(), &scene)?;
@@ -57,7 +69,7 @@ pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -
         &patterns.shown,
         Some(&optimised.raw),
         clock.progress,
-        cancel,
+        &stage,
     );
     if judged.is_err() {
         // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
@@ -91,23 +103,35 @@ pub fn simulate(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
-    let mut clock = Clock::new(progress);
+    watched(progress, cancel, |progress| {
+        simulate_stages(job, source, progress, cancel)
+    })
+}
+
+fn simulate_stages(
+    job: &Job,
+    source: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
+    let mut clock = Clock::new(progress, cancel);
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let mut scene = Scene::new(job)?;
     let patterns = device::read(&scene, source, clock.progress)?;
+    cancel.check()?;
     let folder = open(job, &scene, clock.progress)?;
-    clock.stage("sampling the target");
-    let (voxels, warnings) = voxels(job, &scene, clock.progress)?;
-    try_orders(&mut scene, clock.progress, cancel).map_err(|e| job.locate(e))?;
-    clock.stage("evaluating the patterns");
+    let stage = clock.stage("sampling the target");
+    let (voxels, warnings) = voxels(job, &scene, clock.progress, &stage)?;
+    try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
+    let stage = clock.stage("evaluating the patterns");
     let judged = judge(
         &scene,
         &voxels,
         &patterns.shown,
         patterns.raw.as_deref(),
         clock.progress,
-        cancel,
+        &stage,
     )?;
     let done = Done {
         job,
@@ -147,11 +171,20 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 
 /// Writes everything, and makes it visible at once.
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
-    clock.stage("writing");
+    let stage = clock.stage("writing");
     let timings = clock.timings(done.optimised.as_ref());
-    let headline = write::all(&done, &folder, timings, clock.progress)
-        .map_err(|e| missing(e, &done.scene, &folder))?;
-    let summary = summary(&done, headline, folder.path(), clock.begin);
+    let written = write::all(&done, &folder, timings, clock.progress, &stage)
+        .map_err(|e| missing(e, &done.scene, &folder));
+    let written = written.and_then(|headline| stage.check().map(|()| headline));
+    if let (Err(_), Some(optimised)) = (&written, &done.optimised) {
+        keep(
+            &done.scene,
+            &optimised.raw,
+            &folder.checkpoint(),
+            clock.progress,
+        )?;
+    }
+    let summary = summary(&done, written?, folder.path(), clock.begin);
     folder.publish()?;
     Ok(summary)
 }
@@ -182,22 +215,23 @@ struct Clock<'p> {
     begin: Instant,
     stages: Vec<(&'static str, Instant)>,
     progress: &'p mut dyn Progress,
+    cancel: &'p Run,
 }
 
 impl<'p> Clock<'p> {
-    fn new(progress: &'p mut dyn Progress) -> Self {
+    fn new(progress: &'p mut dyn Progress, cancel: &'p Run) -> Self {
         Clock {
             begin: Instant::now(),
             stages: Vec::new(),
             progress,
+            cancel,
         }
     }
 
-    fn stage(&mut self, name: &'static str) {
+    /// Begins a stage; what it returns is the whole of it.
+    fn stage(&mut self, name: &'static str) -> Run {
         self.stages.push((name, Instant::now()));
-        self.progress.event(&Event::Stage {
-            name: name.to_owned(),
-        });
+        stage(self.progress, self.cancel, name)
     }
 
     /// The stages that are over, the optimisation in its parts.
@@ -259,14 +293,20 @@ fn parts_of(seconds: f64, optimised: &Optimised) -> Option<Vec<Timing>> {
 /// # Errors
 /// As [`run`], for input that cannot be used.
 pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
-    stage(progress, "reading the job");
+    watched(progress, cancel, |progress| {
+        check_stages(job, progress, cancel)
+    })
+}
+
+fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
+    stage(progress, cancel, "reading the job");
     let mut scene = Scene::new(job)?;
-    stage(progress, "sampling the target");
+    let sampling = stage(progress, cancel, "sampling the target");
     let begin = Instant::now();
-    let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
+    let voxels = (scene.voxels_under(&scene.grid, &sampling)).map_err(|e| job.locate(e))?;
     let sampling_s = begin.elapsed().as_secs_f64();
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
-    try_orders(&mut scene, progress, cancel).map_err(|e| job.locate(e))?;
+    try_orders(&mut scene, progress, &sampling).map_err(|e| job.locate(e))?;
     let mut warnings = scene.warnings.clone();
     warnings.extend(
         scene
@@ -274,8 +314,9 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
             .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
             .map_err(|e| job.locate(e))?,
     );
-    stage(progress, "timing a few frames on this machine");
-    let rates = rates::rates(&scene, &voxels, sampling_s, cancel).map_err(|e| job.locate(e))?;
+    // How much there is to time is not known beforehand
+    let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
+    let rates = rates::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
     let work = Work {
         extent: &scene.extent,
         iterations: scene.spec.stop.iterations,
@@ -314,9 +355,12 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
     })
 }
 
-fn stage(progress: &mut dyn Progress, name: &str) {
+/// Begins a stage; what it returns is the whole of it.
+fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Run {
+    let stage = cancel.stage();
     let name = name.to_owned();
     progress.event(&Event::Stage { name });
+    stage
 }
 
 /// Takes the run folder, and tells what is known so far.
@@ -337,8 +381,13 @@ fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFold
 }
 
 /// The voxels, and everything that people should be warned of.
-fn voxels(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<(Voxels, Vec<String>)> {
-    let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
+fn voxels(
+    job: &Job,
+    scene: &Scene,
+    progress: &mut dyn Progress,
+    run: &Run,
+) -> Result<(Voxels, Vec<String>)> {
+    let voxels = (scene.voxels_under(&scene.grid, &run.part(0.8))).map_err(|e| job.locate(e))?;
     let (inside, labels) = (&voxels.target.inside, &voxels.labels);
     let found = scene
         .optics
@@ -394,5 +443,74 @@ fn quality(evaluation: &Evaluation) -> Quality {
             max_error_part: get("max_error_part"),
             max_error_void: get("max_error_void"),
         }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cancels when a stage begins, and remembers what is told.
+    struct Canceller<'r> {
+        at: &'static str,
+        run: &'r Run,
+        stages: Vec<String>,
+    }
+
+    impl Progress for Canceller<'_> {
+        fn event(&mut self, event: &Event) {
+            if let Event::Stage { name } = event {
+                self.stages.push(name.clone());
+                if name == self.at {
+                    self.run.cancel();
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_request_to_stop_ends_the_stage_at_hand() {
+        let place = tempfile::tempdir().unwrap();
+        let file = place.path().join("job.toml");
+        let text = r#"
+            target = { phantom = "gyroid", size_mm = 2.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [24, 24], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+            objective = { threshold = {} }
+            stop = { iterations = 3 }
+        "#;
+        std::fs::write(&file, text).unwrap();
+        let job = Job::read(&file, &[]).unwrap();
+        let stages = [
+            "reading the job",
+            "sampling the target",
+            OPTIMISING,
+            "evaluating the written patterns",
+            "writing",
+        ];
+        for (i, at) in stages.into_iter().enumerate() {
+            let folder = place.path().join(i.to_string());
+            let run = Run::new();
+            let mut canceller = Canceller {
+                at,
+                run: &run,
+                stages: Vec::new(),
+            };
+            let job = job.clone().with_folder(&folder, "--output");
+            let ended = super::run(&job, false, &mut canceller, &run);
+            assert!(matches!(ended, Err(Error::Cancelled)), "{at}: {ended:?}");
+            assert_eq!(canceller.stages, stages[..=i], "{at}");
+            // Of a run whose patterns are there they are kept; nothing else is left
+            assert_eq!(
+                folder.join("checkpoint/patterns.npz").exists(),
+                i >= 3,
+                "{at}"
+            );
+            for name in ["report.json", "patterns.npz", "dose.npy", ".new"] {
+                assert!(!folder.join(name).exists(), "{at}: {name}");
+            }
+        }
     }
 }

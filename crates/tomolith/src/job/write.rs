@@ -20,6 +20,7 @@ use crate::io::vti::{VtiValues, write_vti};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
+use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
     ExposureWindow, LightReport, Limits, MovieReport, ReportData, Timing, write_html, write_json,
@@ -52,6 +53,7 @@ pub(crate) fn all(
     folder: &RunFolder,
     timings: Vec<Timing>,
     progress: &mut dyn Progress,
+    run: &Run,
 ) -> Result<Headline> {
     let Done {
         scene,
@@ -87,8 +89,8 @@ pub(crate) fn all(
         gel_dose,
     );
     let arrays = || -> Result<()> {
-        write_patterns(&new.join("patterns.npz"), &pairs)?;
-        write_volume(&new.join("dose.npy"), &judged.dose)?;
+        write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
+        write_volume(&new.join("dose.npy"), &judged.dose, &run.part(0.05))?;
         write_vti(
             &new.join("dose.vti"),
             &judged.dose.grid,
@@ -97,14 +99,15 @@ pub(crate) fn all(
                 ("target", VtiValues::F32(&voxels.target.inside.values)),
                 ("label", VtiValues::U8(&voxels.labels.values)),
             ],
+            &run.part(0.1),
         )
     };
     // The large arrays go to the disk while frames, movies and the surface are made
     let (arrays, movies) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let movies = shown.write(&new, &scene.name, &sets, progress);
+        let movies = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
         let movies = movies.and_then(|movies| {
-            let deviation = print(scene, judged, &new)?;
+            let deviation = print(scene, judged, &new, run.part(0.15))?;
             Ok((movies, deviation))
         });
         (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
@@ -117,6 +120,7 @@ pub(crate) fn all(
     }
     let models = models(done);
     folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    run.check()?;
     let headline = Headline::of(done, &shown)?;
     let made = Made {
         movies,
@@ -413,16 +417,20 @@ fn date(now: std::time::SystemTime) -> String {
 
 /// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
 /// is off, as `print.ply`, where there is a target to compare it with.
-fn print(scene: &Scene, judged: &Judged, folder: &Path) -> Result<Option<Deviation>> {
-    let mut print = Print::new(&judged.fine.labels, &judged.response)?
+fn print(scene: &Scene, judged: &Judged, folder: &Path, run: Run) -> Result<Option<Deviation>> {
+    let writing = run.aside();
+    let mut print = Print::under(&judged.fine.labels, &judged.response, run)?
         .with_inside(&judged.fine.target.inside)?;
     if let Some(threshold) = judged.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
     let title = format!("{}, predicted print", scene.name);
-    write_stl_pieces(&folder.join("print.stl"), &title, |put| {
-        print.surface_pieces(|piece| put(&piece.corners, &piece.triangles))
-    })?;
+    write_stl_pieces(
+        &folder.join("print.stl"),
+        &title,
+        |put| print.surface_pieces(|piece| put(&piece.corners, &piece.triangles)),
+        &writing,
+    )?;
     let deviation = print.deviation();
     if let Some(deviation) = &deviation {
         write_print(&folder.join("print.ply"), &scene.name, deviation)?;

@@ -4,6 +4,7 @@
 
 use super::spread::{Sums, block_sums};
 use crate::field::BLOCK;
+use crate::models::Steps;
 use crate::target::label;
 use std::ops::Range;
 
@@ -86,12 +87,15 @@ pub(super) fn shares(len: usize) -> Vec<Range<usize>> {
 /// Buckets of a share, and sums of each of its blocks.
 pub(super) type Share = (Vec<[u32; 2]>, Vec<[Sums; 2]>);
 
-pub(super) fn count_share(labels: &[u8], response: &[f32]) -> Share {
+/// Counts a share, or some of it when work must stop.
+pub(super) fn count_share(labels: &[u8], response: &[f32], blocks: &Steps<'_>) -> Share {
     let mut table = vec![[0u32; 2]; COARSE];
     let sums = labels
         .chunks(BLOCK)
         .zip(response.chunks(BLOCK))
+        .take_while(|_| !blocks.is_cancelled())
         .map(|(labels, values)| {
+            blocks.add(1);
             for (&label, &value) in labels.iter().zip(values) {
                 if let Some(class) = class(label) {
                     table[(key(value) >> FINE_BITS) as usize][class] += 1;

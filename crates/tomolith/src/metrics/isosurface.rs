@@ -28,7 +28,9 @@
 //! assert!((surface.volume_mm3() - 4.0 / 3.0).abs() < 1e-6);
 //! ```
 
+use crate::error::Error;
 use crate::grid::{Volume, VolumeGrid};
+use crate::models::Run;
 use rayon::prelude::*;
 use std::sync::LazyLock;
 
@@ -107,7 +109,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// The surface around what is above `level`.
 #[must_use]
 pub fn isosurface(volume: &Volume<f32>, level: f64) -> Surface {
-    isosurface_of(&volume.grid, level, rows_of(&volume.values))
+    isosurface_of(&volume.grid, level, rows_of(&volume.values), &Run::new())
 }
 
 /// The value that stands for "not gelled" beside a level: 0, or less when the level itself is not above 0.
@@ -121,20 +123,33 @@ pub fn rows_of(values: &[f32]) -> impl Fn(usize, &mut [f32]) + Sync {
     |first, row| row.copy_from_slice(&values[first..][..row.len()])
 }
 
-/// As [`isosurface`], of values that `fill` writes: a row of voxels along x that begins at a position of the array.
+/// As [`isosurface`], of values that `fill` writes: a row of voxels along x that begins at a position of the array. Empty when
+/// the run is cancelled.
 pub fn isosurface_of(
     grid: &VolumeGrid,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
+    run: &Run,
 ) -> Surface {
     if grid.is_empty() {
         return Surface::default();
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
+    let passes = run.steps(2 * slabs.len());
+    let go_on = || {
+        passes.add(1);
+        !passes.is_cancelled()
+    };
     let counts: Vec<usize> = slabs
         .par_iter()
-        .map(|slab| march.count(slab.clone()))
+        .map(|slab| {
+            if go_on() {
+                march.count(slab.clone())
+            } else {
+                0
+            }
+        })
         .collect();
     let firsts: Vec<u32> = counts
         .iter()
@@ -146,8 +161,12 @@ pub fn isosurface_of(
     let parts: Vec<Surface> = slabs
         .into_par_iter()
         .zip(firsts)
+        .filter(|_| go_on())
         .map(|(slab, first)| march.triangulate(slab, first, Last::Next))
         .collect();
+    if run.is_cancelled() {
+        return Surface::default();
+    }
     let mut surface = Surface {
         corners: Vec::with_capacity(counts.iter().sum()),
         triangles: Vec::with_capacity(parts.iter().map(|p| p.triangles.len()).sum()),
@@ -163,18 +182,23 @@ pub fn isosurface_of(
 /// pieces meet both have the same corners, to the last bit. Empty pieces are left out.
 ///
 /// # Errors
-/// What `take` refuses.
-pub fn isosurface_pieces<E>(
+/// What `take` refuses; [`Error::Cancelled`].
+pub fn isosurface_pieces<E: From<Error>>(
     grid: &VolumeGrid,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     mut take: impl FnMut(&Surface) -> Result<(), E>,
+    run: &Run,
 ) -> Result<(), E> {
     if grid.is_empty() {
         return Ok(());
     }
     let march = March::new(grid, level, &fill);
-    for some in slabs(grid).chunks(PIECES_AT_ONCE) {
+    let slabs = slabs(grid);
+    let steps = run.steps(slabs.len());
+    for some in slabs.chunks(PIECES_AT_ONCE) {
+        run.check()?;
+        steps.add(some.len());
         let pieces: Vec<Surface> = some
             .par_iter()
             .map(|slab| march.triangulate(slab.clone(), 0, Last::Own))
@@ -675,20 +699,25 @@ mod tests {
             &volume.grid,
             1.0,
             rows_of(&volume.values),
-            |piece| -> Result<(), ()> {
+            |piece| -> Result<(), Error> {
                 pieces += 1;
                 triangles.extend(flat(piece));
                 Ok(())
             },
+            &Run::new(),
         )
         .unwrap();
         assert!(pieces > 3, "{pieces}");
         assert_eq!(triangles, flat(&whole));
-        let stop = |_: &Surface| Err("enough");
-        assert_eq!(
-            isosurface_pieces(&volume.grid, 1.0, rows_of(&volume.values), stop),
-            Err("enough")
-        );
+        let ended = |take: &dyn Fn() -> Result<(), Error>, run: &Run| {
+            let rows = rows_of(&volume.values);
+            isosurface_pieces(&volume.grid, 1.0, rows, |_| take(), run).unwrap_err()
+        };
+        let enough = || Err(Error::config("a", "enough", "b"));
+        assert!(ended(&enough, &Run::new()).to_string().contains("enough"));
+        let run = Run::new();
+        run.cancel();
+        assert!(matches!(ended(&|| Ok(()), &run), Error::Cancelled));
     }
 
     #[test]

@@ -14,6 +14,7 @@
 //! ```
 
 use super::isosurface::Surface;
+use crate::models::Run;
 use rayon::prelude::*;
 
 /// Triangles in a leaf, at most.
@@ -66,13 +67,19 @@ impl TriangleTree {
     /// Builds the tree.
     #[must_use]
     pub fn new(surface: &Surface) -> Self {
+        Self::under(surface, &Run::new())
+    }
+
+    /// The same until the run is cancelled: a tree that is not in order answers wrong.
+    #[must_use]
+    pub fn under(surface: &Surface, run: &Run) -> Self {
         let mut triangles: Vec<[Point; 3]> = surface
             .triangles
             .par_iter()
             .map(|t| t.map(|corner| surface.corners[corner as usize]))
             .collect();
         let levels = triangles.len().div_ceil(LEAF).next_power_of_two().ilog2();
-        sort(&mut triangles, levels);
+        sort(&mut triangles, levels, run);
         let mut tree = TriangleTree {
             boxes: vec![Aabb::EMPTY; (2 << levels) - 1],
             triangles,
@@ -152,9 +159,9 @@ impl TriangleTree {
 }
 
 /// Brings triangles into the order of the leaves below a node that has `levels` levels below it.
-fn sort(triangles: &mut [[Point; 3]], levels: u32) {
+fn sort(triangles: &mut [[Point; 3]], levels: u32, run: &Run) {
     let n = triangles.len();
-    if levels == 0 || n < 2 {
+    if levels == 0 || n < 2 || run.is_cancelled() {
         return;
     }
     let mut bounds = Aabb::EMPTY;
@@ -167,10 +174,13 @@ fn sort(triangles: &mut [[Point; 3]], levels: u32) {
     });
     let (low, high) = triangles.split_at_mut(middle);
     if n > PARALLEL {
-        rayon::join(|| sort(low, levels - 1), || sort(high, levels - 1));
+        rayon::join(
+            || sort(low, levels - 1, run),
+            || sort(high, levels - 1, run),
+        );
     } else {
-        sort(low, levels - 1);
-        sort(high, levels - 1);
+        sort(low, levels - 1, run);
+        sort(high, levels - 1, run);
     }
 }
 

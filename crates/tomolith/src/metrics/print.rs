@@ -23,6 +23,7 @@ use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
 use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::models::Run;
 use crate::target::label;
 use crate::units::exact;
 use rayon::prelude::*;
@@ -78,7 +79,11 @@ pub struct Print<'a> {
     above: OnceLock<[u64; 2]>,
     distance: OnceLock<Option<SurfaceDistance>>,
     errors: OnceLock<Option<GreyErrors>>,
+    run: Run,
 }
+
+/// Share of the work on a print that is counting; the rest are distances of surfaces.
+const COUNTING: f64 = 0.5;
 
 fn same_shape(what: &str, grid: &VolumeGrid, found: &VolumeGrid, len: usize) -> Result<()> {
     if grid.shape == found.shape && len == grid.len() {
@@ -98,6 +103,14 @@ impl<'a> Print<'a> {
     /// [`Error::Shape`] when they do not fit; [`Error::NonFinite`] when the response of a part or void voxel is not
     /// finite.
     pub fn new(labels: &'a Volume<u8>, response: &'a Volume<f32>) -> Result<Self> {
+        Self::under(labels, response, Run::new())
+    }
+
+    /// The same as a part of a run. When that is cancelled, numbers that are asked for afterwards mean nothing.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Cancelled`].
+    pub fn under(labels: &'a Volume<u8>, response: &'a Volume<f32>, run: Run) -> Result<Self> {
         same_shape("labels", &labels.grid, &labels.grid, labels.values.len())?;
         same_shape(
             "response",
@@ -112,7 +125,8 @@ impl<'a> Print<'a> {
             patterns: None,
             threshold: None,
             grey: None,
-            scan: Scan::new(&labels.values, &response.values)?,
+            scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
+            run,
             best: OnceLock::new(),
             above: OnceLock::new(),
             distance: OnceLock::new(),
@@ -179,6 +193,11 @@ impl<'a> Print<'a> {
         }
         self.threshold = Some(threshold);
         Ok(self)
+    }
+
+    /// What stops work on it.
+    pub(super) fn run(&self) -> &Run {
+        &self.run
     }
 
     /// Where the voxels are.
@@ -255,16 +274,15 @@ impl<'a> Print<'a> {
         let Some(threshold) = self.gel_threshold() else {
             return Surface::default();
         };
-        isosurface_of(self.grid(), threshold, |i, row| {
-            self.printed_row(i, threshold, row);
-        })
+        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
+        isosurface_of(self.grid(), threshold, fill, &self.run)
     }
 
     /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
     ///
     /// # Errors
-    /// What `take` refuses.
-    pub fn surface_pieces<E>(
+    /// What `take` refuses; [`Error::Cancelled`].
+    pub fn surface_pieces<E: From<Error>>(
         &self,
         take: impl FnMut(&Surface) -> std::result::Result<(), E>,
     ) -> std::result::Result<(), E> {
@@ -272,7 +290,7 @@ impl<'a> Print<'a> {
             return Ok(());
         };
         let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
-        isosurface_pieces(self.grid(), threshold, fill, take)
+        isosurface_pieces(self.grid(), threshold, fill, take, &self.run)
     }
 
     /// Response of a row of voxels that begins at a position, nothing outside of the resin.

@@ -43,6 +43,8 @@ use super::buckets::{
 };
 use super::spread::{Spread, Sums, spread};
 use crate::error::{Error, Result};
+use crate::field::BLOCK;
+use crate::models::Run;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -125,7 +127,11 @@ pub struct Scan<'a> {
     spread: [Option<Spread>; 2],
     opened: Mutex<Opened>,
     settled: OnceLock<Option<Fraction>>,
+    run: Run,
 }
+
+/// Share of the work that one pass over all voxels is.
+const PASS: f64 = 0.2;
 
 impl<'a> Scan<'a> {
     /// Counts. Labels and response belong to the same voxels.
@@ -134,6 +140,14 @@ impl<'a> Scan<'a> {
     /// [`Error::Shape`] when they differ in length; [`Error::NonFinite`] when the response of a part or void voxel is
     /// not finite.
     pub fn new(labels: &'a [u8], response: &'a [f32]) -> Result<Self> {
+        Self::under(labels, response, Run::new())
+    }
+
+    /// The same as a part of a run. When that is cancelled later, numbers that are asked for mean nothing.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Cancelled`].
+    pub fn under(labels: &'a [u8], response: &'a [f32], run: Run) -> Result<Self> {
         if labels.len() != response.len() {
             return Err(Error::Shape {
                 what: "labels and response".to_owned(),
@@ -141,10 +155,14 @@ impl<'a> Scan<'a> {
                 found: vec![response.len()],
             });
         }
+        let pass = run.part(PASS);
+        let steps = pass.steps(labels.len().div_ceil(BLOCK));
         let parts: Vec<Share> = shares(labels.len())
             .into_par_iter()
-            .map(|share| count_share(&labels[share.clone()], &response[share]))
+            .map(|share| count_share(&labels[share.clone()], &response[share], &steps))
             .collect();
+        run.check()?;
+        drop(pass);
         let blocks: Vec<[Sums; 2]> = parts.iter().flat_map(|p| p.1.iter().copied()).collect();
         if blocks
             .iter()
@@ -160,6 +178,7 @@ impl<'a> Scan<'a> {
             spread: [0, 1].map(|c| spread(&blocks, c)),
             opened: Mutex::new(Opened::new()),
             settled: OnceLock::new(),
+            run,
         };
         // Only tops between the smallest and the largest value can be filled
         let top = |value: f32| (key(value) >> FINE_BITS) as usize;
@@ -363,13 +382,18 @@ impl<'a> Scan<'a> {
             for (slot, &i) in wanted.iter().enumerate() {
                 slots[(self.buckets[i].top - first) as usize] = slot as u32;
             }
+            let pass = self.run.part(PASS);
+            let steps = pass.steps(self.labels.len().div_ceil(BLOCK));
             let tables: Vec<Vec<[u32; 2]>> = shares(self.labels.len())
                 .into_par_iter()
                 .map(|share| {
                     let mut table = vec![[0u32; 2]; wanted.len() * FINE];
-                    for (&label, &value) in
-                        self.labels[share.clone()].iter().zip(&self.response[share])
-                    {
+                    let blocks = self.labels[share.clone()]
+                        .chunks(BLOCK)
+                        .zip(self.response[share].chunks(BLOCK))
+                        .take_while(|_| !steps.is_cancelled())
+                        .inspect(|_| steps.add(1));
+                    for (&label, &value) in blocks.flat_map(|(l, r)| l.iter().zip(r)) {
                         let Some(class) = class(label) else { continue };
                         let key = key(value);
                         let place = (key >> FINE_BITS).wrapping_sub(first) as usize;
@@ -579,7 +603,6 @@ fn not_finite(labels: &[u8], response: &[f32]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::BLOCK;
     use crate::target::label::{OUTSIDE, PART, VOID};
 
     /// Everything by sorting: pieces of the threshold axis with their IoU as a fraction.

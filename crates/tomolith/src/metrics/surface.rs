@@ -37,6 +37,7 @@ use super::isosurface::{Surface, isosurface_of, rows_of};
 use super::nearest::TriangleTree;
 use super::print::Print;
 use crate::grid::VolumeGrid;
+use crate::models::Run;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -46,6 +47,11 @@ const FULL_RESOLUTION: usize = 200_000_000;
 const MOST_TRIANGLES: usize = 4_000_000;
 /// Corners that are asked for one after the other, each with the answer of the one before.
 const RUN: usize = 1024;
+
+/// Share of the work on a print that distances are; of these, finding a surface, and the distances to it.
+const MEASURING: f64 = 0.5;
+const FINDING: f64 = 0.2;
+const NEAREST: f64 = 0.3;
 
 /// Which body is without the other where surfaces are apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -112,9 +118,13 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
         printed,
         target,
         coarsened,
+        run,
         ..
     } = surfaces(print, FULL_RESOLUTION)?;
-    let distances = distances(&printed, &target);
+    let distances = distances(&printed, &target, &run.part(NEAREST));
+    if run.is_cancelled() {
+        return None;
+    }
     let signed = |(corner, (distance, _)): (&[f32; 3], (f32, f64))| {
         let at_mm = corner.map(f64::from);
         let share = value_at(print.grid(), at_mm, |i, row| print.target_row(i, row));
@@ -145,6 +155,8 @@ struct Surfaces {
     target: Surface,
     /// Voxels per edge that were averaged.
     coarsened: usize,
+    /// What is left of measuring them.
+    run: Run,
 }
 
 /// Both surfaces on as many voxels as distances are taken on; `None` when one of them is empty.
@@ -152,11 +164,12 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let threshold = print.gel_threshold()?;
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
+    let run = print.run().part(MEASURING);
     let (printed, target) = loop {
-        let printed = surface(grid, coarsened, threshold, |i, row| {
-            print.printed_row(i, threshold, row);
-        });
-        let target = surface(grid, coarsened, 0.5, |i, row| print.target_row(i, row));
+        let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
+        let printed = surface(grid, coarsened, threshold, fill, &run.part(FINDING));
+        let fill = |i, row: &mut [f32]| print.target_row(i, row);
+        let target = surface(grid, coarsened, 0.5, fill, &run.part(FINDING));
         if printed.triangles.len().max(target.triangles.len()) <= MOST_TRIANGLES {
             break (printed, target);
         }
@@ -167,6 +180,7 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
         printed,
         target,
         coarsened,
+        run,
     })
 }
 
@@ -177,9 +191,13 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         printed,
         target,
         coarsened,
+        run,
     } = surfaces(print, most_voxels)?;
-    let mut samples = distances(&printed, &target);
-    let back = distances(&target, &printed);
+    let mut samples = distances(&printed, &target, &run.part(NEAREST));
+    let back = distances(&target, &printed, &run.part(NEAREST));
+    if run.is_cancelled() {
+        return None;
+    }
     let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
     let farthest = if samples[of_print].0 >= back[of_target].0 {
         let at_mm = printed.corners[of_print].map(f64::from);
@@ -258,12 +276,13 @@ fn surface(
     factor: usize,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
+    run: &Run,
 ) -> Surface {
     if factor == 1 {
-        return isosurface_of(grid, level, fill);
+        return isosurface_of(grid, level, fill, run);
     }
-    let (coarse, values) = averaged(grid, factor, &fill);
-    isosurface_of(&coarse, level, rows_of(&values))
+    let (coarse, values) = averaged(grid, factor, &fill, &run.part(0.7));
+    isosurface_of(&coarse, level, rows_of(&values), &run.part(0.3))
 }
 
 /// Means over blocks of voxels; blocks at the far ends may be cut off.
@@ -271,6 +290,7 @@ fn averaged(
     grid: &VolumeGrid,
     factor: usize,
     fill: &(impl Fn(usize, &mut [f32]) + Sync),
+    run: &Run,
 ) -> (VolumeGrid, Vec<f32>) {
     let shape = grid.shape.map(|n| n.div_ceil(factor));
     let pitch_mm = grid.pitch_mm * factor as f64;
@@ -284,12 +304,17 @@ fn averaged(
     };
     let range = |i: usize, axis: usize| i * factor..((i + 1) * factor).min(grid.shape[axis]);
     let mut values = vec![0.0; coarse.len()];
+    let planes = run.steps(shape[0]);
     values
         .par_chunks_mut(shape[1] * shape[2])
         .enumerate()
         .for_each_init(
             || (vec![0.0f32; grid.shape[2]], vec![0.0f64; shape[2]]),
             |(row, sums), (z, plane)| {
+                if planes.is_cancelled() {
+                    return;
+                }
+                planes.add(1);
                 for (y, out) in plane.chunks_mut(shape[2]).enumerate() {
                     sums.fill(0.0);
                     for (iz, iy) in range(z, 0).flat_map(|z| range(y, 1).map(move |y| (z, y))) {
@@ -309,8 +334,9 @@ fn averaged(
 }
 
 /// Per corner of `from`: the distance to `to`, mm, and its share of the area, mm².
-fn distances(from: &Surface, to: &Surface) -> Vec<(f32, f64)> {
-    let tree = TriangleTree::new(to);
+fn distances(from: &Surface, to: &Surface, run: &Run) -> Vec<(f32, f64)> {
+    let tree = TriangleTree::under(to, run);
+    let runs = run.steps(from.corners.len().div_ceil(RUN));
     let areas: Vec<f64> = (0..from.triangles.len())
         .into_par_iter()
         .map(|i| from.area_of(i) / 3.0)
@@ -324,6 +350,10 @@ fn distances(from: &Surface, to: &Surface) -> Vec<(f32, f64)> {
     from.corners
         .par_chunks(RUN)
         .zip(weights.par_chunks(RUN))
+        .filter(|_| {
+            runs.add(1);
+            !runs.is_cancelled()
+        })
         .flat_map_iter(|(corners, weights)| {
             let mut before: Option<([f32; 3], f32)> = None;
             corners
@@ -497,11 +527,12 @@ mod tests {
             );
             (g.x(x) + 10.0 * g.y(y) + 100.0 * g.z(z)) as f32
         };
-        let (coarse, values) = averaged(&grid, 2, &|first, row: &mut [f32]| {
+        let fill = |first, row: &mut [f32]| {
             for (i, value) in (first..).zip(row) {
                 *value = at(&grid, i);
             }
-        });
+        };
+        let (coarse, values) = averaged(&grid, 2, &fill, &Run::new());
         assert_eq!(coarse.shape, [2, 3, 4]);
         for (i, value) in values.iter().enumerate() {
             assert!((value - at(&coarse, i)).abs() < 1e-3);

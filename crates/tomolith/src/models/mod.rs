@@ -22,9 +22,9 @@ pub mod wave;
 use crate::error::Result;
 use crate::field::Field;
 use crate::kind::{Kind, Section};
+pub use crate::run::{Run, Steps};
 pub use layout::{DoseLayout, PatternLayout, Quantity};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 /// The dose model that a job asks for.
 #[derive(Clone, Debug, Default)]
@@ -75,51 +75,6 @@ pub static MODELS: &[Kind<ChooseModel>] = &[
     wave::spread::KIND,
     matrix::KIND,
 ];
-
-/// What long work carries along: a way to be stopped.
-///
-/// An optimisation is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
-/// one breaks into the step.
-#[derive(Debug, Default)]
-pub struct Run {
-    requests: AtomicU32,
-    patient: AtomicBool,
-}
-
-impl Run {
-    /// A run that nobody has stopped yet.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Asks everything that carries this run to stop soon; returns how often that was asked before.
-    pub fn cancel(&self) -> u32 {
-        self.requests.fetch_add(1, Ordering::Relaxed)
-    }
-
-    /// Whether a stop was asked for.
-    #[must_use]
-    pub fn is_stop_asked(&self) -> bool {
-        self.requests.load(Ordering::Relaxed) > 0
-    }
-
-    /// Whether work must stop now, in the middle of what it does.
-    #[must_use]
-    pub fn is_cancelled(&self) -> bool {
-        let enough = if self.patient.load(Ordering::Relaxed) {
-            2
-        } else {
-            1
-        };
-        self.requests.load(Ordering::Relaxed) >= enough
-    }
-
-    /// Whether the first request may wait for the end of the step at hand.
-    pub fn set_patient(&self, patient: bool) {
-        self.patient.store(patient, Ordering::Relaxed);
-    }
-}
 
 /// How far along z a pattern row reaches: whether a job may be cut into z slabs.
 #[derive(Clone, Copy, Debug, PartialEq)]

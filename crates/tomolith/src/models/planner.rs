@@ -94,6 +94,17 @@ impl Setup<'_> {
         }
     }
 
+    /// Whether the kernel runs along the rows of pixels where these are fewer than slices of voxels.
+    pub(crate) fn runs_along_rows(
+        &self,
+        choice: &Choice,
+        lights: &[Light],
+        grid: &VolumeGrid,
+    ) -> bool {
+        let way = self.way(choice, lights, grid);
+        matches!(way, Ok(Way::Optical(Optical::Parallel)))
+    }
+
     /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
     ///
     /// # Errors
@@ -281,7 +292,14 @@ pub fn plan(
         dark = narrow(&mut lights, &all, None);
     }
     if let Some(wanted) = wanted {
-        let straight = straight(&way, setup, lights.clone(), grid.clone(), solid.as_ref())?;
+        let straight = straight(
+            &way,
+            setup,
+            lights.clone(),
+            grid.clone(),
+            solid.as_ref(),
+            run,
+        )?;
         let brought = contributions(straight.as_ref(), wanted, run)?;
         dark = narrow(&mut lights, straight.patterns(), Some(brought.as_slice()));
     }
@@ -289,12 +307,12 @@ pub fn plan(
     let beside = match way {
         Optical::Wave(_) | Optical::Spread(_) if setup.asked_often => {
             let (lights, grid) = (lights.clone(), grid.clone());
-            let model = straight(&way, setup, lights, grid, solid.as_ref())?;
+            let model = straight(&way, setup, lights, grid, solid.as_ref(), run)?;
             Some(dimmed(model, &dark, setup.dose_factor))
         }
         _ => None,
     };
-    let model = optical(&way, setup, lights, grid, solid.as_ref())?;
+    let model = optical(&way, setup, lights, grid, solid.as_ref(), run)?;
     let model = dimmed(model, &dark, setup.dose_factor);
     Ok(Plan {
         reason: format!("{}: {why}", model.describe()),
@@ -332,10 +350,11 @@ fn straight(
     lights: Vec<Light>,
     grid: VolumeGrid,
     solid: Option<&Arc<Solid>>,
+    run: &Run,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     match way {
         Optical::Wave(_) | Optical::Spread(_) => {
-            Ok(Box::new(Parallel::new(setup.vial, lights, grid)?))
+            Ok(Box::new(Parallel::under(setup.vial, lights, grid, run)?))
         }
         Optical::Orders(params) => {
             orders::unscattered(setup.vial, lights, setup.optics, params, grid)
@@ -354,7 +373,7 @@ fn straight(
             let model = Rays::new(setup.vial, lights, setup.optics, &params, grid)?;
             Ok(boxed(model, solid))
         }
-        Optical::Parallel => optical(way, setup, lights, grid, solid),
+        Optical::Parallel => optical(way, setup, lights, grid, solid, run),
     }
 }
 
@@ -405,6 +424,7 @@ fn optical(
     lights: Vec<Light>,
     grid: VolumeGrid,
     solid: Option<&Arc<Solid>>,
+    run: &Run,
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     let rays = |params: &rays::Params| {
         let (vial, optics) = (setup.vial, setup.optics);
@@ -439,7 +459,7 @@ fn optical(
         Optical::Rays(params) => rays(params),
         Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),
         Optical::Spread(params) => Ok(Box::new(Spread::new(setup.vial, lights, params, grid)?)),
-        Optical::Parallel => Ok(Box::new(Parallel::new(setup.vial, lights, grid)?)),
+        Optical::Parallel => Ok(Box::new(Parallel::under(setup.vial, lights, grid, run)?)),
     }
 }
 

@@ -511,6 +511,7 @@ mod tests {
     use crate::check::small::SmallModel;
     use crate::field::{Field, HostField};
     use crate::io::npy::write_volume;
+    use crate::models::Run;
     use crate::objective::{OBJECTIVES, Objective, ObjectiveInput};
     use crate::response::Identity;
     use std::sync::Arc;
@@ -579,7 +580,7 @@ mod tests {
             grid: room.layout.grid.clone(),
             values: vec![1.0f32, 2.0, 3.0, 4.0, 5.0, 6.0],
         };
-        write_volume(&folder.path().join("w.npy"), &factors).unwrap();
+        write_volume(&folder.path().join("w.npy"), &factors, &Run::new()).unwrap();
         let ground = room.ground(folder.path());
         let weight = |json: Value| room.array(common(json).emphasis(&ground).unwrap().weight);
         assert_eq!(
@@ -821,6 +822,7 @@ mod tests {
                     grid,
                     values: values.to_vec(),
                 },
+                &Run::new(),
             )
             .unwrap();
         };

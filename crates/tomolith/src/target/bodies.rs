@@ -37,6 +37,7 @@ use super::{MeshShape, MeshUnit, Shape, TargetSpec, mesh_unit};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::mesh::Mesh;
+use crate::run::Run;
 use crate::units::concise;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -370,13 +371,13 @@ impl Shape for Group {
         super::placing::bounds(corners, 0.0)
     }
 
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
         if let [only] = &self.0[..] {
-            return only.sample(grid);
+            return only.sample_under(grid, run);
         }
         let mut values = zeros(grid)?;
         for shape in &self.0 {
-            let more = shape.sample(grid)?;
+            let more = shape.sample_under(grid, &run.part(1.0 / self.0.len() as f64))?;
             values
                 .par_iter_mut()
                 .zip(&more.values)
@@ -398,8 +399,8 @@ impl Shape for Assembly {
         self.bounds_mm
     }
 
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
-        self.print.sample(grid)
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+        self.print.sample_under(grid, run)
     }
 
     fn body(&self, role: Role) -> Option<&dyn Shape> {

@@ -11,6 +11,7 @@ use super::voxels::zeros;
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::GreyPixels;
+use crate::run::Run;
 use crate::units::Mm;
 use rayon::prelude::*;
 
@@ -178,7 +179,7 @@ impl Shape for GreyImage {
         [self.low, std::array::from_fn(|i| self.low[i] + extent[i])]
     }
 
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
         let mut values = zeros(grid)?;
         let [_, ny, nx] = grid.shape;
         let [rows, columns] = self.size();
@@ -202,10 +203,15 @@ impl Shape for GreyImage {
             layer
         });
         if !values.is_empty() {
+            let layers = run.steps(grid.shape[0]);
             values
                 .par_chunks_mut(nx * ny)
                 .enumerate()
                 .for_each(|(iz, layer)| {
+                    if layers.is_cancelled() {
+                        return;
+                    }
+                    layers.add(1);
                     for (slice, share) in along(grid.z(iz), 2, thick, count) {
                         match &single {
                             Some(single) => layer
@@ -217,6 +223,7 @@ impl Shape for GreyImage {
                     }
                 });
         }
+        run.check()?;
         Ok(Volume {
             grid: grid.clone(),
             values,

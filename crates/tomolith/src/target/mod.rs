@@ -45,11 +45,12 @@ pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};
 pub use solid::MeshShape;
 pub(crate) use spec::sampled;
-pub use spec::{TargetSpec, build, voxelise};
+pub use spec::{TargetSpec, build, voxelise, voxelise_under};
 
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::mesh::Mesh;
+use crate::run::Run;
 use rayon::prelude::*;
 
 /// Something with a shape that can be sampled on any grid.
@@ -59,8 +60,15 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     /// Fraction of each voxel that is inside, 0…1 (for grey images: the grey value).
     ///
     /// # Errors
+    /// When the shape cannot be sampled; [`Error::Cancelled`](crate::Error::Cancelled).
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>>;
+    /// The same where nobody stops it or wants to know how far it is.
+    ///
+    /// # Errors
     /// When the shape cannot be sampled.
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>>;
+    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
+        self.sample_under(grid, &Run::new())
+    }
     /// Whether values are grey (to be reproduced as they are) and not an inside fraction.
     fn is_grey(&self) -> bool {
         false

@@ -7,6 +7,7 @@ use super::voxels::inside_fractions;
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::mesh::Mesh;
+use crate::run::Run;
 use std::path::Path;
 
 /// A placed mesh: closed, outward, in mm.
@@ -65,8 +66,8 @@ impl Shape for MeshShape {
         self.bounds_mm
     }
 
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
-        inside_fractions(&self.mesh, grid)
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+        inside_fractions(&self.mesh, grid, run)
     }
 
     /// Known when the winding number is 0 or 1 everywhere; shells that overlap have a union, which has no simple formula.

@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::image::{GreyPixels, read_grey, read_stack};
 use crate::kind::Section;
+use crate::run::Run;
 use crate::units::Mm;
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -274,9 +275,22 @@ fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
 /// # Errors
 /// [`Error::Resources`] when there is not enough memory.
 pub fn voxelise(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
+    voxelise_under(shape, name, grid, &Run::new())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`voxelise`]; [`Error::Cancelled`].
+pub fn voxelise_under(
+    shape: &dyn Shape,
+    name: &str,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Target> {
     Ok(Target {
         name: name.to_owned(),
-        inside: sampled(shape, grid)?,
+        inside: sampled(shape, grid, run)?,
         grey: shape.is_grey(),
     })
 }
@@ -288,7 +302,7 @@ const CUBES: usize = 1 << 24;
 ///
 /// # Errors
 /// What the shape refuses; [`Error::Unsupported`] for voxels that cubes of their width do not fill.
-pub(crate) fn sampled(shape: &dyn Shape, grid: &VolumeGrid) -> Result<Volume<f32>> {
+pub(crate) fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
     let cubes = (grid.height_mm / grid.pitch_mm).round().max(1.0) as usize;
     if (grid.height_mm - cubes as f64 * grid.pitch_mm).abs() > 1e-9 * grid.height_mm {
         return Err(Error::Unsupported {
@@ -300,7 +314,7 @@ pub(crate) fn sampled(shape: &dyn Shape, grid: &VolumeGrid) -> Result<Volume<f32
         });
     }
     if cubes == 1 {
-        return shape.sample(grid);
+        return shape.sample_under(grid, run);
     }
     let [nz, ny, nx] = grid.shape;
     let plane = ny * nx;
@@ -314,7 +328,8 @@ pub(crate) fn sampled(shape: &dyn Shape, grid: &VolumeGrid) -> Result<Volume<f32
             ..grid.clone()
         };
         slab.center_mm[2] = grid.z(first) + (count as f64 - 1.0) / 2.0 * grid.height_mm;
-        let inside = shape.sample(&slab)?.values;
+        let part = run.part(count as f64 / nz as f64);
+        let inside = shape.sample_under(&slab, &part)?.values;
         for voxels in inside.chunks_exact(plane * cubes) {
             let mean = |i: usize| {
                 let sum: f32 = voxels.iter().skip(i).step_by(plane).sum();

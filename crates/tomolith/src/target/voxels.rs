@@ -17,6 +17,7 @@ use super::lines::{Crossing, Lines, Scaled};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::io::mesh::Mesh;
+use crate::run::Run;
 use rayon::prelude::*;
 
 /// Slices that share one search for their triangles.
@@ -29,21 +30,27 @@ const TOLERANCE: f64 = 1e-3;
 /// Inside fraction of every voxel of `grid`, for a closed mesh in mm.
 ///
 /// # Errors
-/// [`Error::Resources`] when the memory for the grid cannot be had.
-pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid) -> Result<Volume<f32>> {
+/// [`Error::Resources`] when the memory for the grid cannot be had; [`Error::Cancelled`].
+pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     let [nz, ny, nx] = grid.shape;
     if !values.is_empty() {
         let scaled = Scaled::new(mesh, grid);
         let mut overlapped = vec![false; nz * ny];
+        let blocks = run.steps(nz.div_ceil(SLICES));
         values
             .par_chunks_mut(nx * ny * SLICES)
             .zip(overlapped.par_chunks_mut(ny * SLICES))
             .enumerate()
             .for_each(|(block, (values, overlapped))| {
+                if blocks.is_cancelled() {
+                    return;
+                }
                 let first = block * SLICES;
                 fill_slices(&scaled, first, [ny, nx], values, overlapped);
+                blocks.add(1);
             });
+        run.check()?;
         if overlapped.contains(&true) {
             let rows = with_neighbours(&overlapped, ny);
             values
@@ -51,10 +58,11 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid) -> Result<Volume<
                 .zip(rows.par_chunks(ny))
                 .enumerate()
                 .for_each(|(iz, (slice, rows))| {
-                    if rows.contains(&true) {
+                    if rows.contains(&true) && !run.is_cancelled() {
                         sample_rows(&scaled, iz, nx, rows, slice);
                     }
                 });
+            run.check()?;
         }
     }
     Ok(Volume {
@@ -363,7 +371,7 @@ mod tests {
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
         let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe).unwrap();
-        inside_fractions(&mesh, grid).unwrap()
+        inside_fractions(&mesh, grid, &Run::new()).unwrap()
     }
 
     fn volume(volume: &Volume<f32>) -> f64 {
@@ -591,7 +599,7 @@ mod tests {
         let (mesh, _) =
             examine(cuboid([0.0; 3], [1.0; 3]), Path::new("test"), Repair::Safe).unwrap();
         assert!(matches!(
-            inside_fractions(&mesh, &grid),
+            inside_fractions(&mesh, &grid, &Run::new()),
             Err(Error::Resources { .. })
         ));
     }

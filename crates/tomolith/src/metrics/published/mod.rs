@@ -191,7 +191,9 @@ pub fn of_print(
             found: target.grid.shape.to_vec(),
         });
     }
+    let run = print.run();
     let otsu = otsu::otsu(dose, labels, scan);
+    run.check()?;
     // One look for all that is asked below
     let lowest = scan.part().map(|p| p.min);
     let thresholds = lowest
@@ -201,17 +203,24 @@ pub fn of_print(
         &thresholds.chain(otsu).collect::<Vec<_>>(),
         &order::ranks(scan, options.trim_percent),
     );
-    let slices = slices::slices(dose, labels, options.trim_percent);
+    let slices = slices::slices_under(dose, labels, options.trim_percent, &run.part(SLICES));
+    run.check()?;
     let mut list = List::default();
     ranges(&mut list, scan, dose);
     trimmed(&mut list, scan, options.trim_percent);
     thresholds_of(&mut list, scan, dose, labels, otsu);
     relative_time(&mut list, scan, options.patterns);
+    run.check()?;
     band_errors(&mut list, dose, target, labels, options);
+    run.check()?;
     slices::worst(&mut list, &slices);
     budget::list(&mut list, dose, labels, options.patterns);
+    run.check()?;
     Ok((list.0, slices))
 }
+
+/// Share of the work on a print that the numbers of its slices are.
+const SLICES: f64 = 0.3;
 
 const RACKSON: &str = "Rackson et al. 2021";
 const VAMTOOLBOX: &str = "VAMToolbox 2.0";

@@ -2,6 +2,7 @@
 
 use super::{List, Measure};
 use crate::grid::Volume;
+use crate::models::Run;
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -33,6 +34,16 @@ pub struct Slice {
 /// When they have different lengths.
 #[must_use]
 pub fn slices(dose: &Volume<f32>, labels: &Volume<u8>, trim_percent: f64) -> Vec<Slice> {
+    slices_under(dose, labels, trim_percent, &Run::new())
+}
+
+/// The same; without the slices that a run was cancelled before.
+pub(super) fn slices_under(
+    dose: &Volume<f32>,
+    labels: &Volume<u8>,
+    trim_percent: f64,
+    run: &Run,
+) -> Vec<Slice> {
     let [_, ny, nx] = dose.grid.shape;
     let size = (nx * ny).max(1);
     let each = |(iz, (values, labels)): (usize, (&[f32], &[u8]))| {
@@ -44,9 +55,14 @@ pub fn slices(dose: &Volume<f32>, labels: &Volume<u8>, trim_percent: f64) -> Vec
         slice(dose.grid.z(iz), part, void, trim_percent)
     };
     let slices = dose.values.par_chunks(size);
+    let steps = run.steps(dose.grid.shape[0]);
     slices
         .zip(labels.values.par_chunks(size))
         .enumerate()
+        .filter(|_| {
+            steps.add(1);
+            !steps.is_cancelled()
+        })
         .map(each)
         .collect()
 }

@@ -80,7 +80,7 @@ use crate::grid::{PatternGrid, VolumeGrid};
 use crate::kind::Kind;
 use crate::models::selection::Selection;
 use crate::models::{
-    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling,
+    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, Steps, ZCoupling,
 };
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::interface::Polarisation;
@@ -219,6 +219,14 @@ impl Parallel {
     /// # Errors
     /// [`Error::Config`] when there is nothing to light or nothing that absorbs.
     pub fn new(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid) -> Result<Self> {
+        Self::under(vial, lights, grid, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Cancelled`].
+    pub fn under(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid, run: &Run) -> Result<Self> {
         if grid.is_empty() {
             return Err(Error::config(
                 "grid",
@@ -242,7 +250,9 @@ impl Parallel {
                 &grid,
                 &tiles,
                 first_frame,
+                run,
             ));
+            run.check()?;
             offset += layout.len();
             first_frame += light.pixels.frames();
             patterns.push(layout);
@@ -313,6 +323,7 @@ impl Parallel {
             source,
             filled: Filled::of(slots, row / LANES, plan.levels.used),
         };
+        let steps = run.steps(self.tiles.len() * plan.groups(lit.views.clone()).count());
         let neighbours = neighbours(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
@@ -321,8 +332,8 @@ impl Parallel {
             .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
                 let first = i * neighbours;
                 match &plan.levels.spread {
-                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, run),
-                    Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, run),
+                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
+                    Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
                 }
             });
         drop(lit);
@@ -341,14 +352,15 @@ impl Parallel {
         first: usize,
         tiles: &mut [Vec<&mut [f32]>],
         gatherer: &mut Gatherer,
-        run: &Run,
+        steps: &Steps<'_>,
     ) {
         let row = lit.plan.levels.row / LANES;
         for group in lit.plan.groups(lit.views.clone()) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
-                if run.is_cancelled() {
+                if steps.is_cancelled() {
                     return;
                 }
+                steps.add(1);
                 let tile = (index, &self.tiles[index]);
                 gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
                 for block in 0..lit.filled.blocks.len() {
@@ -365,7 +377,7 @@ impl Parallel {
         first: usize,
         (tiles, spread): (&mut [Vec<&mut [f32]>], &Spread),
         desk: &mut Desk,
-        run: &Run,
+        steps: &Steps<'_>,
     ) {
         let Desk {
             gatherer,
@@ -386,7 +398,7 @@ impl Parallel {
             of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
             rest = others;
         }
-        self.gather(lit, first, &mut of_lanes, gatherer, run);
+        self.gather(lit, first, &mut of_lanes, gatherer, steps);
         for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
             spread.add_to(slices, lanes, buffer);
         }
@@ -619,8 +631,11 @@ impl LinearOperator for Parallel {
             let count = plan.views.frames;
             let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
             let own = local(frames.start)..local(frames.end);
-            for part in plan.views.of_frames(own) {
-                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), run)?;
+            let parts = plan.views.of_frames(own);
+            let share = 1.0 / (self.lights.len() * parts.len()) as f64;
+            for part in parts {
+                let run = run.part(share);
+                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), &run)?;
             }
         }
         Ok(())

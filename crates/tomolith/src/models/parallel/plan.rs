@@ -15,7 +15,7 @@ use super::walls::Walls;
 use super::{GROUP, Light, is_straight};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
-use crate::models::PatternLayout;
+use crate::models::{PatternLayout, Run};
 use crate::optics::trace::Tracer;
 use crate::optics::vial::Vial;
 use rayon::prelude::*;
@@ -71,6 +71,7 @@ impl LightPlan {
         grid: &VolumeGrid,
         tiles: &[Tile],
         first_frame: usize,
+        run: &Run,
     ) -> Self {
         let tracer = Tracer::new(
             vial,
@@ -140,8 +141,13 @@ impl LightPlan {
                 ..meeting
             }
         };
+        let steps = run.steps(tiles.len());
         let meetings = tiles
             .par_iter()
+            .filter(|_| {
+                steps.add(1);
+                !steps.is_cancelled()
+            })
             .flat_map_iter(|tile| {
                 beams
                     .iter()

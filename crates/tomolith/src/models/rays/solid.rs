@@ -494,7 +494,11 @@ mod tests {
         }
 
         /// Only whether a voxel may be cut.
-        fn sample(&self, grid: &VolumeGrid) -> crate::error::Result<Volume<f32>> {
+        fn sample_under(
+            &self,
+            grid: &VolumeGrid,
+            _: &crate::models::Run,
+        ) -> crate::error::Result<Volume<f32>> {
             Ok(Volume::filled(grid.clone(), 0.5))
         }
 

@@ -266,10 +266,10 @@ mod tests {
             shown: &patterns,
             raw: None,
         };
-        write_patterns(&file, &[pair(None)]).unwrap();
+        write_patterns(&file, &[pair(None)], &Run::new()).unwrap();
         let x = OfFile(file.clone()).patterns(&input, &Run::new()).unwrap();
         assert_eq!(light.patterns_of(x.as_slice()), patterns);
-        write_patterns(&file, &[pair(Some("a")), pair(Some("b"))]).unwrap();
+        write_patterns(&file, &[pair(Some("a")), pair(Some("b"))], &Run::new()).unwrap();
         let refusal = OfFile(file).patterns(&input, &Run::new()).unwrap_err();
         assert!(matches!(refusal, Error::Format { .. }), "{refusal}");
     }

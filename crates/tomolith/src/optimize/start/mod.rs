@@ -241,7 +241,7 @@ mod tests {
             shown: &shown,
             raw: None,
         };
-        crate::io::npy::write_patterns(&file, &[pair]).unwrap();
+        crate::io::npy::write_patterns(&file, &[pair], &Run::new()).unwrap();
         file.to_string_lossy().into_owned()
     }
 

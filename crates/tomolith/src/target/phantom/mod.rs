@@ -31,6 +31,7 @@ use super::placing::{Map, Placement, bounds};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
+use crate::run::Run;
 use crate::units::Mm;
 
 /// Signed distance to an outline in the plane, mm: negative inside, growing by at most 1 per mm.
@@ -164,8 +165,8 @@ impl Shape for Phantom {
         self.bounds_mm
     }
 
-    fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
-        sampling::inside_fractions(&self.form.body, &self.map, grid)
+    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+        sampling::inside_fractions(&self.form.body, &self.map, grid, run)
     }
 
     fn is_grey(&self) -> bool {

@@ -9,6 +9,7 @@
 use super::{Body, GreyForm, Prism};
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid, sample};
+use crate::run::Run;
 use crate::target::placing::Map;
 use crate::target::voxels::zeros;
 use rayon::prelude::*;
@@ -35,19 +36,27 @@ const GREY_CELLS: usize = 4;
 /// Inside fraction (or grey value) of every voxel of `grid` for a body placed by `map`.
 ///
 /// # Errors
-/// [`Error::Resources`](crate::Error::Resources) when the memory cannot be had.
-pub fn inside_fractions(body: &Body, map: &Map, grid: &VolumeGrid) -> Result<Volume<f32>> {
+/// [`Error::Resources`](crate::Error::Resources) when the memory cannot be had; [`Error::Cancelled`](crate::Error::Cancelled).
+pub fn inside_fractions(
+    body: &Body,
+    map: &Map,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     if !values.is_empty() {
         match body {
             Body::Prisms(prisms) if map.rotation[2] == [0.0, 0.0, 1.0] => {
                 fill_upright(prisms, map, grid, &mut values);
             }
-            Body::Prisms(prisms) => fill_solid(&|p| nearest(prisms, p), map, grid, &mut values),
-            Body::Solid(surface) => fill_solid(surface, map, grid, &mut values),
+            Body::Prisms(prisms) => {
+                fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, run))
+            }
+            Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, run)),
             Body::Grey(form) => fill_grey(form, map, grid, &mut values),
         }
     }
+    run.check()?;
     Ok(Volume {
         grid: grid.clone(),
         values,
@@ -182,14 +191,24 @@ fn outline_fractions(prism: &Prism, map: &Map, grid: &VolumeGrid) -> Vec<f64> {
     fractions
 }
 
-fn fill_solid(surface: SurfaceRef, map: &Map, grid: &VolumeGrid, values: &mut [f32]) {
-    let [_, ny, nx] = grid.shape;
+fn fill_solid(
+    surface: SurfaceRef,
+    map: &Map,
+    grid: &VolumeGrid,
+    (values, run): (&mut [f32], &Run),
+) {
+    let [nz, ny, nx] = grid.shape;
     let octree = Octree { surface, map, grid };
+    let rows = run.steps(nz.div_ceil(BLOCK) * ny.div_ceil(BLOCK));
     values
         .par_chunks_mut(nx * ny * BLOCK)
         .enumerate()
         .for_each(|(slab, values)| {
             for iy in (0..ny).step_by(BLOCK) {
+                if rows.is_cancelled() {
+                    return;
+                }
+                rows.add(1);
                 for ix in (0..nx).step_by(BLOCK) {
                     octree.fill_block([ix, iy, slab * BLOCK], BLOCK, slab * BLOCK, values);
                 }
@@ -427,7 +446,7 @@ mod tests {
         let grid = VolumeGrid::centered([n; 3], 2.3 / n as f64);
         let surface: super::super::Surface = Box::new(surface);
         let body = Body::Solid(surface);
-        let found = inside_fractions(&body, &Map::IDENTITY, &grid).unwrap();
+        let found = inside_fractions(&body, &Map::IDENTITY, &grid, &Run::new()).unwrap();
         let Body::Solid(surface) = body else {
             unreachable!()
         };
