@@ -5,6 +5,11 @@
 //! cargo run --release -p tomolith --example levels -- gyroid 1,2,3
 //! cargo run --release -p tomolith --example levels -- boat.stl 1,2,3
 //! ```
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "an example prints its table and its use"
+)]
 
 use serde_json::{Value, json};
 use std::path::Path;

@@ -1,6 +1,7 @@
 //! Whether what a job has built fits together: the target into vial and light, a stored matrix to voxels and frames.
 
 use super::build::Optics;
+use super::refinement::LEAST_REFINE;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
@@ -41,7 +42,7 @@ impl Optics {
     pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
         let evaluate = &spec.evaluate;
         if !matches!(self.model, Choice::Matrix(_))
-            || (evaluate.refine, evaluate.sub_angles) == (1, 1)
+            || (evaluate.refine, evaluate.sub_angles) == (Some(1), 1)
         {
             return Ok(());
         }
@@ -49,7 +50,8 @@ impl Optics {
             "evaluate",
             format!(
                 "refine = {} and sub_angles = {}, but a matrix is known for its own voxels and frames only",
-                evaluate.refine, evaluate.sub_angles
+                evaluate.refine.unwrap_or(LEAST_REFINE),
+                evaluate.sub_angles
             ),
             "refine = 1 and sub_angles = 1 with [model.matrix]",
         ))

@@ -144,6 +144,22 @@ pub(super) fn levels(
     Ok(levels)
 }
 
+/// How much finer than a job's voxels those of an evaluation are at least.
+pub(super) const LEAST_REFINE: usize = 2;
+/// Voxels of an evaluation that is made finer than that.
+const JUDGED: usize = 30_000_000;
+
+/// How many times finer than the job's the voxels of the evaluation are: no coarser than the optimisation's, as far as they are not too many.
+pub(super) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
+    let finest = levels
+        .last()
+        .map_or(1, |level| level.grid.shape[2] / grid.shape[2]);
+    (LEAST_REFINE..=finest.max(LEAST_REFINE))
+        .rev()
+        .find(|&refine| grid.refined(refine).len() <= JUDGED)
+        .unwrap_or(LEAST_REFINE)
+}
+
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
 fn is_free(spec: &JobSpec, optics: &Optics) -> Result<bool> {

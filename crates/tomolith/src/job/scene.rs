@@ -142,15 +142,11 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
+        let chosen = || refinement::judged(&grid, &levels);
+        let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
-        let plain = Extent::new(
-            &optics,
-            &grid,
-            shape.bounds_mm(),
-            spec.evaluate.refine,
-            memory,
-        );
+        let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
         let setup = optimising(&optics, &shape, has_cells);
         let extent = Extent {
             finest: levels[levels.len() - 1].grid.clone(),
@@ -162,7 +158,7 @@ impl Scene {
             stacked: bytes_stacked(&spec),
             working_mb: [
                 setup.working_mb(&optics.model, &optics.lights, &grid)?,
-                judged_mb(&optics, &grid, spec.evaluate.refine)?,
+                judged_mb(&optics, &grid, refine)?,
             ],
             ..plain
         };
@@ -675,7 +671,7 @@ fn moved(moved_mm: f64) -> Option<String> {
 
 /// Says that no finer voxels will be looked at.
 fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
-    (spec.evaluate.refine == 1).then(|| {
+    (spec.evaluate.refine == Some(1)).then(|| {
         "evaluate.refine = 1: the print is judged on the job's own voxels, where an IoU of 1 is easier than on finer ones"
             .to_owned()
     })

@@ -461,8 +461,10 @@ pub struct EvaluateSpec {
     pub levels: Levelling,
     /// Angles at which the arc of a frame is averaged.
     pub sub_angles: usize,
-    /// How many times finer the grid is; lowered, and said so, when memory is short.
-    pub refine: usize,
+    /// How many times finer than the job's the voxels are; lowered, and said so, when memory is short. When left out: as fine as the
+    /// optimisation's, as far as 3·10⁷ voxels do, and at least 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refine: Option<usize>,
     /// Dose at which the resin turns solid; the one with the best IoU when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<f64>,
@@ -594,7 +596,7 @@ impl Default for EvaluateSpec {
             bit_depth: 8,
             levels: Levelling::Optimised,
             sub_angles: 4,
-            refine: 2,
+            refine: None,
             threshold: None,
             trim_percent: 0.025,
             require_iou: None,

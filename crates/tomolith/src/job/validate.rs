@@ -368,7 +368,9 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         1,
         MOST_SUB_ANGLES,
     )?;
-    count("evaluate.refine", evaluate.refine, 1, 8)?;
+    if let Some(refine) = evaluate.refine {
+        count("evaluate.refine", refine, 1, 8)?;
+    }
     optional(evaluate.threshold, |v| {
         positive("evaluate.threshold", v, "")
     })?;

@@ -18,16 +18,18 @@ use rayon::prelude::*;
 
 /// Whether each voxel (array order) has a voxel of the other kind, part or void, within `distance_mm` of its centre.
 #[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "distances are f32")]
 pub fn near_the_other_kind(target: &Target, distance_mm: f64) -> Vec<bool> {
     let grid = &target.inside.grid;
     let reach = (distance_mm / grid.pitch_mm).powi(2) * (1.0 + 1e-6);
+    let tall = (grid.height_mm / grid.pitch_mm).powi(2) as f32;
     let part: Vec<bool> = (0..grid.len())
         .into_par_iter()
         .map(|i| target.is_part(i))
         .collect();
     let mut near = vec![false; part.len()];
     for kind in [true, false] {
-        let squared = squared_distances(grid.shape, |i| part[i] == kind);
+        let squared = squared_distances(grid.shape, tall, |i| part[i] == kind);
         near.par_iter_mut()
             .zip(&part)
             .zip(&squared)
@@ -38,8 +40,13 @@ pub fn near_the_other_kind(target: &Target, distance_mm: f64) -> Vec<bool> {
     near
 }
 
-/// Squared distance of every voxel to the nearest seed, in voxels², +∞ when there is no seed.
-fn squared_distances(shape: [usize; 3], seed: impl Fn(usize) -> bool + Sync) -> Vec<f32> {
+/// Squared distance of every voxel to the nearest seed, in squares of a voxel's width, +∞ when there is no seed; `tall` is the
+/// square of a voxel's height in the same unit.
+fn squared_distances(
+    shape: [usize; 3],
+    tall: f32,
+    seed: impl Fn(usize) -> bool + Sync,
+) -> Vec<f32> {
     let [nz, ny, nx] = shape;
     let mut d: Vec<f32> = (0..nz * ny * nx)
         .into_par_iter()
@@ -68,11 +75,11 @@ fn squared_distances(shape: [usize; 3], seed: impl Fn(usize) -> bool + Sync) -> 
         let mut line = vec![0.0f32; nz];
         for ix in 0..nx {
             for (value, row) in line.iter_mut().zip(rows.iter()) {
-                *value = row[ix];
+                *value = row[ix] / tall;
             }
             envelope.transform(&mut line, 0, 1, nz);
             for (value, row) in line.iter().zip(rows.iter_mut()) {
-                row[ix] = *value;
+                row[ix] = *value * tall;
             }
         }
     });
@@ -138,22 +145,22 @@ mod tests {
         let n = nz * ny * nx;
         let seed = |i: usize| (i * 2_654_435_761) % 23 == 5;
         let place = |i: usize| [i / (ny * nx), i / nx % ny, i % nx];
-        let found = squared_distances(shape, seed);
-        for (i, &found) in found.iter().enumerate() {
-            let nearest = (0..n)
-                .filter(|&j| seed(j))
-                .map(|j| {
-                    place(i)
-                        .iter()
-                        .zip(place(j))
-                        .map(|(&a, b)| (a as f32 - b as f32).powi(2))
-                        .sum::<f32>()
-                })
-                .fold(f32::INFINITY, f32::min);
-            assert_eq!(found, nearest, "voxel {:?}", place(i));
+        // Cubes, and voxels three times as high as wide
+        for high in [1.0f32, 3.0] {
+            let found = squared_distances(shape, high * high, seed);
+            for (i, &found) in found.iter().enumerate() {
+                let square = |j: usize| {
+                    let [z, y, x] =
+                        std::array::from_fn(|axis| place(i)[axis] as f32 - place(j)[axis] as f32);
+                    (high * z).powi(2) + y * y + x * x
+                };
+                let seeds = (0..n).filter(|&j| seed(j));
+                let nearest = seeds.map(square).fold(f32::INFINITY, f32::min);
+                assert!((found - nearest).abs() < 1e-4, "voxel {:?}", place(i));
+            }
         }
         assert!(
-            squared_distances(shape, |_| false)
+            squared_distances(shape, 1.0, |_| false)
                 .iter()
                 .all(|d| d.is_infinite())
         );

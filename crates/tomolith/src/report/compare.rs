@@ -853,7 +853,7 @@ mod tests {
             key.chars()
                 .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         };
-        assert!(keys.iter().all(|key| is_snake(key)), "{keys:?}");
+        assert!(keys.iter().all(is_snake), "{keys:?}");
         assert_eq!(row("Time of the optimisation"), json!([0.4, 0.4]));
         assert_eq!(
             json["differing_keys"],

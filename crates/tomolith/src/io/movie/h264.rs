@@ -89,7 +89,7 @@ pub(super) fn luma(
     let groups = if track.every_frame_is_a_key {
         groups(frames)
     } else {
-        vec![0..frames]
+        std::iter::once(0..frames).collect()
     };
     let levels: Vec<Vec<u16>> = groups
         .into_par_iter()

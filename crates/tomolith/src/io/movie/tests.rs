@@ -82,7 +82,7 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
                 assert!(text.contains("6 frames instead of 7"), "{text}");
             }
             (false, read) => {
-                println!("no ffmpeg here: only its absence is tested");
+                // Without ffmpeg only what is said of its absence
                 let text = read.unwrap_err().to_string();
                 for part in [what, "which the program ffmpeg can read", "frame_%04d.png"] {
                     assert!(text.contains(part), "{part}: {text}");

@@ -391,7 +391,7 @@ impl TileEntries {
             .edges
             .map(|[offset, slope]| [offset + slope * at_row - local.origin[1], slope]);
         let across = local.across as f32;
-        for row in first..last {
+        for (row, room) in (first..last).zip(&rooms[first..last]) {
             let (from, to) = ((row as f32).max(low), (row as f32 + 1.0).min(high));
             let short = to - from < 1.0;
             let deposited = if short {
@@ -402,7 +402,7 @@ impl TileEntries {
             energy *= ratio;
             let middle = 0.5 * (from + to);
             let (m1, m2) = (a[0] + a[1] * middle, b[0] + b[1] * middle);
-            let [left, right] = rooms[row].within([m1.min(m2), m1.max(m2)]);
+            let [left, right] = room.within([m1.min(m2), m1.max(m2)]);
             let per_voxel = deposited / (right - left);
             let (left, right) = (left.max(0.0), right.min(across));
             if left >= right {
