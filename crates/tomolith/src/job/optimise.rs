@@ -214,12 +214,8 @@ impl<'a> Stage<'a> {
             Some(&voxels.wanted()),
             cancel,
         )?;
-        let [nz, ny, nx] = level.grid.shape;
         progress.event(&Event::Note {
-            text: format!(
-                "{} ({nx} × {ny} × {nz} voxels, up to iteration {})",
-                plan.reason, level.until
-            ),
+            text: plan.reason.clone(),
         });
         let straight = plan.straight.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());

@@ -21,6 +21,7 @@ use crate::models::Choice;
 use crate::models::parallel::Light;
 use crate::objective::emphasis::Common;
 use crate::objective::{OBJECTIVES, threshold};
+use crate::units::concise;
 
 /// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 20 iterations then take five to ten
 /// seconds on two cores.
@@ -158,6 +159,28 @@ pub(super) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
         .rev()
         .find(|&refine| grid.refined(refine).len() <= JUDGED)
         .unwrap_or(LEAST_REFINE)
+}
+
+/// What to say of levels that the job did not ask for.
+pub(super) fn note(levels: &[Level]) -> Option<String> {
+    let [first, .., last] = levels else {
+        return None;
+    };
+    let of = |level: &Level| {
+        let [nz, ny, nx] = level.grid.shape;
+        let angles = match level.lights[0].sub_angles {
+            1 => String::new(),
+            angles => format!(", {angles} angles a frame"),
+        };
+        let pitch = concise(level.grid.pitch_mm);
+        format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
+    };
+    Some(format!(
+        "patterns are optimised on {} up to iteration {}, in the end on {}",
+        of(first),
+        first.until,
+        of(last)
+    ))
 }
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the

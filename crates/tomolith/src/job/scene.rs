@@ -142,6 +142,7 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
+        notes.extend(refinement::note(&levels));
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
