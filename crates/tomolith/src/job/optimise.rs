@@ -98,6 +98,10 @@ pub(crate) fn optimise(
     for (i, level) in scene.levels.iter().enumerate() {
         let is_last = i + 1 == scene.levels.len();
         let stage = Stage::new(scene, voxels, level, progress, cancel)?;
+        if i == 0 {
+            let text = stage.reason.clone();
+            progress.event(&Event::Note { text });
+        }
         let mut start = None;
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
@@ -214,9 +218,6 @@ impl<'a> Stage<'a> {
             Some(&voxels.wanted()),
             cancel,
         )?;
-        progress.event(&Event::Note {
-            text: plan.reason.clone(),
-        });
         let straight = plan.straight.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
