@@ -491,7 +491,7 @@ mod tests {
             .find(|w| w.contains("touches a wall"))
             .unwrap();
         assert!(
-            text.contains("0.00007") && text.contains("0.0102 mm"),
+            text.contains("7.8625e-5") && text.contains("0.0102 mm"),
             "{text}"
         );
     }
