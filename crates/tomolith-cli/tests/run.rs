@@ -37,7 +37,9 @@ impl Bench {
 
     fn command(&self, line: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
-        command.current_dir(self.temp.path()).args(line.split(' '));
+        command
+            .current_dir(self.temp.path())
+            .args(line.split_whitespace());
         command
     }
 
@@ -105,8 +107,8 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     }
     assert!(!run.join(".new").exists() && !run.join(".lock").exists());
     let report = json(&run.join("report.json"));
-    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.99);
-    assert!(report["evaluation"]["iou"].as_f64().unwrap() > 0.7);
+    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.9);
+    assert!(report["evaluation"]["iou"].as_f64().unwrap() > 0.8);
     assert_eq!(report["evaluation"]["sub_angles"], 4);
     assert_eq!(report["evaluation"]["standing_still"]["sub_angles"], 1);
 
@@ -256,10 +258,13 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
 #[test]
 fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     let bench = Bench::new();
+    let whole = "--set objective.threshold.surface=voxel";
     let run = |folder: &str, more: &str| {
         let said = bench.expect(
             0,
-            &format!("run job.toml --json --set evaluate.bit_depth=1 {more} --output {folder}"),
+            &format!(
+                "run job.toml --json --set evaluate.bit_depth=1 {whole} {more} --output {folder}"
+            ),
         );
         (said, json(&bench.path(folder).join("report.json")))
     };
@@ -280,7 +285,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(json(&bench.path("many/report.json"))["levels"].is_null());
 
     let simulate = |folder: &str, machine: &str| {
-        let line = format!("simulate job.toml --set evaluate.bit_depth=1 {machine}");
+        let line = format!("simulate job.toml --set evaluate.bit_depth=1 {whole} {machine}");
         bench.expect(0, &format!("{line} --patterns {folder} --output again"));
         let again = json(&bench.path("again/report.json"));
         let report = json(&bench.path(folder).join("report.json"));

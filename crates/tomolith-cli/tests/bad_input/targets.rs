@@ -113,7 +113,7 @@ fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
             "[objective.threshold]",
             "[optimizer.osmo]\n[objective.osmo]",
         )
-        .replace("lower = 0.85\nupper = 0.95", "d_l = 0.0\nd_h = 0.02")
+        .replace("lower = 0.85\nupper = 0.95", "d_l = 0.01\nd_h = 0.02")
         .replace("iterations = 2", "iterations = 30");
     let output = bench.tomolith(&job, &[]);
     let message = String::from_utf8_lossy(&output.stderr);

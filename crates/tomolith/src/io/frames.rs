@@ -12,6 +12,7 @@
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
 //!
 //! ```
+//! use tomolith::models::Run;
 //! use tomolith::grid::PatternGrid;
 //! use tomolith::io::frames::{FrameSet, read_frames, write_frames};
 //! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);

@@ -24,6 +24,7 @@
 //! Times are in units of 1/90,000 s and each frame's start is rounded on its own, so rounding does not add up. A movie of a single frame lasts one unit.
 //!
 //! ```
+//! use tomolith::models::Run;
 //! use tomolith::grid::PatternGrid;
 //! use tomolith::io::frames::FrameSet;
 //! use tomolith::io::mp4::{check_movie, write_movie};

@@ -10,6 +10,7 @@
 //! Limits: one array of an `.npz` may hold up to 4 GiB.
 //!
 //! ```
+//! use tomolith::models::Run;
 //! use tomolith::grid::{PatternGrid, Patterns};
 //! use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
 //! let folder = tempfile::tempdir().unwrap();

@@ -12,6 +12,7 @@
 //! ready to be sent.
 //!
 //! ```
+//! use tomolith::models::Run;
 //! use tomolith::grid::PatternGrid;
 //! use tomolith::io::frames::FrameSet;
 //! use tomolith::io::stack::{read_stack, write_stack};

@@ -5,6 +5,7 @@
 //! voxel [0, 0, 0], `Spacing` the pitch.
 //!
 //! ```
+//! use tomolith::models::Run;
 //! use tomolith::grid::VolumeGrid;
 //! use tomolith::io::vti::{VtiValues, write_vti};
 //! let folder = tempfile::tempdir().unwrap();

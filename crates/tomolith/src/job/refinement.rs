@@ -14,6 +14,7 @@
 
 use super::build::Optics;
 use super::coarse::{coarser_grid, coarser_lights, is_large_enough};
+use super::named::optimizer;
 use super::spec::JobSpec;
 use crate::error::Result;
 use crate::grid::VolumeGrid;
@@ -257,11 +258,15 @@ fn fit_angles(
     (1..=wanted).rev().find(|&n| fits(n)).unwrap_or(1)
 }
 
-/// Whether all objectives weigh a voxel by its inside fraction, and none has numbers of its own for the job's voxels.
+/// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimises
+/// them: one that compares doses with the target itself knows part and void alone.
 ///
 /// # Errors
 /// [`Error::Config`](crate::Error::Config) for an objective that is none.
 pub(super) fn sees_fractions(spec: &JobSpec) -> Result<bool> {
+    if optimizer(spec)?.needs().target.is_some() {
+        return Ok(false);
+    }
     for section in spec.objectives()? {
         let (common, section) = Common::split(section)?;
         let (kind, inner) = section.kind(OBJECTIVES)?;

@@ -176,13 +176,13 @@ fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Sum
     let written = write::all(&done, &folder, timings, clock.progress, &stage)
         .map_err(|e| missing(e, &done.scene, &folder));
     let written = written.and_then(|headline| stage.check().map(|()| headline));
-    if let (Err(_), Some(optimised)) = (&written, &done.optimised) {
-        keep(
-            &done.scene,
-            &optimised.raw,
-            &folder.checkpoint(),
-            clock.progress,
-        )?;
+    if let (Err(error), Some(optimised)) = (&written, &done.optimised) {
+        let place = folder.checkpoint();
+        let kept = keep(&done.scene, &optimised.raw, &place, clock.progress);
+        // Where the disk is full, what could not be written first is the news
+        if matches!(error, Error::Cancelled) {
+            kept?;
+        }
     }
     let summary = summary(&done, written?, folder.path(), clock.begin);
     folder.publish()?;

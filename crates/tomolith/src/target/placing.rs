@@ -272,7 +272,7 @@ mod tests {
         };
         assert_eq!(
             refused(negative),
-            "target.size_mm: -1; accepted: a number > 0"
+            "target.size_mm: found -1; accepted: a number > 0"
         );
         let nan = Placement {
             offset_mm: [0.0, f64::NAN, 0.0],

@@ -381,7 +381,7 @@ mod tests {
         assert!(
             refused("phantom = \"gear\"\nsize_mm = 2\nscale = 2").starts_with("target.scale: both")
         );
-        assert!(refused("phantom = \"gear\"\nscale = inf").starts_with("target.scale: inf"));
+        assert!(refused("phantom = \"gear\"\nscale = inf").starts_with("target.scale: found inf"));
         assert!(toml::from_str::<TargetSpec>("phantm = \"gear\"").is_err());
     }
 
