@@ -274,7 +274,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(rounded["levels"].is_null());
     let number = |v: &Value| v.as_f64().unwrap();
     let gain = &report["levels"];
-    assert!(number(&gain["loss"]) < 0.1 * number(&gain["rounded_loss"]));
+    assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
     assert!(number(&gain["calls"]) <= 70.0);
     assert_ne!(report["evaluation"], rounded["evaluation"]);
     // What the optimisation reached is told apart from what is shown of it
