@@ -19,7 +19,7 @@ const TIMESCALE: f64 = 90_000.0;
 /// Frames that are compressed together, before they are written.
 const GROUP: usize = 64;
 
-/// Writes the frames of one light as a lossless movie; see the [module page](self).
+/// Writes the frames of one light as a lossless movie.
 ///
 /// # Errors
 /// [`Error::Shape`], [`Error::Io`]; [`Error::Unsupported`] for frames beyond 65,535 pixels or a movie too long for its clock.
