@@ -777,7 +777,7 @@ fn numbers_that_mean_little_come_with_a_warning() {
 #[test]
 fn the_closing_lines_say_on_which_voxels() {
     let bench = Bench::new();
-    let said = bench.expect(0, "run job.toml --output a");
+    let said = bench.expect(0, "run job.toml --output a --set evaluate.refine=2");
     assert!(
         said.contains("evaluated on 56 × 56 × 36 voxels of 0.05 mm, 2× finer than the job's"),
         "{said}"

@@ -310,7 +310,7 @@ fn a_disk_that_is_full_during_the_optimisation_is_a_warning() {
     .unwrap();
     // With thirty pairs a checkpoint takes 1.4 MB, the largest output 0.7 MB; the limit is 1 MB
     let settings = "--set stop.iterations=30 --set optimizer.lbfgs.memory=30 --set checkpoint.every_s=0.0001 \
-                    --set objective.threshold.lower=0.99 --set objective.threshold.upper=1.0";
+                    --set objective.threshold.lower=0.99 --set objective.threshold.upper=1.0 --set evaluate.refine=2";
     let line = format!(
         "trap '' XFSZ; ulimit -f 2000; exec {} run {} --overwrite {settings}",
         env!("CARGO_BIN_EXE_tomolith"),

@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::kinds::{Family, families, with_defaults};
+use super::refinement::LEAST_REFINE;
 use super::spec::{Angles, JobSpec, default_objective};
 use super::validate;
 use crate::error::{Error, Result};
@@ -172,6 +173,8 @@ impl Job {
             .iter_mut()
             .for_each(|printer| printer.coarsen(TOY));
         spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        spec.grid.refine = Some(1);
+        spec.evaluate.refine.get_or_insert(LEAST_REFINE);
         spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
         (spec.evaluate.require_iou, spec.evaluate.require_in_band) = (None, None);
         self
