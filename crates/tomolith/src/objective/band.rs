@@ -568,6 +568,23 @@ impl BandLanes {
         }
     }
 
+    /// One band for all, its weight times shares and a scale, and wider.
+    #[inline(always)]
+    fn shared(band: &Band, shares: Group, scale: Option<&[f32]>, widen: Option<&[f32]>) -> Self {
+        let alike = Self::alike(band);
+        let read = |field: &[f32]| field.first_chunk().map(Group::of).unwrap_or_default();
+        let weight = match scale.map(read) {
+            Some(scale) => shares.zip(scale, |s, scale| s * scale),
+            None => shares,
+        };
+        let widen = widen.map(read).unwrap_or_default();
+        BandLanes {
+            lower: alike.lower.zip(widen, |bound, by| bound - by),
+            upper: alike.upper.zip(widen, |bound, by| bound + by),
+            weight: alike.weight.zip(weight, |a, b| a * b),
+        }
+    }
+
     /// Adds the penalties of sixteen voxels to eight running sums; gives their derivatives.
     #[inline(always)]
     fn penalize(&self, m: Group, sums: &mut [f64; 8], penalty: impl Penalty) -> Group {
@@ -630,22 +647,32 @@ impl Bands {
             } => {
                 let begin = range.start;
                 let shares = inside[range].as_chunks::<LANES>().0;
+                let plain = scale.is_empty() && widen.is_empty();
                 for (k, ((m, slope), shares)) in lanes.zip(shares).enumerate() {
-                    let at = begin + k * LANES;
-                    let share = |i: usize, band: &Band, s: fn(f32) -> f32| {
-                        if shares[i] < 0.0 {
-                            return Band::FREE;
-                        }
-                        let scale = scale.get(at + i).copied().unwrap_or(1.0);
-                        let widen = widen.get(at + i).copied().unwrap_or(0.0);
-                        band.widened(widen)
-                            .weighing(scale * band.weight * s(shares[i]))
+                    let alike = plain && *shares == [shares[0]; LANES];
+                    let slopes = if alike && shares[0] < 0.0 {
+                        Group::default()
+                    } else if alike && shares[0] == 0.0 {
+                        BandLanes::alike(void).penalize(m, &mut sums, penalty)
+                    } else if alike && shares[0] == 1.0 {
+                        BandLanes::alike(part).penalize(m, &mut sums, penalty)
+                    } else {
+                        let at = begin + k * LANES..begin + (k + 1) * LANES;
+                        let [scale, widen] = [scale, widen].map(|field| field.get(at.clone()));
+                        let (one, shares) = (f32x8::splat(1.0), Group::of(shares));
+                        let counted = |s: f32x8, weight| s.simd_ge(f32x8::ZERO) & weight;
+                        let parts =
+                            BandLanes::shared(part, shares.map(|s| counted(s, s)), scale, widen);
+                        let voids = BandLanes::shared(
+                            void,
+                            shares.map(|s| counted(s, one - s)),
+                            scale,
+                            widen,
+                        );
+                        let slopes = parts.penalize(m, &mut sums, penalty);
+                        slopes.zip(voids.penalize(m, &mut sums, penalty), |a, b| a + b)
                     };
-                    let parts = BandLanes::mixed(|i| share(i, part, |s| s));
-                    let voids = BandLanes::mixed(|i| share(i, void, |s| 1.0 - s));
-                    let rise = parts.penalize(m, &mut sums, penalty);
-                    let both = rise.zip(voids.penalize(m, &mut sums, penalty), |a, b| a + b);
-                    *slope = Lanes(both.to_array());
+                    *slope = Lanes(slopes.to_array());
                 }
             }
             Bands::Voxels {
