@@ -66,7 +66,7 @@ fn main() {
         light.surrounding_index = 1.0;
         let grid = VolumeGrid::centered([256; 3], 0.025);
         let params = Params {
-            rays_per_pixel: Some(1),
+            rays_per_pixel: 1,
             ..Params::default()
         };
         let model = Rays::new(&vial, vec![light], &[optics(name)], &params, grid).expect("a model");

@@ -80,13 +80,18 @@ const CASES: [Case; 6] = [
 ];
 
 /// Name, title, and the keys that make a row of the default job.
-const ROWS: [(&str, &str, &[&str]); 9] = [
+const ROWS: [(&str, &str, &[&str]); 10] = [
     (
         "start",
         "start (FBP)",
         &["stop.iterations=0", "objective.threshold.surface=voxel"],
     ),
     ("osmo", "OSMO", &["optimizer.osmo={}", "objective.osmo={}"]),
+    (
+        "edges",
+        "OSMO with edges",
+        &["optimizer.osmo.edges=true", "objective.osmo={}"],
+    ),
     (
         "cal",
         "CAL",

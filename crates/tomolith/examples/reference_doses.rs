@@ -87,7 +87,7 @@ impl Bench {
 
     fn rays(&self, vial: &dyn Vial, mu: f64, count: usize) -> Result<Model, Box<dyn Error>> {
         let params = rays::Params {
-            rays_per_pixel: Some(count),
+            rays_per_pixel: count,
             ..rays::Params::default()
         };
         let optics = [Optics::collimated(PITCH_MM)];

@@ -188,7 +188,7 @@ impl Optics {
         }
         match &mut model {
             Choice::Rays(params) => {
-                params.rays_per_pixel = Some(params.rays(false) * refine * refine);
+                params.rays_per_pixel *= refine * refine;
             }
             Choice::Orders(params) => {
                 params.rays_per_pixel = Some(params.rays() * refine * refine);

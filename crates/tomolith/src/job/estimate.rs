@@ -143,7 +143,7 @@ impl Extent {
 
     /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
     fn bytes_of_walks(&self) -> f64 {
-        let planes = self.grid.shape.iter().copied().max().unwrap_or(0) as f64;
+        let planes = self.finest.shape.iter().copied().max().unwrap_or(0) as f64;
         let ways = self.walks.map_or(0.0, |walks| walks.per_pixel);
         let entries = self.active_pixels as f64 * ways * VOXELS_PER_PLANE * planes;
         let most = kept::MOST as f64;

@@ -8,6 +8,7 @@ use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, Limits};
+use std::fmt;
 
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
@@ -52,14 +53,53 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
     found.limits()
 }
 
+/// By which share a loss function fell over the last quarter of the iterations.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Fall {
+    /// 1 − the last loss / the one before these iterations.
+    pub share: f64,
+    /// How many iterations these are.
+    pub last: usize,
+    /// How many there were.
+    pub all: usize,
+}
+
+impl Fall {
+    /// None for a history too short, and where the loss rose: thresholds that moved, or a method that does not descend it.
+    pub(crate) fn of(history: &[Row]) -> Option<Self> {
+        let end = history.last()?;
+        let last = end.iteration.div_ceil(4);
+        let before = history
+            .iter()
+            .find(|row| row.iteration == end.iteration - last)?;
+        let share = 1.0 - end.loss / before.loss;
+        let all = end.iteration;
+        (last > 0 && share >= 0.0).then_some(Fall { share, last, all })
+    }
+
+    /// Whether more iterations would hardly lower the loss.
+    #[must_use]
+    pub fn has_converged(&self) -> bool {
+        self.share <= STILL_FALLING
+    }
+}
+
+impl fmt::Display for Fall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let not = if self.has_converged() { "" } else { "not " };
+        let percent = significant(100.0 * self.share, 2);
+        write!(
+            f,
+            "{not}converged: the loss fell by {percent} % in the last {}",
+            self.last
+        )
+    }
+}
+
 /// A loss function that was still falling when the optimisation ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Falling {
-    /// By which share it fell in the last iterations.
-    share: f64,
-    /// How many these are, of how many.
-    last: usize,
-    all: usize,
+    fall: Fall,
     /// The key of the limit that was reached.
     key: &'static str,
 }
@@ -71,18 +111,8 @@ impl Falling {
             StopReason::WallTime => "stop.wall_s",
             _ => return None,
         };
-        let end = history.last()?;
-        let last = end.iteration.div_ceil(4);
-        let before = history
-            .iter()
-            .find(|row| row.iteration == end.iteration - last)?;
-        let share = 1.0 - end.loss / before.loss;
-        (share > STILL_FALLING).then_some(Falling {
-            share,
-            last,
-            all: end.iteration,
-            key,
-        })
+        let fall = Fall::of(history)?;
+        (!fall.has_converged()).then_some(Falling { fall, key })
     }
 }
 
@@ -246,13 +276,7 @@ impl Found {
             (self.optimised, reach)
         };
         let loss = self.loss(Some(perfect), reached)?;
-        let Some(Falling {
-            share,
-            last,
-            all,
-            key,
-        }) = self.falling
-        else {
+        let Some(Falling { fall, key }) = self.falling else {
             let rest = if loss >= WORTH_CHANGING {
                 "; the rest is what this light leaves."
             } else {
@@ -263,8 +287,10 @@ impl Found {
             return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, action));
         };
         let found = format!(
-            "{reach}, and the loss function still fell by {} % in the last {last} of {all} iterations.",
-            significant(100.0 * share, 2)
+            "{reach}, and the loss function still fell by {} % in the last {} of {} iterations.",
+            significant(100.0 * fall.share, 2),
+            fall.last,
+            fall.all
         );
         Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
     }
@@ -427,13 +453,24 @@ mod tests {
         };
         let falling = Falling::of(StopReason::Iterations, &history(80.0)).unwrap();
         assert_eq!(
-            (falling.last, falling.all, falling.key),
+            (falling.fall.last, falling.fall.all, falling.key),
             (10, 40, "stop.iterations")
         );
-        assert!((falling.share - 0.2).abs() < 1e-12);
+        assert!((falling.fall.share - 0.2).abs() < 1e-12);
         assert_eq!(Falling::of(StopReason::Iterations, &history(99.5)), None);
         assert_eq!(Falling::of(StopReason::Steady, &history(80.0)), None);
         assert_eq!(Falling::of(StopReason::Iterations, &[]), None);
+        let said = |end| Fall::of(&history(end)).map(|fall| fall.to_string());
+        assert_eq!(
+            said(80.0).as_deref(),
+            Some("not converged: the loss fell by 20 % in the last 10")
+        );
+        assert_eq!(
+            said(99.5).as_deref(),
+            Some("converged: the loss fell by 0.5 % in the last 10")
+        );
+        assert_eq!(said(101.0), None);
+        assert_eq!(Fall::of(&history(80.0)[..1]), None);
         let limits = Found {
             optimised: Some(0.9),
             written: Some(0.9),

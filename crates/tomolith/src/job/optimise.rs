@@ -21,6 +21,7 @@ use crate::optimize::{
     self, Checkpoints, Counters, Limits, Observer, Outcome, Problem, Room, Row, StepReport, Stop,
     StopReason,
 };
+use crate::response::Response;
 use crate::units::concise;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -320,8 +321,13 @@ impl<'a> Stage<'a> {
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(scene.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
+        let response = scene.response()?;
+        let input = start_input(model, &self.voxels, response.as_ref(), &[]);
         if optimizer.needs().target.is_some() {
-            problem = problem.with_target(target_field(scene, &self.voxels, model)?);
+            problem = problem.with_target(input.target_field()?);
+        }
+        if optimizer.needs().edges.is_some() {
+            problem = problem.with_edges(input.edge_field()?);
         }
         problem.counters = sofar.counters;
         let stop = Stop {
@@ -417,21 +423,20 @@ fn dark_pixels(
     Ok(Some(dark))
 }
 
-/// The target as methods see it that compare doses with it themselves.
-pub(super) fn target_field(
-    scene: &Scene,
-    voxels: &Voxels,
-    model: &dyn DoseModel<Field = HostField>,
-) -> Result<HostField> {
-    let response = scene.response()?;
-    let input = StartInput {
+/// What a start or a method's marks are computed from.
+fn start_input<'a>(
+    model: &'a dyn DoseModel<Field = HostField>,
+    voxels: &'a Voxels,
+    response: &'a dyn Response,
+    limits: &'a [Limits],
+) -> StartInput<'a> {
+    StartInput {
         model,
         target: &voxels.target,
         labels: &voxels.labels,
-        response: response.as_ref(),
-        limits: &[],
-    };
-    input.target_field()
+        response,
+        limits,
+    }
 }
 
 /// Part of the mean energy of lit pixels that every pixel has at the start of amplitudes: one that is dark, and lights nothing with
@@ -457,13 +462,7 @@ pub(super) fn starting_patterns(
     };
     let response = scene.response()?;
     let limits = vec![limits; scene.spec.light.len()];
-    let input = |model| StartInput {
-        model,
-        target: &voxels.target,
-        labels: &voxels.labels,
-        response: response.as_ref(),
-        limits: &limits,
-    };
+    let input = |model| start_input(model, voxels, response.as_ref(), &limits);
     let mut x = start.patterns(&input(straight.unwrap_or(model)), cancel)?;
     if model.patterns()[0].quantity == Quantity::Energy {
         return Ok(x);

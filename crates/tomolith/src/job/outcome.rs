@@ -1,5 +1,6 @@
 //! What a run and a check tell at their end.
 
+pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::optimize::{Kept, StopReason};
 use crate::report::{ExposureWindow, Limits};
@@ -69,6 +70,8 @@ pub struct Summary {
     pub iterations: Option<usize>,
     /// Why the optimisation ended; None for a simulation.
     pub stopped: Option<StopReason>,
+    /// How the loss fell in the end; None for a simulation, and where the loss is not what the method lowers.
+    pub fall: Option<Fall>,
     /// Which iterate the patterns are; None for a simulation.
     pub kept: Option<Kept>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
@@ -110,7 +113,14 @@ impl Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
-            writeln!(f, "{:>28} {iterations} ({})", "iterations", words(reason))?;
+            let fall = self.fall.filter(|_| reason.is_a_limit());
+            let fall = fall.map_or_else(String::new, |fall| format!("; {fall}"));
+            writeln!(
+                f,
+                "{:>28} {iterations} ({}{fall})",
+                "iterations",
+                words(reason)
+            )?;
             if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
                 writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
             }

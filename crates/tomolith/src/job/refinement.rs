@@ -11,8 +11,11 @@
 //!
 //! **Coarse first.** Half of the iterations run on voxels twice as wide; where the job's own voxels are all that the budget allows, on
 //! pixels, voxels and half as many frames instead.
+//!
+//! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
 use super::build::Optics;
+use super::cells;
 use super::coarse::{coarser_grid, coarser_lights, is_large_enough};
 use super::named::optimizer;
 use super::spec::JobSpec;
@@ -31,6 +34,10 @@ const BUDGET: f64 = 8e9;
 const COLUMN: usize = 64;
 /// Voxels across a pixel, as fine as the judge's of docs/fidelity.md; finer ones have not been tried.
 const PER_PIXEL: f64 = 4.0;
+/// The same where voxels are cut into cells.
+const CELLS_PER_PIXEL: f64 = 2.0;
+/// Voxel-angle updates of a dose by rays through cells that are affordable: 0.3 to 5 s on two cores, with and without kept walks.
+const BUDGET_OF_CELLS: f64 = 8e8;
 /// Angles at which a frame is averaged at most.
 const MOST_ANGLES: usize = 4;
 /// Rounding of lengths, in voxels.
@@ -113,9 +120,11 @@ pub(super) fn levels(
         levels.push(Level::new(grid.clone(), lights, None, until));
         return Ok(levels);
     }
-    let own = || vec![Level::new(grid.clone(), lights, None, iterations)];
     if !is_free(spec, optics)? {
-        return Ok(own());
+        let has_cells = has_free_cells(spec, optics)?;
+        let fine = has_cells.then(|| of_cells(spec, lights, grid));
+        let grid = fine.unwrap_or_else(|| grid.clone());
+        return Ok(vec![Level::new(grid, lights, None, iterations)]);
     }
     let (fine, sub_angles) = match spec.grid.refine {
         Some(refine) => {
@@ -162,11 +171,8 @@ pub(super) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
         .unwrap_or(LEAST_REFINE)
 }
 
-/// What to say of levels that the job did not ask for.
-pub(super) fn note(levels: &[Level]) -> Option<String> {
-    let [first, .., last] = levels else {
-        return None;
-    };
+/// What to say of voxels that the job did not ask for.
+pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
     let of = |level: &Level| {
         let [nz, ny, nx] = level.grid.shape;
         let angles = match level.lights[0].sub_angles {
@@ -176,12 +182,16 @@ pub(super) fn note(levels: &[Level]) -> Option<String> {
         let pitch = concise(level.grid.pitch_mm);
         format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
     };
-    Some(format!(
-        "patterns are optimised on {} up to iteration {}, in the end on {}",
-        of(first),
-        first.until,
-        of(last)
-    ))
+    match levels {
+        [first, .., last] => Some(format!(
+            "patterns are optimised on {} up to iteration {}, in the end on {}",
+            of(first),
+            first.until,
+            of(last)
+        )),
+        [level] if level.grid != *grid => Some(format!("patterns are optimised on {}", of(level))),
+        _ => None,
+    }
 }
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
@@ -192,8 +202,50 @@ fn is_free(spec: &JobSpec, optics: &Optics) -> Result<bool> {
         Choice::Parallel(_) => true,
         _ => false,
     };
-    let asked = spec.stop.iou.is_some() || spec.stop.loss > 0.0;
-    Ok(is_parallel && !asked && sees_fractions(spec)?)
+    Ok(is_parallel && !asks_of_voxels(spec) && sees_fractions(spec)?)
+}
+
+/// Whether a run ends by what the job's own voxels say.
+fn asks_of_voxels(spec: &JobSpec) -> bool {
+    spec.stop.iou.is_some() || spec.stop.loss > 0.0
+}
+
+/// Whether the program chooses the voxels of a job with surface-aware cells.
+fn has_free_cells(spec: &JobSpec, optics: &Optics) -> Result<bool> {
+    let is_straight = match &optics.model {
+        Choice::Cheapest => !optics.setup().scatters(),
+        Choice::Rays(_) => true,
+        _ => false,
+    };
+    if !is_straight || asks_of_voxels(spec) || cells::key(spec)?.is_none() {
+        return Ok(false);
+    }
+    for section in spec.objectives()? {
+        if Common::split(section)?.0.has_fields() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
+/// light within it (docs/rays.md).
+fn of_cells(spec: &JobSpec, lights: &[Light], grid: &VolumeGrid) -> VolumeGrid {
+    let wanted = across(grid, lights, CELLS_PER_PIXEL);
+    (1..=spec.grid.refine.unwrap_or(wanted))
+        .rev()
+        .map(|refine| grid.refined(refine))
+        .find(|fine| spec.grid.refine.is_some() || updates(fine, lights) <= BUDGET_OF_CELLS)
+        .unwrap_or_else(|| grid.clone())
+}
+
+/// Parts into which a voxel is cut, so that so many of them are no wider than the narrowest pixel.
+fn across(grid: &VolumeGrid, lights: &[Light], per_pixel: f64) -> usize {
+    let pixel = |light: &Light| light.pixels.pitch_mm[0];
+    let narrowest = lights.iter().map(pixel).fold(f64::INFINITY, f64::min);
+    (grid.pitch_mm * per_pixel / narrowest - ROUNDING)
+        .ceil()
+        .max(1.0) as usize
 }
 
 /// Slices into which a voxel is cut, so that none is higher than a row of pixels.
@@ -210,12 +262,8 @@ fn finest(
     grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
 ) -> (VolumeGrid, usize) {
-    let pixel = |light: &Light| light.pixels.pitch_mm[0];
-    let narrowest = lights.iter().map(pixel).fold(f64::INFINITY, f64::min);
     let along = along(grid, lights);
-    let wanted = (grid.pitch_mm * PER_PIXEL / narrowest - ROUNDING)
-        .ceil()
-        .max(1.0) as usize;
+    let wanted = across(grid, lights, PER_PIXEL);
     let cost = |grid: &VolumeGrid, angles: usize| {
         let frames = lights
             .iter()
@@ -314,4 +362,44 @@ pub(super) fn widened(spec: &JobSpec, steps: usize) -> Result<Option<JobSpec>> {
     table.insert(kind.name.to_owned(), parameters.into());
     spec.objective = Some(table.into());
     Ok(Some(spec))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::build::Optics;
+    use super::*;
+    use crate::job::Job;
+
+    /// Pitches of the levels of a small job, with further lines.
+    fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
+            grid = {{ pitch_mm = 0.1 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
+            vial = {{ index_matched = {{ radius_mm = 1.0 }} }}
+            light = [{{ pixels = [24, 16], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+            objective = {{ threshold = {{ surface = "{surface}" }} }}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
+        let job = Job::read(&file, &more).unwrap();
+        let optics = Optics::new(&job.spec, &job.base()).unwrap();
+        let grid = VolumeGrid::centered([10, 10, 10], 0.1);
+        let bounds = [[-0.4; 3], [0.4; 3]];
+        let levels = levels(&job.spec, &optics, &grid, bounds).unwrap();
+        levels.iter().map(|level| level.grid.pitch_mm).collect()
+    }
+
+    #[test]
+    fn cells_are_cut_from_half_pixels_where_the_job_leaves_it_open() {
+        assert_eq!(pitches("cells", &[]), [0.05]);
+        assert_eq!(pitches("cells", &["grid.refine=1"]), [0.1]);
+        assert_eq!(pitches("cells", &["stop.iou=0.9"]), [0.1]);
+        assert_eq!(pitches("voxel", &[]), [0.1]);
+        assert_eq!(pitches("fraction", &[]), [0.05, 0.025]);
+    }
 }

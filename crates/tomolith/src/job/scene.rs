@@ -142,7 +142,7 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
-        notes.extend(refinement::note(&levels));
+        notes.extend(refinement::note(&levels, &grid));
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -152,7 +152,11 @@ impl Scene {
         let extent = Extent {
             finest: levels[levels.len() - 1].grid.clone(),
             effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
-            walks: setup.walks(&optics.model, &optics.lights, &grid),
+            walks: setup.walks(
+                &optics.model,
+                &optics.lights,
+                &levels[levels.len() - 1].grid,
+            ),
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),

@@ -106,7 +106,7 @@ pub struct GridSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shape: Option<[usize; 3]>,
     /// How many times finer across the optimisation's voxels are; along z they are as high as a row of pixels. When left out: up to a
-    /// quarter of a pixel, as far as the time allows, with `surface = "fraction"` and level light; 1 otherwise.
+    /// quarter of a pixel, as far as the time allows, with `surface = "fraction"` and level light, to half a pixel with `"cells"`; 1 otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
     /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.

@@ -5,6 +5,7 @@ use super::estimate::Work;
 use super::folder::RunFolder;
 use super::judge::judge;
 use super::levels;
+use super::limits::Fall;
 use super::optimise::{Optimised, keep, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress, watched};
@@ -17,8 +18,8 @@ use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
 use crate::models::{Choice, Run};
-use crate::optimize::Counters;
 use crate::optimize::checkpoint::CHECKPOINT;
+use crate::optimize::{Counters, KeptBy};
 use crate::report::Timing;
 use crate::units::concise;
 use std::path::Path;
@@ -414,6 +415,9 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
         stopped: optimised.map(|o| o.outcome.reason),
+        fall: optimised
+            .filter(|o| o.outcome.kept.by == KeptBy::Loss)
+            .and_then(|o| Fall::of(&o.outcome.history)),
         kept: optimised.map(|o| o.outcome.kept),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),

@@ -363,14 +363,9 @@ fn straight(
             let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
             Ok(boxed(model, solid))
         }
-        // Asked once: nothing to keep; whether light meets a cell takes no more rays than whether it meets a voxel
+        // Asked once: nothing to keep
         Optical::Rays(params) => {
-            let mut params = params.clone().into_owned();
-            if solid.is_some() {
-                let enough = rays::Params::default().rays(false);
-                params.rays_per_pixel = Some(params.rays(true).min(enough));
-            }
-            let model = Rays::new(setup.vial, lights, setup.optics, &params, grid)?;
+            let model = Rays::new(setup.vial, lights, setup.optics, params, grid)?;
             Ok(boxed(model, solid))
         }
         Optical::Parallel => optical(way, setup, lights, grid, solid, run),
@@ -428,11 +423,7 @@ fn optical(
 ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
     let rays = |params: &rays::Params| {
         let (vial, optics) = (setup.vial, setup.optics);
-        let params = rays::Params {
-            rays_per_pixel: Some(params.rays(solid.is_some())),
-            ..rays::Params::clone(params)
-        };
-        Rays::new(vial, lights.clone(), optics, &params, grid.clone())
+        Rays::new(vial, lights.clone(), optics, params, grid.clone())
             .map(|model| {
                 if setup.asked_often {
                     model.keeping()

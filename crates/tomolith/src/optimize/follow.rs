@@ -221,7 +221,8 @@ impl Case {
             .unwrap()
             .with_bits(bits)
             .unwrap()
-            .with_target(input.target_field().unwrap());
+            .with_target(input.target_field().unwrap())
+            .with_edges(input.edge_field().unwrap());
         let mut x = DoseModel::new_patterns(&self.model).unwrap();
         let start: Vec<f32> = self.start().iter().map(|&v| v as f32).collect();
         x.copy_from_host(&start);

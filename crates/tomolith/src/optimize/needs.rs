@@ -19,6 +19,8 @@ pub struct Needs {
     pub unpenalised: Option<&'static str>,
     /// Why the method must know the target itself.
     pub target: Option<&'static str>,
+    /// Why the method must know which voxels lie at the part's surface.
+    pub edges: Option<&'static str>,
     /// Why the void of a target of part and void must be allowed some dose; a job tries that before any work.
     pub tolerant: Option<&'static str>,
 }
@@ -59,6 +61,10 @@ impl Needs {
             (
                 self.target.filter(|_| !problem.has_target()),
                 "a problem without a target".to_owned(),
+            ),
+            (
+                self.edges.filter(|_| problem.edges().is_err()),
+                "a problem without marks at the surface".to_owned(),
             ),
         ];
         for (reason, other) in lacks {

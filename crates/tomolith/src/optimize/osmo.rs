@@ -9,6 +9,11 @@
 //! part half   M ← M + max(0, D_h − F(x)) in the part
 //! ```
 //!
+//! **Edges** `edges = true` (Chen et al. 2023) ends a step with two more halves that correct voxels at the part's surface alone: those of the
+//! part that have a void neighbour by a face are pushed up, those of the void that have a part neighbour down. Only the abstract of that
+//! article was at hand: that there are two more halves, one for either side of the edge, is said there; that their corrections are those of
+//! the first two is our reading.
+//!
 //! The corrections are −½·∂L/∂dose of the objective, its positive and its negative part, so any objective drives the method;
 //! [`osmo`](crate::objective::osmo), which holds D_h and D_l, makes it the published one. M itself is never needed: g is linear in
 //! it and is kept instead (Li et al., eqs. 15–20), negative values included.
@@ -26,11 +31,12 @@
 //! article, and the loss is that of the normalised dose. [`PublishedScale`](super::PublishedScale) brings them to a common mean.
 //! `bounds.min` and `bounds.max` hold at that scale; where they cut, the largest dose is no longer 1 and a forward call is added.
 //!
-//! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; Li et al. (2024), eqs. 11–20.
+//! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; Li et al. (2024), eqs. 11–20; edges: Chen et al., Micromachines
+//! 14 (2023) 1362.
 //!
 //! **Parameters** see [`Params`]. **Limits** linear models; the loss may rise, the iterate with the best print is [kept](super::keep); a dose that is zero
-//! everywhere ends the run (thresholds so low that the void half takes all light). **Cost** two forward and two adjoint calls a
-//! double step, one of each more at the first; three pattern fields and the target.
+//! everywhere ends the run (thresholds so low that the void half takes all light). **Cost** a forward and an adjoint call for each
+//! half, one of each more at the first; three pattern fields, the target, and the marks of edges.
 //!
 //! ```
 //! use tomolith::kind::Section;
@@ -74,6 +80,8 @@ pub struct Params {
     pub filter: Filter,
     /// What a step is: "double" (default, void and part) or "half" (in turn)
     pub count: Count,
+    /// Whether two more halves correct voxels at the part's surface alone (default false)
+    pub edges: bool,
     /// Smallest pixel as a share of the largest, 0 to 1 (default 0)
     pub inhibition: f64,
 }
@@ -90,6 +98,9 @@ struct Fields<F> {
     model: F,
     scratch: F,
 }
+
+/// Which errors a half corrects, and whether those at the part's surface alone.
+type Half = (Turn, bool);
 
 /// The numbers of a checkpoint: steps done, under the method's name.
 #[derive(Deserialize, Serialize)]
@@ -154,10 +165,25 @@ impl<F: Field> Osmo<F> {
             .map(drop)
     }
 
+    /// The halves of a step.
+    fn halves(&self) -> Vec<Half> {
+        let mut halves = vec![(Turn::Over, false), (Turn::Under, false)];
+        if self.params.edges {
+            halves.extend([(Turn::Under, true), (Turn::Over, true)]);
+        }
+        match self.params.count {
+            Count::Double => halves,
+            Count::Half => {
+                let turn = self.steps % halves.len() as u64;
+                halves.into_iter().skip(turn as usize).take(1).collect()
+            }
+        }
+    }
+
     /// One half: the correction, projected and added; returns its squared norm.
     fn half(
         &self,
-        turn: Turn,
+        (turn, is_of_edges): Half,
         fields: &mut Fields<F>,
         problem: &mut Problem<F>,
         x: &mut F,
@@ -165,6 +191,10 @@ impl<F: Field> Osmo<F> {
     ) -> Result<f64> {
         turn.keep(&mut at.cotangent);
         at.cotangent.scale(-0.5);
+        if is_of_edges {
+            at.cotangent
+                .map_with(problem.edges()?, |error, edge| error * edge);
+        }
         let square = at.cotangent.dot(&at.cotangent);
         problem.project(x, &at.cotangent, &mut fields.scratch)?;
         fields.model.axpy(1.0, &fields.scratch);
@@ -186,13 +216,9 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
                 fields
             }
         };
-        let turns = match self.params.count {
-            Count::Double => vec![Turn::Over, Turn::Under],
-            Count::Half => vec![Turn::of(self.steps)],
-        };
         let mut square = 0.0;
-        for turn in turns {
-            square += self.half(turn, &mut fields, problem, x, at)?;
+        for half in self.halves() {
+            square += self.half(half, &mut fields, problem, x, at)?;
         }
         self.steps += 1;
         self.fields = Some(fields);
@@ -212,6 +238,10 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
             linear: Some("a correction of the object is projected to the patterns by the adjoint"),
             unpenalised: Some("it corrects the object, where patterns have no price"),
             target: Some("it begins with the target's own projection"),
+            edges: self
+                .params
+                .edges
+                .then_some("`edges` corrects the voxels at the part's surface"),
             tolerant: Some(
                 "its void half takes away all dose above the void's band, and in the end all light",
             ),
@@ -286,6 +316,22 @@ mod tests {
 
     /// The article's iteration with the model in object space, M kept as its part beyond the (filtered) target.
     fn article(case: &Case, filtered: bool, floor: f64, levels: Option<f64>) -> Vec<Vec<f64>> {
+        halves(
+            case,
+            filtered,
+            (floor, levels),
+            &[(0.0, false), (1.0, false)],
+        )
+    }
+
+    /// The same with halves of part (1) or void (0), at edges alone or not.
+    fn halves(
+        case: &Case,
+        filtered: bool,
+        (floor, levels): (f64, Option<f64>),
+        halves: &[(f64, bool)],
+    ) -> Vec<Vec<f64>> {
+        let inner = case.without_neighbours_of_the_other_kind();
         let target = case.dense.target();
         let first = case.dense.adjoint(&target);
         let first = if filtered {
@@ -302,10 +348,14 @@ mod tests {
             let (patterns, dose) = shown(case, &projected, floor, levels);
             history.push(patterns);
             for i in 0..dose.len() {
-                match (marked[i], k % 2) {
-                    (0.0, 0) => beyond[i] -= (dose[i] - D_L).max(0.0),
-                    (1.0, 1) => beyond[i] += (D_H - dose[i]).max(0.0),
-                    _ => {}
+                let (kind, is_of_edges) = halves[k % halves.len()];
+                if marked[i] != kind || is_of_edges && inner[i] {
+                    continue;
+                }
+                if kind > 0.0 {
+                    beyond[i] += (D_H - dose[i]).max(0.0);
+                } else {
+                    beyond[i] -= (dose[i] - D_L).max(0.0);
                 }
             }
         }
@@ -343,6 +393,32 @@ mod tests {
                 assert_eq!((counters.forward, counters.adjoint), (2 + calls, 1 + calls));
             }
         }
+    }
+
+    #[test]
+    fn edges_are_corrected_by_two_more_halves() {
+        let case = Case::new();
+        let objective = case.objective("osmo", serde_json::json!({"d_h": D_H, "d_l": D_L}));
+        let order = [(0.0, false), (1.0, false), (1.0, true), (0.0, true)];
+        let expected = halves(&case, true, (0.0, None), &order);
+        for (count, halves) in [(Count::Half, 1), (Count::Double, 4)] {
+            let params = Params {
+                count,
+                edges: true,
+                ..Params::default()
+            };
+            let found = case.run(&*objective, &mut osmo(params), 8 / halves, None);
+            for (step, patterns) in found.patterns.iter().enumerate().skip(1) {
+                assert_near(patterns, &expected[step * halves], 2e-5, "patterns");
+            }
+        }
+        let plain = article(&case, true, 0.0, None);
+        let largest = plain[4].iter().copied().fold(0.0, f64::max);
+        let change = plain[4]
+            .iter()
+            .zip(&expected[4])
+            .map(|(a, b)| (a - b).abs());
+        assert!(change.fold(0.0, f64::max) > 0.01 * largest);
     }
 
     #[test]

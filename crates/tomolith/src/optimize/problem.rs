@@ -56,6 +56,8 @@ pub struct Problem<'a, F: Field> {
     levels: Option<u32>,
     /// Target per element of the dose field, below 0 where a voxel does not count.
     target: Option<F>,
+    /// 1 at the part's surface, else 0.
+    edges: Option<F>,
     run: &'a Run,
     /// What was done so far.
     pub counters: Counters,
@@ -99,6 +101,7 @@ impl<'a, F: Field> Problem<'a, F> {
             bounds,
             levels: None,
             target: None,
+            edges: None,
             run,
             counters: Counters::default(),
         })
@@ -144,6 +147,14 @@ impl<'a, F: Field> Problem<'a, F> {
         self
     }
 
+    /// The same problem with marks per element of the dose field, for methods that [need](super::Needs::edges) them: 1 where a voxel
+    /// has a neighbour of the other kind, part or void, by a face, else 0.
+    #[must_use]
+    pub fn with_edges(mut self, edges: F) -> Self {
+        self.edges = Some(edges);
+        self
+    }
+
     /// The model.
     #[must_use]
     pub fn model(&self) -> &'a dyn DoseModel<Field = F> {
@@ -176,6 +187,17 @@ impl<'a, F: Field> Problem<'a, F> {
         self.target.as_ref().ok_or_else(|| Error::Unsupported {
             what: "a method that looks at the target".to_owned(),
             reason: "the problem was built without one".to_owned(),
+        })
+    }
+
+    /// The marks given to [`with_edges`](Self::with_edges).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when there are none.
+    pub fn edges(&self) -> Result<&F> {
+        self.edges.as_ref().ok_or_else(|| Error::Unsupported {
+            what: "a method that looks at the part's surface".to_owned(),
+            reason: "the problem was built without its marks".to_owned(),
         })
     }
 

@@ -97,6 +97,14 @@ pub enum StopReason {
     Cancelled,
 }
 
+impl StopReason {
+    /// Whether a limit ended the run, not what it had reached.
+    #[must_use]
+    pub fn is_a_limit(self) -> bool {
+        matches!(self, StopReason::Iterations | StopReason::WallTime)
+    }
+}
+
 /// A row of the history; row 0 is the start.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Row {

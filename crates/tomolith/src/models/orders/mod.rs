@@ -235,7 +235,7 @@ fn by_rays(
     };
     let optics: Vec<Optics> = optics.iter().map(clear).collect();
     let params = rays::Params {
-        rays_per_pixel: Some(params.rays()),
+        rays_per_pixel: params.rays(),
         ..rays::Params::default()
     };
     Rays::new(vial, lights, &optics, &params, grid.clone())

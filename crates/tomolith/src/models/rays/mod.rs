@@ -100,9 +100,8 @@ use walk::Gait;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Rays of a pixel in a frame, 1 to 4096; 4 (default), 16 where the target's surface cuts voxels into cells.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rays_per_pixel: Option<usize>,
+    /// Rays of a pixel in a frame, 1 to 4096.
+    pub rays_per_pixel: usize,
     /// How energy is accumulated along a ray: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
     pub accumulation: Accumulation,
     /// Whether light reflected at walls is followed.
@@ -114,19 +113,11 @@ pub struct Params {
 impl Default for Params {
     fn default() -> Self {
         Params {
-            rays_per_pixel: None,
+            rays_per_pixel: 4,
             accumulation: Accumulation::Integral,
             reflections: false,
             least_power: Limits::default().least_power,
         }
-    }
-}
-
-impl Params {
-    /// Rays of a pixel in a frame; with cells, parts of voxels, more of them where nobody says how many.
-    pub(crate) fn rays(&self, has_cells: bool) -> usize {
-        self.rays_per_pixel
-            .unwrap_or(if has_cells { 16 } else { 4 })
     }
 }
 
@@ -145,8 +136,8 @@ pub const KIND: Kind<ChooseModel> = Kind {
                 accepted,
             ))
         };
-        if !(1..=4096).contains(&params.rays(false)) {
-            let found = format!("found {}", params.rays(false));
+        if !(1..=4096).contains(&params.rays_per_pixel) {
+            let found = format!("found {}", params.rays_per_pixel);
             return range("rays_per_pixel", found, "1 to 4096");
         }
         if !(0.0..=0.1).contains(&params.least_power) {
@@ -286,7 +277,7 @@ impl Rays {
             });
         }
         let emission = Emission {
-            rays_per_pixel: params.rays(false),
+            rays_per_pixel: params.rays_per_pixel,
             accumulation: params.accumulation,
             limits: Limits {
                 reflections: params.reflections,
@@ -457,7 +448,7 @@ impl Rays {
             let layout = light.layout(0);
             columns += layout.runs.iter().filter(|run| run.count > 0).count();
             pixels += layout.len();
-            rays = rays.max(params.rays(false) * light.sub_angles.max(1));
+            rays = rays.max(params.rays_per_pixel * light.sub_angles.max(1));
         }
         let per_update =
             columns as f64 / pixels.max(1) as f64 * sheets::BYTES as f64 / kept::BYTES as f64;

@@ -14,6 +14,7 @@ use crate::field::{Bounds, Field, HostField};
 use crate::grid::Volume;
 use crate::kind::{Kind, Section};
 use crate::models::{DoseLayout, DoseModel, Quantity, Run};
+use crate::objective::buffer::near_the_other_kind;
 use crate::response::Response;
 use crate::target::{Target, label};
 use rayon::prelude::*;
@@ -187,6 +188,22 @@ impl StartInput<'_> {
             });
         let mut field = self.model.new_dose()?;
         field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&target));
+        Ok(field)
+    }
+
+    /// Marks at the part's surface as a [`Problem`](super::Problem::with_edges) wants them.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn edge_field(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        let near = near_the_other_kind(self.target, layout.grid.pitch_mm);
+        let marks = Volume {
+            grid: layout.grid.clone(),
+            values: near.into_iter().map(f32::from).collect(),
+        };
+        let mut field = self.model.new_dose()?;
+        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
         Ok(field)
     }
 

@@ -10,7 +10,7 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
         for vial in vials() {
             for (name, optics) in optics() {
                 let params = Params {
-                    rays_per_pixel: Some(3),
+                    rays_per_pixel: 3,
                     reflections: true,
                     least_power: 0.02,
                     ..Params::default()
@@ -82,7 +82,7 @@ fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
     light.resin = Resin::pure_radon(1.48);
     let vial = IndexMatched { radius_mm: 1.7 };
     let params = Params {
-        rays_per_pixel: Some(100),
+        rays_per_pixel: 100,
         ..Params::default()
     };
     for solid in solids(&grid) {

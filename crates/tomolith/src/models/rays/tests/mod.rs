@@ -170,7 +170,7 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
         for (name, optics) in optics() {
             for reflections in [false, true] {
                 let params = Params {
-                    rays_per_pixel: Some(3),
+                    rays_per_pixel: 3,
                     reflections,
                     least_power: 0.02,
                     ..Params::default()
@@ -224,7 +224,7 @@ fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
         let mut light = light(6, 6, 24, 0.13);
         light.map = map.map(Arc::new);
         let params = Params {
-            rays_per_pixel: Some(1024),
+            rays_per_pixel: 1024,
             ..Params::default()
         };
         let optics = Optics::collimated(0.13);
@@ -367,7 +367,7 @@ fn with_many_rays_it_is_what_parallel_says() {
         let expected = dose(&parallel, &x);
         let difference = |count: usize| {
             let params = Params {
-                rays_per_pixel: Some(count),
+                rays_per_pixel: count,
                 ..Params::default()
             };
             let optics = Optics::collimated(0.13);
@@ -428,7 +428,7 @@ fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
     light.resin = Resin::pure_radon(1.5);
     let grid = VolumeGrid::centered([80, 11, 41], 0.05);
     let params = Params {
-        rays_per_pixel: Some(1024),
+        rays_per_pixel: 1024,
         ..Params::default()
     };
     let model = rays(
@@ -560,7 +560,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
     for vial in vials() {
         for (light, reflections) in [(&light, true), (&mapped, false)] {
             let params = Params {
-                rays_per_pixel: Some(3),
+                rays_per_pixel: 3,
                 reflections,
                 ..Params::default()
             };
@@ -644,7 +644,7 @@ fn slices_that_fall_between_rows_are_lit_evenly() {
     light.resin = Resin::pure_radon(1.48);
     let vial = IndexMatched { radius_mm: 1.7 };
     let params = Params {
-        rays_per_pixel: Some(16),
+        rays_per_pixel: 16,
         ..Params::default()
     };
     let model = rays(&vial, light, &Optics::collimated(0.1), &params, grid);
