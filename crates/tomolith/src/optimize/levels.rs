@@ -297,6 +297,38 @@ mod tests {
     }
 
     #[test]
+    fn one_bit_is_the_best_of_all_that_a_small_projector_can_show() {
+        let (n, frames) = (5, 3);
+        let case = Case::of(SmallModel::new(n, frames, 1), n, frames);
+        let (asked, _, gain) = improved(&case, 1, Limits::default());
+        let objective: Box<dyn Objective<HostField>> =
+            case.objective("l2", serde_json::json!({ "void_weight": 5.0 }));
+        let (full, flag) = (asked.max_abs(), Run::new());
+        let mut dose = DoseModel::new_dose(&case.model).unwrap();
+        let mut losses: Vec<f64> = (1u32..1 << (n * frames))
+            .map(|lit| {
+                let pixel = |i| if lit >> i & 1 == 1 { full } else { 0.0 };
+                let shown: Vec<f32> = (0..n * frames).map(pixel).collect();
+                case.model
+                    .dose(&HostField::from_slice(&shown), &mut dose, &flag)
+                    .unwrap();
+                objective.value(&dose)
+            })
+            .collect();
+        losses.sort_by(f64::total_cmp);
+        let better = losses
+            .iter()
+            .filter(|&&l| l < gain.loss * (1.0 - 1e-6))
+            .count();
+        let rounded = losses.iter().filter(|&&l| l < gain.rounded_loss).count();
+        println!(
+            "{gain:?} best {} better {better} than rounded {rounded}",
+            losses[0]
+        );
+        assert!(better < 10, "{better}");
+    }
+
+    #[test]
     fn bounds_hold_for_what_is_asked() {
         let case = Case::of(SmallModel::new(16, 24, 1), 16, 24);
         let limits = Limits { min: 0.1, max: 0.6 };
