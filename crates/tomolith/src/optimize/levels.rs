@@ -321,11 +321,8 @@ mod tests {
             .filter(|&&l| l < gain.loss * (1.0 - 1e-6))
             .count();
         let rounded = losses.iter().filter(|&&l| l < gain.rounded_loss).count();
-        println!(
-            "{gain:?} best {} better {better} than rounded {rounded}",
-            losses[0]
-        );
-        assert!(better < 10, "{better}");
+        // Of 32767 binary patterns none is better; 67 are better than plain rounding
+        assert!(better == 0 && rounded > 50, "{better} {rounded} {gain:?}");
     }
 
     #[test]
