@@ -709,7 +709,14 @@ fn tables(spec: &JobSpec) -> Result<Value> {
     let mut tables = serde_json::to_value(with_every_default(spec.clone()))
         .map_err(|e| Error::config("", e.to_string(), "a job"))?;
     if let Some(map) = tables.as_object_mut() {
-        for unimportant in ["stop", "checkpoint", "evaluate", "printer", "output"] {
+        for unimportant in [
+            "stop",
+            "checkpoint",
+            "evaluate",
+            "printer",
+            "output",
+            "resources",
+        ] {
             map.remove(unimportant);
         }
     }

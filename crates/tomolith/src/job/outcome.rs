@@ -196,8 +196,8 @@ pub struct Plan {
     pub active_pixels: usize,
     /// Memory of the largest stage, MB.
     pub memory_mb: u64,
-    /// Memory there is, MB.
-    pub available_memory_mb: Option<u64>,
+    /// Memory that it may plan with, MB.
+    pub memory_budget_mb: Option<u64>,
     /// Size of the run folder, MB.
     pub disk_mb: u64,
     /// Time of the whole run on this machine when all iterations are needed, s.
@@ -239,8 +239,8 @@ impl fmt::Display for Plan {
             "patterns", self.frames, self.pixels
         )?;
         let available = self
-            .available_memory_mb
-            .map(|mb| format!(" of {mb} MB available"))
+            .memory_budget_mb
+            .map(|mb| format!(" of {mb} MB in the budget"))
             .unwrap_or_default();
         writeln!(f, "{:>12} {} MB{available}", "memory", self.memory_mb)?;
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;

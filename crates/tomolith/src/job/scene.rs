@@ -11,7 +11,7 @@ use super::named::{
 };
 use super::read::Job;
 use super::refinement::{self, Level};
-use super::resources::{available_disk_mb, available_memory_mb, require};
+use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, coarse, light};
 use crate::error::{Error, Result};
@@ -39,8 +39,6 @@ use std::sync::Arc;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
-/// Share of the free memory that a run may plan with.
-const USABLE: f64 = 0.9;
 /// Parts of a voxel that are rounding of the job's lengths.
 const ROUNDING: f64 = 1e-6;
 
@@ -242,8 +240,8 @@ impl Scene {
 
     /// Lowers the optimiser's memory and the refinement of the evaluation until both fit, and says so.
     fn fit_memory(&mut self) -> Result<()> {
-        let free = available_memory_mb().map(|mb| (mb as f64 * USABLE) as u64);
-        let fits = |needed: u64| free.is_none_or(|free| needed <= free);
+        let budget = memory_budget_mb(self.spec.resources.memory_gb);
+        let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
         let asked = self.extent.memory;
         while !fits(self.extent.optimisation_mb()) && self.extent.memory > LEAST_MEMORY {
             self.extent.memory -= 1;
@@ -252,7 +250,7 @@ impl Scene {
             let memory = self.extent.memory;
             set_quasi_newton_memory(&mut self.spec.optimizer, memory);
             self.notes.push(format!(
-                "too little memory: optimizer.lbfgs.memory is {memory}, not {asked}"
+                "the memory budget (resources.memory_gb) is too small: optimizer.lbfgs.memory is {memory}, not {asked}"
             ));
         }
         let asked = self.extent.refine;
@@ -263,7 +261,7 @@ impl Scene {
         if self.extent.refine < asked {
             let refine = self.extent.refine;
             self.notes.push(format!(
-                "too little memory: evaluating on {}, not on a {asked}× finer one",
+                "the memory budget (resources.memory_gb) is too small: evaluating on {}, not on a {asked}× finer one",
                 match refine {
                     1 => "the job's own grid".to_owned(),
                     refine => format!("a {refine}× finer grid"),
@@ -291,9 +289,24 @@ impl Scene {
                 (pixels_key(&self.spec), accepted)
             };
             let needed_mb = estimate::whole_mb(parts);
-            require(&key, what, needed_mb, free, accepted)?;
+            require(&key, what, needed_mb, budget, accepted)?;
         }
+        self.warn_of_others();
         Ok(())
+    }
+
+    /// Warns where other programs hold the memory that the run plans with.
+    fn warn_of_others(&mut self) {
+        let needed = self
+            .extent
+            .optimisation_mb()
+            .max(self.extent.evaluation_mb());
+        if let Some(free) = free_memory_mb().filter(|&free| free < needed) {
+            self.warnings.push(format!(
+                "the run needs {needed} MB of memory and {free} MB are free now: it may become slow or be stopped by the system. End other \
+                 programs, or make the job smaller (grid.pitch_mm, light.pixels)"
+            ));
+        }
     }
 
     /// The finer grid of the evaluation.

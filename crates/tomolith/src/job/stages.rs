@@ -345,7 +345,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             .extent
             .optimisation_mb()
             .max(scene.extent.evaluation_mb()),
-        available_memory_mb: super::resources::available_memory_mb(),
+        memory_budget_mb: super::resources::memory_budget_mb(scene.spec.resources.memory_gb),
         disk_mb: scene.extent.disk_mb(),
         seconds: cost.optimisation_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,

@@ -55,6 +55,9 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
     spec.objectives()?;
     bounds_and_stop(spec)?;
     evaluate_and_output(spec)?;
+    if let Some(memory_gb) = spec.resources.memory_gb {
+        positive("resources.memory_gb", memory_gb, "GB")?;
+    }
     printer(spec)
 }
 
