@@ -175,3 +175,15 @@ impl schemars::JsonSchema for Mm {
         })
     }
 }
+
+/// A number of things.
+///
+/// ```
+/// use tomolith_core::units::counted;
+/// assert_eq!([1, 3].map(|n| counted(n, "frame")), ["1 frame", "3 frames"]);
+/// ```
+#[must_use]
+pub fn counted(count: usize, thing: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{plural}")
+}

@@ -28,7 +28,10 @@ pub struct ProcessWindow;
 impl Metric for ProcessWindow {
     fn measure(&self, print: &Print<'_>) -> Measure {
         let scan = print.scan();
-        Some(f64::from(scan.part()?.min) - f64::from(scan.void()?.max))
+        let (part, void) = (scan.part()?, scan.void()?);
+        // Without dose there is nothing to tell apart
+        let is_dark = part.max <= 0.0 && void.max <= 0.0;
+        (!is_dark).then(|| f64::from(part.min) - f64::from(void.max))
     }
 }
 

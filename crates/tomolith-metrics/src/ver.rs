@@ -27,7 +27,12 @@ pub struct Ver;
 impl Metric for Ver {
     fn measure(&self, print: &Print<'_>) -> Measure {
         let scan = print.scan();
-        let smallest = scan.part()?.min;
+        let part = scan.part()?;
+        // Without dose nothing gels at any threshold
+        if part.max <= 0.0 {
+            return None;
+        }
+        let smallest = part.min;
         let [part, void] = scan.totals();
         let wrong = scan.count_above(f64::from(smallest))[1];
         Some(wrong as f64 / (part + void) as f64)

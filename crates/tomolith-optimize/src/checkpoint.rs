@@ -99,6 +99,10 @@ pub struct Checkpoints {
     job: Value,
     every: Option<Duration>,
     contents: Contents,
+    /// Of the levels of a job, the one that is optimised.
+    level: usize,
+    /// Whether a run goes on from what it finds in the folder.
+    resumes: bool,
     last: Instant,
     /// Of the last one written.
     cost: Option<Duration>,
@@ -118,6 +122,7 @@ struct Header {
     #[serde(default)]
     job: Value,
     contents: Contents,
+    level: usize,
     best: Best,
     counters: Counters,
     history: Vec<Row>,
@@ -128,7 +133,7 @@ struct Header {
 pub const CHECKPOINT: &str = "state.safetensors";
 
 /// The format of this file.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// What has become of the room for checkpoints.
 #[derive(Debug)]
@@ -173,6 +178,8 @@ impl Checkpoints {
             job: Value::Null,
             every: params.every_s.map(Duration::from_secs_f64),
             contents: params.contents,
+            level: 0,
+            resumes: true,
             last: Instant::now(),
             cost: None,
             is_without_room: false,
@@ -184,6 +191,25 @@ impl Checkpoints {
     pub fn describing(mut self, job: Value) -> Self {
         self.job = job;
         self
+    }
+
+    /// From here on checkpoints are of this level, counted from 0: patterns of other levels may have other pixels.
+    pub fn begin_level(&mut self, level: usize) {
+        self.level = level;
+    }
+
+    /// The run begins anew: a checkpoint that the folder holds stays there until the first one of this run takes its place.
+    pub fn begin_anew(&mut self) {
+        self.resumes = false;
+    }
+
+    /// The checkpoint to go on from: one of the level at hand.
+    pub(super) fn open_of_level(&self) -> Result<Option<Checkpoint>> {
+        if !self.resumes {
+            return Ok(None);
+        }
+        let found = self.open()?;
+        Ok(found.filter(|found| found.level() == self.level))
     }
 
     /// The file.
@@ -261,6 +287,7 @@ impl Checkpoints {
             fingerprint: self.fingerprint.clone(),
             job: self.job.clone(),
             contents: self.contents,
+            level: self.level,
             best: saved.best,
             counters: saved.counters,
             history: saved.history.to_vec(),
@@ -448,6 +475,12 @@ impl Checkpoint {
     #[must_use]
     pub fn contents(&self) -> Contents {
         self.header.contents
+    }
+
+    /// The level at which it was written.
+    #[must_use]
+    pub fn level(&self) -> usize {
+        self.header.level
     }
 
     /// Steps done when it was written.

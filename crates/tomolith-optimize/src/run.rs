@@ -310,7 +310,10 @@ fn begin<F: Field>(
     checkpoints: Option<&Checkpoints>,
 ) -> Result<Option<State<F>>> {
     let begin = Instant::now();
-    let checkpoint = checkpoints.map(Checkpoints::open).transpose()?.flatten();
+    let checkpoint = checkpoints
+        .map(Checkpoints::open_of_level)
+        .transpose()?
+        .flatten();
     if let Some(mut checkpoint) = checkpoint {
         checkpoint.read_field("patterns", x)?;
         if checkpoint.contents() == Contents::All {

@@ -331,7 +331,7 @@ fn pictures(runs: &[ComparedRun]) -> String {
     if !alike.is_empty() {
         let _ = write!(
             notes,
-            " Below, what {} have more (red) or less (blue) than {}: grey up to 5 % of the largest dose, full colour from 20 %.",
+            " Below, where the dose of {} is higher (red) or lower (blue) than that of {}: grey up to 5 % of the largest dose, full colour from 20 %.",
             names(&alike),
             escape(first)
         );
@@ -812,7 +812,7 @@ mod tests {
         // Two planes of two doses and one difference
         assert_eq!(figures(&runs), 6);
         assert!(compare_html(&runs).contains("<figcaption>waves, less rays</figcaption>"));
-        assert!(compare_html(&runs).contains("Below, what waves have more"));
+        assert!(compare_html(&runs).contains("Below, where the dose of waves is higher"));
         // No difference of other voxels, and none is announced
         runs[1].dose = Some(of([3, 4, 6], 1.0));
         assert_eq!(figures(&runs), 4);

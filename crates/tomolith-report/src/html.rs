@@ -54,6 +54,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         table(data),
         published(data),
         times_and_movies(data),
+        notes(data),
         job(data),
     ] {
         page.push_str(&part);
@@ -193,6 +194,19 @@ fn warnings(data: &ReportData<'_>) -> String {
         .map(|w| format!("<li>{}</li>", escape(w)))
         .collect();
     format!("<section class=\"warn\"><h2>Please note</h2><ul>{items}</ul></section>")
+}
+
+/// Choices that were made.
+fn notes(data: &ReportData<'_>) -> String {
+    if data.notes.is_empty() {
+        return String::new();
+    }
+    let items: String = data
+        .notes
+        .iter()
+        .map(|note| format!("<li>{}</li>", escape(note)))
+        .collect();
+    format!("<section><h2>How it was computed</h2><ul>{items}</ul></section>")
 }
 
 /// A measure with its unit, lengths in µm.
@@ -728,7 +742,7 @@ fn table(data: &ReportData<'_>) -> String {
     };
     format!(
         "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
-         the last one is what the optimisation itself saw.{grey}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
+         the last one is of the patterns before they are written, on the job's own voxels, the vial standing still.{grey}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
     )
 }
 

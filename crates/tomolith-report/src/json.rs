@@ -25,6 +25,7 @@
 //! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
 //!               model calls; else null
 //! movies        what a decoder makes of each movie
+//! notes         sentences: choices that were made
 //! warnings      sentences
 //! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
 //! ```
@@ -119,6 +120,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "history": history,
         "levels": data.levels,
         "movies": movies,
+        "notes": data.notes,
         "warnings": data.warnings,
         "run": {
             "program": data.program,

@@ -151,7 +151,7 @@ impl ExposureWindow {
         let worse = significant(self.tolerance, 2);
         let mut text = match self.dose.and_then(|dose| dose.best) {
             Some(dose) => format!(
-                "The best exposure makes a dose of {} gel",
+                "At the best exposure resin gels at a dose of {}",
                 significant(dose, 3)
             ),
             None => format!(
@@ -267,7 +267,7 @@ mod tests {
         assert_eq!(window.reported_percent, Some(100.0));
         assert_eq!(
             window.sentence(),
-            "The best exposure makes a dose of 0.625 gel; IoU is at most 0.01 worse from 83.3 % to 125 % of it \
+            "At the best exposure resin gels at a dose of 0.625; IoU is at most 0.01 worse from 83.3 % to 125 % of it \
              (from 41.7 s to 62.5 s, best 50 s)."
         );
     }

@@ -115,6 +115,8 @@ pub struct ReportData<'a> {
     pub movies: Vec<MovieReport>,
     /// The resolved job.
     pub job_text: &'a str,
+    /// Choices that were made, one sentence each.
+    pub notes: Vec<String>,
     /// What people should know, one sentence each.
     pub warnings: Vec<String>,
     /// Where the time went.
@@ -300,6 +302,7 @@ mod tests {
                 levels: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
+                notes: vec!["z is moved".to_owned()],
                 warnings: vec!["x < y".to_owned()],
                 timings: vec![Timing {
                     name: "all".to_owned(),

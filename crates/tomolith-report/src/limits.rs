@@ -18,6 +18,10 @@ pub enum Cause {
     Optics,
     /// The optimisation ended while its loss was still falling.
     Iterations,
+    /// The part's flat ends lie within rows of pixels.
+    Ends,
+    /// The exposure that was asked for is not the best one.
+    Exposure,
 }
 
 /// One cause.

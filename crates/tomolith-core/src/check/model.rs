@@ -5,13 +5,8 @@
 //! linear, and the sum over parts of the frames is the whole. Numbers do not depend on the number of threads.
 //!
 //! ```
-//! use tomolith_core::check;
-//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::parallel::{Light, Parallel};
-//! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
-//! let light = Light::new(PatternGrid::full_turn(5, 0.1, 7, 9, 0.2), Resin::absorbing(1.5, 0.3));
-//! let model = Parallel::new(&IndexMatched { radius_mm: 1.5 }, vec![light], VolumeGrid::centered([6, 8, 7], 0.2)).unwrap();
-//! let found = check::model::model(&model, 1).unwrap();
+//! use tomolith_core::check::{model::model, small::SmallModel};
+//! let found = model(&SmallModel::new(9, 12, 3), 1).unwrap();
 //! assert!(found.adjoint_error < 1e-5); // relative to ‖F′d‖‖c‖
 //! ```
 

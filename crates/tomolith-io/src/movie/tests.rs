@@ -15,7 +15,7 @@ const SHAPE: [usize; 3] = [6, 24, 32];
 
 fn sample(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("src/io/movie/samples")
+        .join("src/movie/samples")
         .join(name)
 }
 

@@ -24,7 +24,7 @@
 //! assert!((vial.reach_mm(100.0, 1.0, 1.4849) - 5.859).abs() < 1e-3);
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, inner_below_outer, positive};
+use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -86,7 +86,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         Ok(Box::new(Cylinder {
             inner_radius_mm: inner,
             outer_radius_mm: outer,
-            refractive_index: positive(section, "refractive_index", params.refractive_index)?,
+            refractive_index: index(section, "refractive_index", params.refractive_index)?,
         }))
     },
 };

@@ -32,7 +32,7 @@
 //! assert!(!vial.in_resin([3.0, 0.0, 0.0]) && !vial.in_resin([1.0, 0.0, 0.0])); // inner glass, core
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, inner_below_outer, positive};
+use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -116,12 +116,23 @@ pub const KIND: Kind<BuildVial> = Kind {
         for pair in keys.windows(2) {
             inner_below_outer(section, pair[1], pair[0])?;
         }
-        let index = |key, value| positive(section, key, value);
         Ok(Box::new(DoubleTube {
             radii_mm: keys.map(|(_, value)| value),
-            outer_refractive_index: index("outer_refractive_index", params.outer_refractive_index)?,
-            inner_refractive_index: index("inner_refractive_index", params.inner_refractive_index)?,
-            core_refractive_index: index("core_refractive_index", params.core_refractive_index)?,
+            outer_refractive_index: index(
+                section,
+                "outer_refractive_index",
+                params.outer_refractive_index,
+            )?,
+            inner_refractive_index: index(
+                section,
+                "inner_refractive_index",
+                params.inner_refractive_index,
+            )?,
+            core_refractive_index: index(
+                section,
+                "core_refractive_index",
+                params.core_refractive_index,
+            )?,
         }))
     },
 };

@@ -17,7 +17,7 @@
 //! Walls are closed, outward and do not cross: a mesh that is open or inverted is refused, and so is an inner wall with a
 //! vertex outside of the outer one. Light enters through whatever faces it, the bottom and the caps too.
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, positive};
+use super::{BuildVial, Curve, Medium, Vial, Wall, index, positive};
 use crate::projector::Ray;
 use crate::surface::{Net, Surface, meeting};
 use schemars::JsonSchema;
@@ -217,7 +217,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         Ok(Box::new(MeshVial::new(
             &wall(&params.outer, "outer")?,
             &wall(&params.inner, "inner")?,
-            positive(section, "refractive_index", params.refractive_index)?,
+            index(section, "refractive_index", params.refractive_index)?,
             &section.path,
         )?))
     },

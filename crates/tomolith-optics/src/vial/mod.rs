@@ -156,6 +156,18 @@ pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> 
     ))
 }
 
+/// Refuses anything but a refractive index of something transparent.
+pub(crate) fn index(section: &Section, key: &str, value: f64) -> Result<f64> {
+    if (1.0..=4.0).contains(&value) {
+        return Ok(value);
+    }
+    Err(Error::config(
+        format!("{}.{key}", section.path),
+        format!("found {}", exact(value)),
+        "a refractive index, 1 to 4",
+    ))
+}
+
 /// Refuses an inner measure that is not smaller than the outer one.
 pub(crate) fn inner_below_outer(
     section: &Section,

@@ -25,7 +25,7 @@
 //! assert!(!vial.is_round());
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, inner_below_outer, positive};
+use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -87,7 +87,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         Ok(Box::new(Square {
             inner_width_mm: inner,
             outer_width_mm: outer,
-            refractive_index: positive(section, "refractive_index", params.refractive_index)?,
+            refractive_index: index(section, "refractive_index", params.refractive_index)?,
         }))
     },
 };

@@ -140,7 +140,6 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
-        notes.extend(refinement::note(&levels, &grid));
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -212,6 +211,12 @@ impl Scene {
             "a folder on a larger disk, or a smaller job",
         )?;
         Ok(scene)
+    }
+
+    /// Notes on which voxels the patterns will be optimised.
+    pub(crate) fn note_levels(&mut self) {
+        self.notes
+            .extend(refinement::note(&self.levels, &self.grid));
     }
 
     /// Bounds the pixels by what the machine can give in the time that it has.
@@ -699,7 +704,7 @@ fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
 const FEW_ANGLES: usize = 12;
 
 /// Warns of light that comes from a handful of directions.
-fn few_angles(spec: &JobSpec) -> Option<String> {
+pub(super) fn few_angles(spec: &JobSpec) -> Option<String> {
     let azimuths = spec.light.iter().flat_map(|light| {
         let (azimuths, _) = light.angles.azimuths(light.rotation);
         // Directions that differ by less than a thousandth of a degree are one

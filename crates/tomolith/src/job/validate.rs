@@ -375,7 +375,7 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         count("evaluate.refine", refine, 1, 8)?;
     }
     optional(evaluate.threshold, |v| {
-        positive("evaluate.threshold", v, "")
+        within("evaluate.threshold", v, 1e-6, 1e6, "a dose, 1e-6 to 1e6")
     })?;
     within(
         "evaluate.trim_percent",
