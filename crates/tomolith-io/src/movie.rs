@@ -122,7 +122,12 @@ fn own(file: &[u8], path: &Path, [frames, rows, columns]: [usize; 3]) -> Result<
             if let Some(what) = stream.unsupported(&track) {
                 return Ok(Own::Other(what));
             }
-            let values = h264::luma(&track, &stream, [rows, columns]);
+            let read = h264::luma(&track, &stream, [rows, columns]);
+            if let Ok((_, Some(frame))) = read {
+                let found = format!("a coloured picture in frame {frame}, where patterns are grey");
+                return Err(damaged(path, found));
+            }
+            let values = read.map(|(values, _)| values);
             Ok(values.map_or_else(
                 |found| Own::Other(format!("H.264 that OpenH264 does not decode ({found})")),
                 |values| {

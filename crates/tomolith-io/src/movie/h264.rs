@@ -64,15 +64,21 @@ pub(crate) fn each_image(
     ))
 }
 
-/// The luma of all frames, `[frame, row, column]`, of each the given rows and columns from the top left, black 0 and white 255.
+/// Chroma of a grey picture is 128, give or take what coding leaves.
+const GREY: u8 = 128;
+const CODING: u8 = 16;
+
+/// The luma of all frames, `[frame, row, column]`, of each the given rows and columns from the top left, black 0 and white 255; and the
+/// first frame that is coloured.
 pub(super) fn luma(
     track: &Track<'_>,
     stream: &Stream,
     [rows, columns]: [usize; 2],
-) -> Result<Vec<u16>, String> {
+) -> Result<(Vec<u16>, Option<usize>), String> {
     let grey: Vec<u16> = (0..=u8::MAX).map(|luma| stream.grey(luma)).collect();
     let decode = |group: Range<usize>| {
         let mut levels = Vec::with_capacity(group.len() * rows * columns);
+        let mut coloured = None;
         each_image(track, group, |frame, image| {
             let (width, height) = image.dimensions();
             if width < columns || height < rows {
@@ -81,9 +87,24 @@ pub(super) fn luma(
             for row in image.y().chunks(image.strides().0).take(rows) {
                 levels.extend(row[..columns].iter().map(|&luma| grey[usize::from(luma)]));
             }
+            let (_, of_u, of_v) = image.strides();
+            let is_coloured = |(plane, stride): (&[u8], usize)| {
+                let mut lines = plane.chunks(stride).take(rows.div_ceil(2));
+                lines.any(|line| {
+                    let shown = &line[..columns.div_ceil(2).min(line.len())];
+                    shown.iter().any(|chroma| chroma.abs_diff(GREY) > CODING)
+                })
+            };
+            if coloured.is_none()
+                && [(image.u(), of_u), (image.v(), of_v)]
+                    .into_iter()
+                    .any(is_coloured)
+            {
+                coloured = Some(frame);
+            }
             Ok(())
         })?;
-        Ok(levels)
+        Ok((levels, coloured))
     };
     let frames = track.samples.len();
     let groups = if track.every_frame_is_a_key {
@@ -91,11 +112,13 @@ pub(super) fn luma(
     } else {
         std::iter::once(0..frames).collect()
     };
-    let levels: Vec<Vec<u16>> = groups
+    let (levels, coloured): (Vec<Vec<u16>>, Vec<Option<usize>>) = groups
         .into_par_iter()
         .map(decode)
-        .collect::<Result<_, String>>()?;
-    Ok(levels.concat())
+        .collect::<Result<Vec<_>, String>>()?
+        .into_iter()
+        .unzip();
+    Ok((levels.concat(), coloured.into_iter().flatten().min()))
 }
 
 /// What a stream is, by its sequence parameter set.
