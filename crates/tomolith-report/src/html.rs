@@ -836,7 +836,7 @@ fn times_and_movies(data: &ReportData<'_>) -> String {
             .collect();
         let _ = write!(
             out,
-            "<section><h2>Where the time went</h2><p class=\"muted\">{} s in all.</p><div class=\"time\">{rows}</div></section>",
+            "<section><h2>Where the time went</h2><p class=\"muted\">{} s until this page was written.</p><div class=\"time\">{rows}</div></section>",
             significant(total, 3),
         );
     }

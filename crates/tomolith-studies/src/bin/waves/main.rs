@@ -1,6 +1,6 @@
 //! What the wave model saves against the published algorithm, and what that costs in accuracy: the tables of `docs/wave.md`.
 //!
-//! `cargo run --release -p tomolith-studies --example waves -- errors | rotation | savings [N …] | times [N …] | frame N [edge, mm …] | work | limit`
+//! `cargo run --release -p tomolith-studies --bin waves -- errors | rotation | savings [N …] | times [N …] | frame N [edge, mm …] | work | limit`
 //!
 //! The [`twin`] is the published algorithm. `errors` compares |ψ|² of random patterns of single pixels before rotation, `rotation` after it; `savings`
 //! gives what each saving alone costs in accuracy, `times` seconds per gradient (a dose and a pullback) for N³ voxels and one frame, `frame` those of

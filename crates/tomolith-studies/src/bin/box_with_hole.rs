@@ -1,4 +1,4 @@
-//! A box with a hole in seven scenes, with and without scattering: `cargo run --release -p tomolith-studies --example box_with_hole`.
+//! A box with a hole in seven scenes, with and without scattering: `cargo run --release -p tomolith-studies --bin box_with_hole`.
 //!
 //! The box has 4 × 4 × 1 mm and a hole of radius 1 mm at x = −1; 200 frames of 200 × 20 pixels, 100 × 100 × 50 voxels of
 //! 0.05 mm. The scenes and their thresholds are those of the tests of Dr.TVAM. The score is the share of all voxels that are right
@@ -6,7 +6,7 @@
 //! where it is highest. Prints a table; see docs/rays.md.
 //!
 //! A name as argument runs that scene alone; `paths` as second argument judges scattering scenes by random paths too.
-#![expect(clippy::print_stdout, reason = "an example prints its table")]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::error::Error;
 use std::fmt::Write;

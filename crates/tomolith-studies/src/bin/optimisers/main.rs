@@ -1,7 +1,7 @@
 //! Every optimiser and objective on six targets, and the claims of Pellizzon et al.: the tables of `docs/optimisers.md`.
 //!
 //! ```text
-//! cargo run --release -p tomolith-studies --example optimisers -- WHAT …
+//! cargo run --release -p tomolith-studies --bin optimisers -- WHAT …
 //!     claim [PART METHOD]                                OSPW(0) against OSMO on disc, dog-bones, chart
 //!     gyroid [EDGE WALL FRAMES STEPS METHOD]             four penalties and OSMO, 198 slices, 1500 steps
 //!     every [TARGET …] [boat.stl] [points.csv]           every optimiser on six targets

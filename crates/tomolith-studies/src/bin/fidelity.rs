@@ -4,11 +4,11 @@
 //! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimised on the judge's own voxels, 150 iterations,
 //! 4 angles a frame. Prints the tables of docs/fidelity.md.
 //!
-//!     cargo run --release -p tomolith-studies --example fidelity -- boat.stl            # all targets, in glass and index-matched; an hour
-//!     cargo run --release -p tomolith-studies --example fidelity -- boat.stl bones,star default,ceiling
+//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl            # all targets, in glass and index-matched; an hour
+//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl bones,star default,ceiling
 //!
 //! Run folders go to `out/fidelity/`.
-#![expect(clippy::print_stdout, reason = "an example prints its table")]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};

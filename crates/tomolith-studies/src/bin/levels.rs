@@ -5,14 +5,14 @@
 //! best; *optimised* is `evaluate.levels = "optimised"`.
 //!
 //! ```sh
-//! cargo run --release -p tomolith-studies --example levels -- examples/01-gear.toml 1,2,3,4,5
+//! cargo run --release -p tomolith-studies --bin levels -- examples/01-gear.toml 1,2,3,4,5
 //! ```
 //!
 //! Run folders go to `out/levels/`.
 #![expect(
     clippy::print_stdout,
     clippy::print_stderr,
-    reason = "an example prints its table and its use"
+    reason = "a study prints its table and its use"
 )]
 
 use std::path::{Path, PathBuf};

@@ -3,10 +3,10 @@
 //! Runs `examples/14-surface-cells.toml` once for every grid and every `surface`, judges the written patterns on a grid of 1024
 //! voxels across (or fewer, the second argument), and prints a row of docs/rays.md for each grid.
 //!
-//!     cargo run --release -p tomolith-studies --example surface_cells -- 16,32,64,128 1024
+//!     cargo run --release -p tomolith-studies --bin surface_cells -- 16,32,64,128 1024
 //!
 //! Run folders go to `out/surface-cells/`.
-#![expect(clippy::print_stdout, reason = "an example prints its table")]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::path::Path;
 use tomolith::Error;

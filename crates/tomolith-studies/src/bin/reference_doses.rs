@@ -1,10 +1,10 @@
-//! Doses of fixed patterns beside those of Dr.TVAM: `cargo run --release -p tomolith-studies --example reference_doses -- FOLDER`.
+//! Doses of fixed patterns beside those of Dr.TVAM: `cargo run --release -p tomolith-studies --bin reference_doses -- FOLDER`.
 //!
 //! FOLDER holds `drtvam_patterns_36x64x96.npz` (`patterns` [angle, row, column]) and doses of them, `drtvam_CASE.npz` (`dose_zyx`): 64³
 //! voxels over 4 mm, pixels of 0.0625 mm, resin n 1.48 in an index-matched bath of radius 3.5 mm (`im`) or in a cylinder 3.5/4 mm, n
 //! 1.52, in air (`cyl`, whose doses lack the factor 1.48²); `center`: one ray through the middle of each pixel, `spp64`: 64 random
 //! ones. See docs/rays.md for the table.
-#![expect(clippy::print_stdout, reason = "an example prints its table")]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use ndarray::{Array3, Ix3};
 use ndarray_npy::NpzReader;

@@ -1,9 +1,9 @@
-//! Compares the kernels of pure Radon with arrays of ASTRA: `cargo run --release -p tomolith-studies --example astra_kernels -- FILE`.
+//! Compares the kernels of pure Radon with arrays of ASTRA: `cargo run --release -p tomolith-studies --bin astra_kernels -- FILE`.
 //!
 //! FILE is an `.npz` with `phantom` [row, column] (pixel size 1, rows fall with y), `angles_rad`, and for each kernel
 //! `sino_KIND` [angle, detector] and `bp_KIND` (the transpose applied to `sino_KIND`), detector coordinate
 //! s = x·cos a + y·sin a. See docs/models.md for how such a file is made.
-#![expect(clippy::print_stdout, reason = "an example prints its table")]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use ndarray::{Array1, Array2};
 use ndarray_npy::NpzReader;

@@ -1,7 +1,7 @@
 //! The grey flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
 //! one: the tables of `docs/objectives.md`.
 //!
-//! `cargo run --release -p tomolith-studies --example flower -- [IMAGE | phantom] [published | varied | all] [voxels along an edge]
+//! `cargo run --release -p tomolith-studies --bin flower -- [IMAGE | phantom] [published | varied | all] [voxels along an edge]
 //! [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose name contains ROW.
 //!
 //! IMAGE is a square grey picture whose inscribed circle holds the flower; `phantom` is Tomolith's own stand-in. Every row is
