@@ -608,7 +608,7 @@ fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 /// # Errors
 /// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them than lights.
 #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-pub(super) fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
+pub fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
     if limits.len() != lights.len() {
         return Err(Error::Shape {
             what: "limits, one per light".to_owned(),

@@ -199,10 +199,10 @@ struct SoFar {
 }
 
 /// One level, ready to be optimised.
-struct Stage<'a> {
+pub(super) struct Stage<'a> {
     level: &'a Level,
-    voxels: Cow<'a, Voxels>,
-    model: Box<dyn DoseModel<Field = HostField>>,
+    pub(super) voxels: Cow<'a, Voxels>,
+    pub(super) model: Box<dyn DoseModel<Field = HostField>>,
     straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// Pixels that stay dark.
     dark: Vec<bool>,
@@ -211,7 +211,7 @@ struct Stage<'a> {
 }
 
 impl<'a> Stage<'a> {
-    fn new(
+    pub(super) fn new(
         scene: &Scene,
         voxels: &'a Voxels,
         level: &'a Level,
@@ -252,14 +252,19 @@ impl<'a> Stage<'a> {
         })
     }
 
-    fn start(&self, scene: &Scene, start: &dyn Start, cancel: &Run) -> Result<HostField> {
+    pub(super) fn start(
+        &self,
+        scene: &Scene,
+        start: &dyn Start,
+        cancel: &Run,
+    ) -> Result<HostField> {
         let models = (self.model.as_ref(), self.straight.as_deref());
         let mut x = starting_patterns(scene, &self.voxels, models, start, cancel)?;
         darken(&mut x, &self.dark);
         Ok(x)
     }
 
-    fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
+    pub(super) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
         let normalises = scene.optimizer()?.normalises();
         Ok(limits(&scene.spec, self.model.as_ref(), start, normalises))
     }
