@@ -547,8 +547,16 @@ fn history(rows: &[HistoryRow]) -> String {
         )
     })
     .collect();
+    // Gradients of coarser voxels are not kept
+    let first = rows.iter().find(|row| row.projected_gradient.is_some());
+    let finer = first
+        .map(|row| row.iteration.saturating_sub(1))
+        .filter(|&n| n > 0);
+    let finer = finer.map_or_else(String::new, |n| {
+        format!(" After iteration {n} the voxels became finer: numbers before are of the coarser ones, and gradients begin there.")
+    });
     format!(
-        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. Compare methods by model calls, not by iterations.</p>",
+        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. Compare methods by model calls, not by iterations.{finer}</p>",
         last.iteration,
         last.forward_calls,
         last.adjoint_calls,
