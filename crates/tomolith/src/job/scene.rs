@@ -122,7 +122,6 @@ impl Scene {
         }
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
-        notes.extend(on_its_own_grid(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         let covered = optics
@@ -171,6 +170,7 @@ impl Scene {
                 shape.warnings(),
                 cut_off.into_iter().collect(),
                 few_angles(&spec).into_iter().collect(),
+                on_its_own_grid(&spec).into_iter().collect(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
                 touching,
@@ -254,7 +254,7 @@ impl Scene {
         if self.extent.memory < asked {
             let memory = self.extent.memory;
             set_quasi_newton_memory(&mut self.spec.optimizer, memory);
-            self.notes.push(format!(
+            self.warnings.push(format!(
                 "the memory budget (resources.memory_gb) is too small: optimizer.lbfgs.memory is {memory}, not {asked}"
             ));
         }
@@ -265,7 +265,7 @@ impl Scene {
         }
         if self.extent.refine < asked {
             let refine = self.extent.refine;
-            self.notes.push(format!(
+            self.warnings.push(format!(
                 "the memory budget (resources.memory_gb) is too small: evaluating on {}, not on a {asked}× finer one",
                 match refine {
                     1 => "the job's own grid".to_owned(),
