@@ -59,11 +59,11 @@ fn main() -> ExitCode {
         Command::Export(given) => quick(given.manner, || export::export(given)),
         Command::ExportMatrix(given) => quick(given.manner, || {
             let job = read(&given.job, None)?;
-            export_matrix::export_matrix(given, &job, &cancel_on_ctrl_c())
+            export_matrix::export_matrix(given, &job, &cancel_on_ctrl_c(given.manner))
         }),
         Command::Trace(given) => quick(given.manner, || {
             let job = read(&given.job, None)?;
-            trace::run(given, &job, &cancel_on_ctrl_c())
+            trace::run(given, &job, &cancel_on_ctrl_c(given.manner))
         }),
         Command::Import(given) => quick(given.manner, || import::import(given)),
         Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
@@ -114,7 +114,7 @@ fn run(given: &RunArguments) -> Result<bool> {
     if given.overwrite {
         job = job.overwriting();
     }
-    let cancel = cancel_on_ctrl_c();
+    let cancel = cancel_on_ctrl_c(given.manner);
     let mut screen = Screen::new(given.manner);
     let summary = job::run(&job, given.resume, &mut screen, &cancel)?;
     screen.finish(&summary);
@@ -125,7 +125,7 @@ fn run(given: &RunArguments) -> Result<bool> {
 fn simulate(given: &SimulateArguments) -> Result<bool> {
     prepare(given.manner)?;
     let job = read(&given.job, given.output.as_deref())?;
-    let cancel = cancel_on_ctrl_c();
+    let cancel = cancel_on_ctrl_c(given.manner);
     let mut screen = Screen::new(given.manner);
     let summary = job::simulate(&job, &given.patterns, &mut screen, &cancel)?;
     screen.finish(&summary);
@@ -136,7 +136,7 @@ fn simulate(given: &SimulateArguments) -> Result<bool> {
 fn check(given: &arguments::CheckArguments) -> Result<bool> {
     prepare(given.manner)?;
     let job = read(&given.job, None)?;
-    let cancel = cancel_on_ctrl_c();
+    let cancel = cancel_on_ctrl_c(given.manner);
     // Its answer is one line of JSON
     let mut screen = if given.manner.json {
         Screen::silent()
@@ -183,7 +183,7 @@ fn prepare(manner: Manner) -> Result<()> {
 const ECHO: Duration = Duration::from_millis(300);
 
 /// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
-fn cancel_on_ctrl_c() -> Arc<Run> {
+fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
     let run = Arc::new(Run::new());
     let asked = Arc::clone(&run);
     // Without a handler Ctrl-C still ends the process, only less cleanly
@@ -198,6 +198,10 @@ fn cancel_on_ctrl_c() -> Arc<Run> {
         }
         if asked.cancel() >= 2 {
             std::process::exit(i32::from(CANCELLED));
+        }
+        // An optimisation ends its step first, which may take a while
+        if !manner.quiet && !asked.is_cancelled() {
+            screen::mutter("\nstopping after this iteration; Ctrl-C again stops at once");
         }
     });
     run

@@ -219,7 +219,7 @@ fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
     for part in [
         "Predicted IoU ",
         &format!("`{key}`."),
-        "The best exposure makes a dose of ",
+        "At the best exposure resin gels at a dose of ",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }

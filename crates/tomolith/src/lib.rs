@@ -10,25 +10,26 @@
 //! L  band objective  response against the target            objective/
 //! ```
 //!
-//! Rooms and floors are in ARCHITECTURE.md, conventions in docs/conventions.md.
+//! Crates are in ARCHITECTURE.md, conventions in docs/conventions.md.
 
-pub mod check;
-pub mod error;
-pub mod exposure;
-pub mod field;
-pub mod grid;
-pub mod io;
 pub mod job;
-pub mod kind;
-pub mod metrics;
-pub mod models;
-pub mod objective;
-pub mod optics;
-pub mod optimize;
-pub mod report;
-pub mod response;
-mod run;
-pub mod target;
-pub mod units;
 
-pub use error::{Error, Place, Result};
+pub use tomolith_core::{
+    Error, Place, Result, dose, error, field, grid, kind, response, run, units,
+};
+pub use tomolith_io as io;
+pub use tomolith_metrics as metrics;
+pub use tomolith_models as models;
+pub use tomolith_objective as objective;
+pub use tomolith_optics as optics;
+pub use tomolith_optics::exposure;
+pub use tomolith_optimize as optimize;
+pub use tomolith_report as report;
+pub use tomolith_target as target;
+
+/// Properties that every model, objective and method must have.
+pub mod check {
+    pub use tomolith_core::check::*;
+    pub use tomolith_objective::check::objective;
+    pub use tomolith_optimize::check::{Build, optimizer};
+}

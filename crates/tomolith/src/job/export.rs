@@ -5,7 +5,7 @@ use super::device::{self, Shown};
 use super::document::is_within;
 use super::progress::{Event, Progress};
 use super::read::Job;
-use super::resources::{available_memory_mb, require};
+use super::resources::{memory_budget_mb, require};
 use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
@@ -241,7 +241,7 @@ pub fn matrix(
         "grid.pitch_mm",
         "memory for the matrix",
         needed_mb,
-        available_memory_mb(),
+        memory_budget_mb(scene.spec.resources.memory_gb),
         "fewer voxels, pixels or angles: `--toy` is a trial",
     )?;
     progress.event(&Event::Note { text: plan.reason });

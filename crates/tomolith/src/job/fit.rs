@@ -137,7 +137,16 @@ impl Optics {
                     };
                     // Pixels that would do are cut down by something else
                     let is_cut = extent <= whole.field_mm()[1][axis] * (1.0 + 1e-9);
-                    let (key, accepted) = narrowed(spec, i, is_cut);
+                    let middle = (low[2] + high[2]) / 2.0;
+                    let would_fit = axis == 1
+                        && seen((high[2] - low[2]) / 2.0) <= field * (1.0 + 1e-9)
+                        && middle.abs() > 1e-9;
+                    let (key, accepted) = if would_fit {
+                        let accepted = "a target whose middle lies nearer to that of the light, or a field that reaches to it";
+                        ("target.offset_mm".to_owned(), accepted)
+                    } else {
+                        narrowed(spec, i, is_cut)
+                    };
                     return Err(Error::config(
                         key,
                         format!(

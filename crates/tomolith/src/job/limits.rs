@@ -2,12 +2,14 @@
 
 use super::judge::{Judged, headline};
 use super::optimise::Optimised;
-use super::scene::Scene;
+use super::scene::{Scene, few_angles};
 use super::spec::Angles;
+use crate::grid::PatternGrid;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, Limits};
+use crate::units::counted;
 use std::fmt;
 
 /// Losses below this are not worth a change.
@@ -28,6 +30,18 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
         Angles::List(_) => None,
     };
     let finest = scene.levels.last();
+    if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
+        let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
+        return Limits {
+            sentence,
+            causes: Vec::new(),
+        };
+    }
+    let best = judged.evaluation.curve.iter().map(|[_, iou]| *iou);
+    let converges = |o: &Optimised| {
+        o.gain_in_the_end()
+            .is_some_and(|gain| gain < WORTH_CHANGING)
+    };
     let found = Found {
         kind,
         optimised: judged.optimisation.as_ref().and_then(get),
@@ -48,9 +62,48 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
             |kind| format!("light[0].projector.{kind}.pixel_pitch_mm"),
         ),
         is_simulated: optimised.is_none(),
-        falling: optimised.and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
+        has_few_angles: few_angles(spec).is_some(),
+        best: spec.evaluate.threshold.and(best.reduce(f64::max)),
+        ends: scene
+            .shape
+            .upright_mm()
+            .filter(|_| {
+                let optics = &scene.optics;
+                !scene.shape.is_grey() && optics.setup().beyond_parallel(&optics.lights).is_none()
+            })
+            .map(|z| Ends::of(z, &scene.optics.lights[0].pixels)),
+        falling: optimised
+            .filter(|o| !converges(o))
+            .and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
     };
     found.limits()
+}
+
+/// Flat ends of a part, and the nearest edges of rows of pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ends {
+    part_mm: [f64; 2],
+    rows_mm: [f64; 2],
+}
+
+impl Ends {
+    fn of(part_mm: [f64; 2], pixels: &PatternGrid) -> Self {
+        let top = pixels.field_mm()[1][1];
+        let pitch = pixels.pitch_mm[1];
+        let nearest = |z: f64| top - ((top - z) / pitch).round() * pitch;
+        Ends {
+            part_mm,
+            rows_mm: part_mm.map(nearest),
+        }
+    }
+
+    /// Share of a prism's volume that lies between its ends and the rows'.
+    fn share(self) -> f64 {
+        let beside: f64 = (0..2)
+            .map(|i| (self.part_mm[i] - self.rows_mm[i]).abs())
+            .sum();
+        beside / (self.part_mm[1] - self.part_mm[0])
+    }
 }
 
 /// By which share a loss function fell over the last quarter of the iterations.
@@ -141,6 +194,12 @@ struct Found {
     pixel_key: String,
     /// Whether the patterns were given: nothing was optimised.
     is_simulated: bool,
+    /// Whether light comes from too few sides for any part.
+    has_few_angles: bool,
+    /// The best number over all thresholds, where the job names one.
+    best: Measure,
+    /// Of an upright prism in level light, where its ends are.
+    ends: Option<Ends>,
     falling: Option<Falling>,
 }
 
@@ -150,6 +209,8 @@ impl Found {
             self.grid(),
             self.levels(),
             self.turning(),
+            self.exposure(),
+            self.row_ends(),
             self.what_remains(),
         ]
         .into_iter()
@@ -228,9 +289,9 @@ impl Found {
 
     fn levels(&self) -> Option<Limit> {
         let loss = self.loss(self.optimised, self.written)?;
-        let (bits, machine) = (self.bits, self.machine());
+        let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
         let found = format!(
-            "Written with {bits} bits{machine} the patterns have {}.",
+            "Written with {bits}{machine} the patterns have {}.",
             self.change(self.optimised?, self.written?),
         );
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
@@ -259,6 +320,34 @@ impl Found {
         Some(self.limit(Cause::Turning, loss, "light.angles", found, "Raise"))
     }
 
+    /// What the threshold that the job names costs.
+    fn exposure(&self) -> Option<Limit> {
+        let loss = self.loss(self.best, self.turning)?;
+        let found = format!(
+            "At the threshold of the job the print has {}.",
+            self.change(self.best?, self.turning?)
+        );
+        let key = "evaluate.threshold";
+        (loss >= WORTH_CHANGING)
+            .then(|| self.limit(Cause::Exposure, loss, key, found, "Leave out, or change,"))
+    }
+
+    /// What flat ends within rows of pixels cost: light ends with a row, so a prism becomes higher or lower than it should.
+    fn row_ends(&self) -> Option<Limit> {
+        let ends = self.ends.filter(|_| self.kind.better != Better::Lower)?;
+        let loss = ends.share();
+        let [[low, high], [below, above]] =
+            [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
+        let found = format!(
+            "The part's flat ends lie at z = {low} and {high} mm, within rows of pixels; ends at {below} and {above} mm, between rows, would print about {} better in {}.",
+            significant(loss, 1),
+            self.kind.title
+        );
+        let action = "Change the part's height or place, or lower";
+        (loss >= WORTH_CHANGING)
+            .then(|| self.limit(Cause::Ends, loss, &self.pixel_key, found, action))
+    }
+
     /// What the patterns leave before they are written: the light's share, or that of an optimisation that was not at its end.
     fn what_remains(&self) -> Option<Limit> {
         let perfect = match self.kind.better {
@@ -276,15 +365,40 @@ impl Found {
             (self.optimised, reach)
         };
         let loss = self.loss(Some(perfect), reached)?;
-        let Some(Falling { fall, key }) = self.falling else {
-            let rest = if loss >= WORTH_CHANGING {
-                "; the rest is what this light leaves."
-            } else {
-                ": nothing is left to gain there."
+        // What other causes of the same print take is not the light's
+        let others = [self.exposure(), self.row_ends()];
+        let others: f64 = others.iter().flatten().map(|limit| limit.loss).sum();
+        let others = if self.saw_finer { others } else { 0.0 };
+        let loss = if others > 0.0 {
+            (loss - others).max(0.0)
+        } else {
+            loss
+        };
+        let Some(Falling { fall, key }) = self.falling.filter(|_| !self.has_few_angles) else {
+            let rest = match loss >= WORTH_CHANGING {
+                true if self.is_simulated => "; the rest is what the given patterns leave.",
+                true => "; the rest is what this light leaves.",
+                false => ": nothing is left to gain there.",
             };
             let found = reach + rest;
-            let action = "Finer pixels may bring more: lower";
-            return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, action));
+            if self.is_simulated {
+                return Some(Limit {
+                    cause: Cause::Optics,
+                    measure: self.kind.name,
+                    loss,
+                    key: String::new(),
+                    advice: found,
+                });
+            }
+            let (key, action) = if self.has_few_angles {
+                ("light.angles", "Light comes from too few sides: raise")
+            } else {
+                (
+                    self.pixel_key.as_str(),
+                    "Finer pixels may bring more: lower",
+                )
+            };
+            return Some(self.limit(Cause::Optics, loss, key, found, action));
         };
         let found = format!(
             "{reach}, and the loss function still fell by {} % in the last {} of {} iterations.",
@@ -298,7 +412,9 @@ impl Found {
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
         let seen = match (self.optimised, self.is_simulated) {
-            (Some(seen), _) if self.saw_finer => format!(" (on the job's own voxels {seen:.3})"),
+            (Some(seen), _) if self.saw_finer => {
+                format!(" (on the job's own, coarser voxels {seen:.3})")
+            }
             (Some(seen), false) => format!(" (the optimiser saw {seen:.3})"),
             (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
             (None, _) => String::new(),
@@ -306,8 +422,12 @@ impl Found {
         let step = |limit: &Limit| {
             let name = match limit.cause {
                 Cause::Grid => "finer grid".to_owned(),
-                Cause::Levels => format!("{} bits{}", self.bits, self.machine()),
+                Cause::Levels => {
+                    format!("{}{}", counted(self.bits as usize, "bit"), self.machine())
+                }
                 Cause::Turning => "rotation".to_owned(),
+                Cause::Ends => "ends within rows of pixels".to_owned(),
+                Cause::Exposure => "exposure".to_owned(),
                 // What the optimiser saw says it
                 Cause::Optics | Cause::Iterations => return None,
             };
@@ -316,28 +436,33 @@ impl Found {
             } else {
                 -limit.loss
             };
-            Some(format!("{name} {}", signed(change)))
+            let change = signed(change);
+            (change != "0").then(|| format!("{name} {change}"))
         };
         let steps: Vec<String> = causes.iter().filter_map(step).collect();
         // What light leaves of grey values may be left by finer pixels too
         let is_certain =
             |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
-        let worth = |limit: &&Limit| limit.loss >= WORTH_CHANGING && is_certain(limit);
+        let worth = |limit: &&Limit| {
+            limit.loss >= WORTH_CHANGING && is_certain(limit) && !limit.key.is_empty()
+        };
         let improve = causes.first().filter(worth);
         let improve = improve.map_or_else(String::new, |limit| {
             let verb = match limit.cause {
                 Cause::Grid => "lower",
-                Cause::Optics => "try a lower",
+                Cause::Optics if limit.key == self.pixel_key => "try a lower",
+                Cause::Ends => "let the part end between rows of pixels, or lower",
+                Cause::Exposure => "change",
                 _ => "raise",
             };
             format!(" To improve, {verb} `{}`.", limit.key)
         });
-        (!steps.is_empty()).then_some(())?;
-        Some(format!(
-            "Predicted {}{seen}: {}.{improve}",
-            self.value(self.turning?),
-            steps.join(", ")
-        ))
+        let turning = self.value(self.turning?);
+        let steps = match steps.join(", ") {
+            steps if steps.is_empty() => String::new(),
+            steps => format!(": {steps}"),
+        };
+        Some(format!("Predicted {turning}{seen}{steps}.{improve}"))
     }
 }
 
@@ -372,6 +497,9 @@ mod tests {
             saw_finer: false,
             pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
             is_simulated: false,
+            has_few_angles: false,
+            best: None,
+            ends: None,
             falling: None,
         }
     }
@@ -388,7 +516,7 @@ mod tests {
         let limits = found().limits();
         assert_eq!(
             limits.sentence,
-            "Predicted IoU 0.975 (the optimiser saw 1.000): finer grid −0.026, 8 bits 0, rotation +0.001. To improve, lower `grid.pitch_mm`."
+            "Predicted IoU 0.975 (the optimiser saw 1.000): finer grid −0.026, rotation +0.001. To improve, lower `grid.pitch_mm`."
         );
         assert_eq!(
             losses(&limits),
@@ -489,6 +617,82 @@ mod tests {
     }
 
     #[test]
+    fn flat_ends_within_rows_are_what_limits_a_prism() {
+        // Rows of 56 µm with an edge at 0: a gear 3 mm high reaches 26.786 of them to each side
+        let rows = PatternGrid::full_turn(180, 0.0, 64, 176, 0.056);
+        let ends = Ends::of([-1.5, 1.5], &rows);
+        assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
+        let gear = Found {
+            optimised: Some(0.995),
+            written: Some(0.995),
+            turning: Some(0.985),
+            is_optimised_turning: true,
+            saw_finer: true,
+            ends: Some(ends),
+            ..found()
+        };
+        let limits = gear.limits();
+        assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
+        assert!(limits.causes[0].advice.starts_with(
+            "The part's flat ends lie at z = −1.5 and 1.5 mm, within rows of pixels; ends at −1.512 and 1.512 mm, between rows, would print"
+        ), "{}", limits.causes[0].advice);
+        // The light's share is what is left
+        assert!(
+            (limits.causes[1].loss - 0.007).abs() < 1e-9 && limits.causes[1].cause == Cause::Optics
+        );
+        let fits = Ends::of([-1.512, 1.512], &rows);
+        let gear = Found {
+            ends: Some(fits),
+            ..gear
+        };
+        assert!(gear.limits().causes.iter().all(|l| l.cause != Cause::Ends));
+    }
+
+    #[test]
+    fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
+        let off = Found {
+            turning: Some(0.0),
+            best: Some(0.98),
+            saw_finer: true,
+            is_optimised_turning: true,
+            ..found()
+        };
+        assert!(
+            off.limits()
+                .sentence
+                .ends_with("exposure −0.980. To improve, change `evaluate.threshold`."),
+            "{}",
+            off.limits().sentence
+        );
+        let few = Found {
+            turning: Some(0.5),
+            saw_finer: true,
+            is_optimised_turning: true,
+            has_few_angles: true,
+            ..found()
+        };
+        assert!(
+            few.limits()
+                .sentence
+                .ends_with("To improve, raise `light.angles`.")
+        );
+        // What was given is not improved by a key of the job
+        let given = Found {
+            turning: Some(0.5),
+            standing: Some(0.5),
+            written: Some(0.5),
+            optimised: Some(0.5),
+            is_simulated: true,
+            ..found()
+        };
+        assert!(
+            !given.limits().sentence.contains("To improve"),
+            "{}",
+            given.limits().sentence
+        );
+    }
+
+    #[test]
     fn what_was_not_measured_is_not_said() {
         // A simulation of patterns optimises nothing
         let patterns = Found {
@@ -540,7 +744,7 @@ mod tests {
         }
         .limits();
         assert!(limits.sentence.starts_with(
-            "Predicted rms error 0.128 (the optimiser saw 0.126): 8 bits +0.004, rotation 0, finer grid −0.002."
+            "Predicted rms error 0.128 (the optimiser saw 0.126): 8 bits +0.004, finer grid −0.002."
         ), "{}", limits.sentence);
         assert_eq!(
             losses(&limits)[..2],

@@ -7,6 +7,7 @@
 //! | every range and every pair that must fit | [`validate`] |
 //! | typed tables → objects, and whether these fit together | `build`, `fit` |
 //! | every row of every family's table | [`kinds`], [`schema`], [`page`] |
+//! | a job as objects, for other programs | [`resolved`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
@@ -39,6 +40,7 @@ mod rates;
 pub mod read;
 mod refinement;
 mod replace;
+pub mod resolved;
 pub mod resources;
 mod scene;
 pub mod schema;
@@ -56,6 +58,7 @@ pub use import::{Imported, import};
 pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
 pub use read::Job;
+pub use resolved::{ResolvedJob, Task};
 pub use spec::*;
 pub use stages::{check, run, simulate};
 

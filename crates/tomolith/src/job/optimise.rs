@@ -15,6 +15,7 @@ use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
+use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -54,6 +55,14 @@ pub(crate) struct Optimised {
 }
 
 impl Optimised {
+    /// By how much the IoU on the level's voxels rose over the last quarter of the iterations; None where it was not measured.
+    pub(crate) fn gain_in_the_end(&self) -> Option<f64> {
+        let last = self.qualities.last()?;
+        let begin = last.iteration - last.iteration.div_ceil(4);
+        let before = self.qualities.iter().rfind(|q| q.iteration <= begin)?;
+        Some(last.iou? - before.iou?)
+    }
+
     /// The metrics after an iteration, where they were measured.
     pub(crate) fn quality_at(&self, iteration: usize) -> Option<Quality> {
         self.qualities
@@ -91,6 +100,9 @@ pub(crate) fn optimise(
     )?
     .describing(tables);
     let resumed = resumes(&checkpoints, resume, progress)?;
+    if resumed.is_none() {
+        checkpoints.begin_anew();
+    }
     let job_start = scene.start()?;
     let mut carried: Option<Given> = None;
     let mut bounds = Vec::new();
@@ -110,7 +122,7 @@ pub(crate) fn optimise(
             bounds = stage.limits(scene, &x)?;
             (start, pixels) = (Some(x), Some(own));
         }
-        if resumed && !is_last {
+        if resumed.is_some_and(|at| i < at) {
             continue;
         }
         let mut x = match (&carried, start) {
@@ -118,11 +130,11 @@ pub(crate) fn optimise(
             (None, None) => stage.model.new_patterns()?,
             (Some(given), _) => stage.start(scene, given, cancel)?,
         };
-        let checkpoints = is_last.then_some(&mut checkpoints);
+        checkpoints.begin_level(i);
         let ran = stage.run_and_widen(
             scene,
             (&mut x, &bounds),
-            checkpoints,
+            &mut checkpoints,
             &mut sofar,
             progress,
             cancel,
@@ -187,10 +199,10 @@ struct SoFar {
 }
 
 /// One level, ready to be optimised.
-struct Stage<'a> {
+pub(super) struct Stage<'a> {
     level: &'a Level,
-    voxels: Cow<'a, Voxels>,
-    model: Box<dyn DoseModel<Field = HostField>>,
+    pub(super) voxels: Cow<'a, Voxels>,
+    pub(super) model: Box<dyn DoseModel<Field = HostField>>,
     straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// Pixels that stay dark.
     dark: Vec<bool>,
@@ -199,7 +211,7 @@ struct Stage<'a> {
 }
 
 impl<'a> Stage<'a> {
-    fn new(
+    pub(super) fn new(
         scene: &Scene,
         voxels: &'a Voxels,
         level: &'a Level,
@@ -240,14 +252,19 @@ impl<'a> Stage<'a> {
         })
     }
 
-    fn start(&self, scene: &Scene, start: &dyn Start, cancel: &Run) -> Result<HostField> {
+    pub(super) fn start(
+        &self,
+        scene: &Scene,
+        start: &dyn Start,
+        cancel: &Run,
+    ) -> Result<HostField> {
         let models = (self.model.as_ref(), self.straight.as_deref());
         let mut x = starting_patterns(scene, &self.voxels, models, start, cancel)?;
         darken(&mut x, &self.dark);
         Ok(x)
     }
 
-    fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
+    pub(super) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
         let normalises = scene.optimizer()?.normalises();
         Ok(limits(&scene.spec, self.model.as_ref(), start, normalises))
     }
@@ -279,13 +296,13 @@ impl<'a> Stage<'a> {
         &self,
         scene: &Scene,
         (x, bounds): (&mut HostField, &[Limits]),
-        checkpoints: Option<&mut Checkpoints>,
+        checkpoints: &mut Checkpoints,
         sofar: &mut SoFar,
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Outcome> {
         let own = (scene, &scene.spec);
-        let mut outcome = self.run(own, (x, bounds), checkpoints, sofar, progress, cancel)?;
+        let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
             if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
@@ -519,16 +536,28 @@ pub(super) fn limits(
     vec![limits; spec.light.len()]
 }
 
-/// Whether there is a checkpoint to go on from; it is removed when the run is not to be resumed.
-fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress) -> Result<bool> {
+/// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
+/// writes its own, and one of another job is removed.
+fn resumes(
+    checkpoints: &Checkpoints,
+    resume: bool,
+    progress: &mut dyn Progress,
+) -> Result<Option<usize>> {
     let file = checkpoints.file();
     if !resume {
-        for earlier in [file.with_file_name(KEPT), file] {
-            if earlier.exists() {
-                std::fs::remove_file(&earlier).map_err(|e| Error::io(&earlier, e))?;
-            }
+        match checkpoints.open() {
+            Ok(Some(earlier)) => progress.event(&Event::Note {
+                text: format!(
+                    "the folder holds a checkpoint of this job after iteration {}; this run begins anew, and its first checkpoint replaces \
+                     that one. To go on from it, stop and use --resume",
+                    earlier.iteration()
+                ),
+            }),
+            Ok(None) => {}
+            Err(_) => remove(&file)?,
         }
-        return Ok(false);
+        remove(&file.with_file_name(KEPT))?;
+        return Ok(None);
     }
     let checkpoint = checkpoints.open().map_err(begin_anew)?;
     let text = match &checkpoint {
@@ -536,7 +565,15 @@ fn resumes(checkpoints: &Checkpoints, resume: bool, progress: &mut dyn Progress)
         None => "no checkpoint to resume: starting anew".to_owned(),
     };
     progress.event(&Event::Note { text });
-    Ok(checkpoint.is_some())
+    Ok(checkpoint.map(|checkpoint| checkpoint.level()))
+}
+
+/// Removes a file that may not be there.
+fn remove(file: &Path) -> Result<()> {
+    match std::fs::remove_file(file) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(file, e)),
+        _ => Ok(()),
+    }
 }
 
 /// A checkpoint that cannot be used: first what to do, then why.
@@ -577,8 +614,14 @@ pub(super) fn keep(
         })
         .collect();
     write_patterns(&path, &pairs, &Run::new())?;
+    let is_saved = folder.join(CHECKPOINT).exists();
+    let resume = if is_saved {
+        "`--resume` goes on from the last checkpoint"
+    } else {
+        "there is no checkpoint to resume; `[start.patterns]` with this file begins from them"
+    };
     let text = format!(
-        "the best patterns so far are in {}; `--resume` goes on from the last checkpoint",
+        "the best patterns so far are in {}; {resume}",
         path.display()
     );
     progress.event(&Event::Note { text });
@@ -709,7 +752,14 @@ fn tables(spec: &JobSpec) -> Result<Value> {
     let mut tables = serde_json::to_value(with_every_default(spec.clone()))
         .map_err(|e| Error::config("", e.to_string(), "a job"))?;
     if let Some(map) = tables.as_object_mut() {
-        for unimportant in ["stop", "checkpoint", "evaluate", "printer", "output"] {
+        for unimportant in [
+            "stop",
+            "checkpoint",
+            "evaluate",
+            "printer",
+            "output",
+            "resources",
+        ] {
             map.remove(unimportant);
         }
     }

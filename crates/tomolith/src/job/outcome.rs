@@ -4,7 +4,7 @@ pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::optimize::{Kept, StopReason};
 use crate::report::{ExposureWindow, Limits};
-use crate::units::concise;
+use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -128,13 +128,19 @@ impl fmt::Display for Summary {
         let ([a, b, c, d], _) = self.evaluation.columns();
         writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
         let mut row = |name: &str, q: &Quality| {
-            let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
+            let number = |m: Measure| {
+                // A zero has no sign
+                m.map_or_else(
+                    || "–".to_owned(),
+                    |m| format!("{:.4}", (m * 1e4).round() / 1e4 + 0.0),
+                )
+            };
             let [a, b, c, d] = q.columns().1.map(number);
             writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
         if let Some(optimisation) = &self.optimisation {
             let name = match self.iterations {
-                Some(_) => "optimised, on its own grid",
+                Some(_) => "unwritten, on the job's grid",
                 None => "unwritten, on the job's grid",
             };
             row(name, optimisation)?;
@@ -196,8 +202,8 @@ pub struct Plan {
     pub active_pixels: usize,
     /// Memory of the largest stage, MB.
     pub memory_mb: u64,
-    /// Memory there is, MB.
-    pub available_memory_mb: Option<u64>,
+    /// Memory that it may plan with, MB.
+    pub memory_budget_mb: Option<u64>,
     /// Size of the run folder, MB.
     pub disk_mb: u64,
     /// Time of the whole run on this machine when all iterations are needed, s.
@@ -235,12 +241,14 @@ impl fmt::Display for Plan {
         let active = 100.0 * self.active_pixels as f64 / self.pixels.max(1) as f64;
         writeln!(
             f,
-            "{:>12} {} frames, {} pixels, {active:.0} % of them at most are used",
-            "patterns", self.frames, self.pixels
+            "{:>12} {}, {}, {active:.0} % of them at most are used",
+            "patterns",
+            counted(self.frames, "frame"),
+            counted(self.pixels, "pixel")
         )?;
         let available = self
-            .available_memory_mb
-            .map(|mb| format!(" of {mb} MB available"))
+            .memory_budget_mb
+            .map(|mb| format!(" of {mb} MB in the budget"))
             .unwrap_or_default();
         writeln!(f, "{:>12} {} MB{available}", "memory", self.memory_mb)?;
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;

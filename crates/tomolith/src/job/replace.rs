@@ -53,6 +53,7 @@ fn tables(spec: &JobSpec) -> Value {
     let mut tables = serde_json::to_value(with_every_default(spec.clone())).unwrap_or_default();
     if let Some(map) = tables.as_object_mut() {
         map.remove("output");
+        map.remove("resources");
     }
     as_floats(&mut tables);
     tables

@@ -3,30 +3,42 @@
 use crate::error::{Error, Result};
 use std::path::Path;
 
-/// Memory that can still be used, MB (10⁶ bytes); None where the system does not say (only Linux does).
+/// Share of the computer's memory that a run plans with where nobody says how much.
+const SHARE: f64 = 0.8;
+
+/// Memory that a run may plan with, MB (10⁶ bytes): what the job gives it, or a fixed share of the computer's. It does not depend on what
+/// else runs. None where the system does not say how much it has (only Linux does) and the job neither.
 #[must_use]
-pub fn available_memory_mb() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("MemAvailable:"))?;
-    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    let machine = kib * 1024 / 1_000_000;
-    Some(container_memory_mb().map_or(machine, |limit| limit.min(machine)))
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "memory is a positive number of megabytes"
+)]
+pub fn memory_budget_mb(given_gb: Option<f64>) -> Option<u64> {
+    let given = given_gb.map(|gb| gb * 1e3);
+    let share = || Some(computer_memory_mb()? as f64 * SHARE);
+    given.or_else(share).map(|mb| mb as u64)
 }
 
-/// What is left of the limit of the control group, MB. Its file cache does not count: it is given up when needed.
-fn container_memory_mb() -> Option<u64> {
-    let read = |name: &str| std::fs::read_to_string(format!("/sys/fs/cgroup/{name}")).ok();
-    let limit: u64 = read("memory.max")?.trim().parse().ok()?;
-    let stat = read("memory.stat")?;
-    let used: u64 = stat
-        .lines()
-        .find_map(|line| line.strip_prefix("anon "))?
-        .trim()
-        .parse()
-        .ok()?;
-    Some(limit.saturating_sub(used) / 1_000_000)
+/// Memory of the computer, or of the container it runs in, MB.
+fn computer_memory_mb() -> Option<u64> {
+    let machine = meminfo_mb("MemTotal:")?;
+    let limit = std::fs::read_to_string("/sys/fs/cgroup/memory.max").ok();
+    let limit: Option<u64> = limit.and_then(|text| text.trim().parse().ok());
+    Some(limit.map_or(machine, |bytes| machine.min(bytes / 1_000_000)))
+}
+
+/// Memory that is free now, MB.
+#[must_use]
+pub fn free_memory_mb() -> Option<u64> {
+    meminfo_mb("MemAvailable:")
+}
+
+fn meminfo_mb(name: &str) -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with(name))?;
+    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kib * 1024 / 1_000_000)
 }
 
 /// Free space where `path` is or will be, MB; None where the system does not say.
@@ -74,7 +86,12 @@ mod tests {
     #[test]
     #[cfg(target_os = "linux")]
     fn the_machine_says_what_it_has() {
-        assert!(available_memory_mb().unwrap() > 10);
+        let all = memory_budget_mb(None).unwrap();
+        assert!(all > 10 && all < meminfo_mb("MemTotal:").unwrap());
+        // It stays what it is, however much is taken meanwhile
+        let taken = vec![1u8; 50_000_000];
+        assert_eq!(memory_budget_mb(None), Some(all));
+        assert_eq!((memory_budget_mb(Some(1.5)), taken[7]), (Some(1500), 1));
         assert!(available_disk_mb(Path::new("not/there/yet")).unwrap() > 0);
     }
 

@@ -11,7 +11,7 @@ use super::named::{
 };
 use super::read::Job;
 use super::refinement::{self, Level};
-use super::resources::{available_disk_mb, available_memory_mb, require};
+use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, coarse, light};
 use crate::error::{Error, Result};
@@ -39,8 +39,6 @@ use std::sync::Arc;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
-/// Share of the free memory that a run may plan with.
-const USABLE: f64 = 0.9;
 /// Parts of a voxel that are rounding of the job's lengths.
 const ROUNDING: f64 = 1e-6;
 
@@ -124,7 +122,6 @@ impl Scene {
         }
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
-        notes.extend(on_its_own_grid(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         let covered = optics
@@ -142,7 +139,6 @@ impl Scene {
                 .map_err(|e| e.under(&path))?;
         }
         let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
-        notes.extend(refinement::note(&levels, &grid));
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -174,6 +170,7 @@ impl Scene {
                 shape.warnings(),
                 cut_off.into_iter().collect(),
                 few_angles(&spec).into_iter().collect(),
+                on_its_own_grid(&spec).into_iter().collect(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
                 touching,
@@ -216,6 +213,12 @@ impl Scene {
         Ok(scene)
     }
 
+    /// Notes on which voxels the patterns will be optimised.
+    pub(crate) fn note_levels(&mut self) {
+        self.notes
+            .extend(refinement::note(&self.levels, &self.grid));
+    }
+
     /// Bounds the pixels by what the machine can give in the time that it has.
     fn bound_by_time(&mut self) -> Result<()> {
         let Some((white, seconds)) = device::white_in_time(&self.spec, self.response()?.as_ref())?
@@ -242,8 +245,8 @@ impl Scene {
 
     /// Lowers the optimiser's memory and the refinement of the evaluation until both fit, and says so.
     fn fit_memory(&mut self) -> Result<()> {
-        let free = available_memory_mb().map(|mb| (mb as f64 * USABLE) as u64);
-        let fits = |needed: u64| free.is_none_or(|free| needed <= free);
+        let budget = memory_budget_mb(self.spec.resources.memory_gb);
+        let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
         let asked = self.extent.memory;
         while !fits(self.extent.optimisation_mb()) && self.extent.memory > LEAST_MEMORY {
             self.extent.memory -= 1;
@@ -251,8 +254,8 @@ impl Scene {
         if self.extent.memory < asked {
             let memory = self.extent.memory;
             set_quasi_newton_memory(&mut self.spec.optimizer, memory);
-            self.notes.push(format!(
-                "too little memory: optimizer.lbfgs.memory is {memory}, not {asked}"
+            self.warnings.push(format!(
+                "the memory budget (resources.memory_gb) is too small: optimizer.lbfgs.memory is {memory}, not {asked}"
             ));
         }
         let asked = self.extent.refine;
@@ -262,8 +265,8 @@ impl Scene {
         }
         if self.extent.refine < asked {
             let refine = self.extent.refine;
-            self.notes.push(format!(
-                "too little memory: evaluating on {}, not on a {asked}× finer one",
+            self.warnings.push(format!(
+                "the memory budget (resources.memory_gb) is too small: evaluating on {}, not on a {asked}× finer one",
                 match refine {
                     1 => "the job's own grid".to_owned(),
                     refine => format!("a {refine}× finer grid"),
@@ -291,9 +294,24 @@ impl Scene {
                 (pixels_key(&self.spec), accepted)
             };
             let needed_mb = estimate::whole_mb(parts);
-            require(&key, what, needed_mb, free, accepted)?;
+            require(&key, what, needed_mb, budget, accepted)?;
         }
+        self.warn_of_others();
         Ok(())
+    }
+
+    /// Warns where other programs hold the memory that the run plans with.
+    fn warn_of_others(&mut self) {
+        let needed = self
+            .extent
+            .optimisation_mb()
+            .max(self.extent.evaluation_mb());
+        if let Some(free) = free_memory_mb().filter(|&free| free < needed) {
+            self.warnings.push(format!(
+                "the run needs {needed} MB of memory and {free} MB are free now: it may become slow or be stopped by the system. End other \
+                 programs, or make the job smaller (grid.pitch_mm, light.pixels)"
+            ));
+        }
     }
 
     /// The finer grid of the evaluation.
@@ -686,7 +704,7 @@ fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
 const FEW_ANGLES: usize = 12;
 
 /// Warns of light that comes from a handful of directions.
-fn few_angles(spec: &JobSpec) -> Option<String> {
+pub(super) fn few_angles(spec: &JobSpec) -> Option<String> {
     let azimuths = spec.light.iter().flat_map(|light| {
         let (azimuths, _) = light.angles.azimuths(light.rotation);
         // Directions that differ by less than a thousandth of a degree are one

@@ -88,9 +88,28 @@ pub struct JobSpec {
     /// The machine that shows the patterns; they are shown as they are without it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub printer: Option<PrinterSpec>,
+    /// What the run may use of the computer.
+    #[serde(default, skip_serializing_if = "ResourcesSpec::is_default")]
+    pub resources: ResourcesSpec,
     /// What is written, and where.
     #[serde(default)]
     pub output: OutputSpec,
+}
+
+/// What a run may use of the computer.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ResourcesSpec {
+    /// Memory that the run plans with, GB (10⁹ bytes); 80 % of the computer's, or of its container's, when left out. A job that needs more is
+    /// refused before any work. Results do not depend on what else runs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory_gb: Option<f64>,
+}
+
+impl ResourcesSpec {
+    fn is_default(&self) -> bool {
+        *self == ResourcesSpec::default()
+    }
 }
 
 /// Where the dose is computed: cubic voxels.

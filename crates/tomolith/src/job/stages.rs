@@ -21,7 +21,7 @@ use crate::models::{Choice, Run};
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::report::Timing;
-use crate::units::concise;
+use crate::units::{concise, counted};
 use std::path::Path;
 use std::time::Instant;
 
@@ -49,6 +49,7 @@ fn run_stages(
     let mut clock = Clock::new(progress, cancel);
     clock.stage("reading the job");
     let mut scene = Scene::new(job)?;
+    scene.note_levels();
     cancel.check()?;
     must_be_same(job, resume)?;
     let folder = open(job, &scene, clock.progress)?;
@@ -302,6 +303,7 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
 fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
     stage(progress, cancel, "reading the job");
     let mut scene = Scene::new(job)?;
+    scene.note_levels();
     let sampling = stage(progress, cancel, "sampling the target");
     let begin = Instant::now();
     let voxels = (scene.voxels_under(&scene.grid, &sampling)).map_err(|e| job.locate(e))?;
@@ -345,7 +347,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             .extent
             .optimisation_mb()
             .max(scene.extent.evaluation_mb()),
-        available_memory_mb: super::resources::available_memory_mb(),
+        memory_budget_mb: super::resources::memory_budget_mb(scene.spec.resources.memory_gb),
         disk_mb: scene.extent.disk_mb(),
         seconds: cost.optimisation_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,
@@ -369,8 +371,9 @@ fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFold
     let [nz, ny, nx] = scene.grid.shape;
     let pitch = concise(scene.grid.pitch_mm);
     let text = format!(
-        "{}: {nx} × {ny} × {nz} voxels of {pitch} mm, {} frames",
-        scene.name, scene.extent.frames
+        "{}: {nx} × {ny} × {nz} voxels of {pitch} mm, {}",
+        scene.name,
+        counted(scene.extent.frames, "frame")
     );
     for text in std::iter::once(text).chain(scene.notes.iter().cloned()) {
         progress.event(&Event::Note { text });
@@ -397,13 +400,7 @@ fn voxels(
     for text in found.iter().cloned() {
         progress.event(&Event::Warning { text });
     }
-    let warnings = scene
-        .warnings
-        .iter()
-        .chain(&scene.notes)
-        .cloned()
-        .chain(found)
-        .collect();
+    let warnings = scene.warnings.iter().cloned().chain(found).collect();
     Ok((voxels, warnings))
 }
 

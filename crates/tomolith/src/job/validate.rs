@@ -55,6 +55,9 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
     spec.objectives()?;
     bounds_and_stop(spec)?;
     evaluate_and_output(spec)?;
+    if let Some(memory_gb) = spec.resources.memory_gb {
+        positive("resources.memory_gb", memory_gb, "GB")?;
+    }
     printer(spec)
 }
 
@@ -372,7 +375,7 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         count("evaluate.refine", refine, 1, 8)?;
     }
     optional(evaluate.threshold, |v| {
-        positive("evaluate.threshold", v, "")
+        within("evaluate.threshold", v, 1e-6, 1e6, "a dose, 1e-6 to 1e6")
     })?;
     within(
         "evaluate.trim_percent",

@@ -230,6 +230,7 @@ fn report(
         deviation: made.deviation.as_ref(),
         movies: made.movies,
         job_text: &resolved.to_toml()?,
+        notes: scene.notes.clone(),
         warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
         timings: made.timings,
     };

@@ -1,0 +1,238 @@
+//! What every dose model must satisfy.
+//!
+//! Derivative and adjoint are one matrix: ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩, with c half along F′d, so that a wrong scale shows (with an
+//! independent c a 20 % scale error passes at 256³). Outputs are overwritten whatever they held. Linear models are
+//! linear, and the sum over parts of the frames is the whole. Numbers do not depend on the number of threads.
+//!
+//! ```
+//! use tomolith_core::check::{model::model, small::SmallModel};
+//! let found = model(&SmallModel::new(9, 12, 3), 1).unwrap();
+//! assert!(found.adjoint_error < 1e-5); // relative to ‖F′d‖‖c‖
+//! ```
+
+use crate::dose::{DoseModel, Run};
+use crate::error::Error;
+use crate::field::Field;
+
+/// What was measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// |⟨F′d, c⟩ − ⟨d, F′ᵀc⟩| / (‖F′d‖·‖c‖)
+    pub adjoint_error: f64,
+    /// ⟨d, F′ᵀc⟩ / ⟨F′d, c⟩: 1 unless the adjoint is off by a factor.
+    pub factor: f64,
+}
+
+/// Signed pseudo-random numbers in (−1, 1), the same on every machine (splitmix64).
+pub fn noise(seed: u64, len: usize) -> Vec<f32> {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    (0..len)
+        .map(|_| {
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = state;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            z ^= z >> 31;
+            (z >> 40) as f32 / (1u64 << 23) as f32 - 1.0
+        })
+        .collect()
+}
+
+/// Checks a model at a random point; the message of an error says which property failed and by how much.
+///
+/// # Errors
+/// [`Error::Unsupported`] naming the property; the model's own errors.
+pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<Found, Error> {
+    let run = Run::new();
+    let mut x = model.new_patterns()?;
+    x.copy_from_host(
+        &noise(seed, x.len())
+            .iter()
+            .map(|v| v.abs())
+            .collect::<Vec<_>>(),
+    );
+    let found = adjoint(model, &x, seed + 1, &run)?;
+    overwrites(model, &x, &run)?;
+    frames_add_up(model, &x, &run)?;
+    if model.is_linear() {
+        linear(model, &x, seed + 2, &run)?;
+    }
+    same_bits_on_any_thread_count(model, &x, &run)?;
+    Ok(found)
+}
+
+fn failed(what: impl Into<String>, reason: String) -> Error {
+    Error::Unsupported {
+        what: what.into(),
+        reason,
+    }
+}
+
+/// F′(x)d: by linearity, or by the polynomial's first coefficient.
+fn derivative<M: DoseModel + ?Sized>(
+    model: &M,
+    x: &M::Field,
+    d: &M::Field,
+    run: &Run,
+) -> Result<M::Field, Error> {
+    if model.is_linear() {
+        let mut out = model.new_dose()?;
+        model.dose(d, &mut out, run)?;
+        return Ok(out);
+    }
+    let terms = model.along(x, d, run)?;
+    terms
+        .and_then(|mut t| (!t.is_empty()).then(|| t.swap_remove(0)))
+        .ok_or_else(|| {
+            failed(
+                "derivative",
+                "a model that is neither linear nor polynomial needs a check of its own".into(),
+            )
+        })
+}
+
+fn adjoint<M: DoseModel + ?Sized>(
+    model: &M,
+    x: &M::Field,
+    seed: u64,
+    run: &Run,
+) -> Result<Found, Error> {
+    let mut d = model.new_patterns()?;
+    d.copy_from_host(&noise(seed, d.len()));
+    let fd = derivative(model, x, &d, run)?;
+    let norm = fd.norm();
+    if norm == 0.0 {
+        return Err(failed("derivative", "no light reaches any voxel".into()));
+    }
+    // Noise lives only where the model can put dose: padding lanes are no voxels
+    let mut c = model.new_dose()?;
+    for layout in model.outputs() {
+        let mut volume = crate::grid::Volume::filled(layout.grid.clone(), 0.0f32);
+        volume.values = noise(seed + 1, volume.values.len());
+        let mut host = c.to_host();
+        host[layout.range()].copy_from_slice(&layout.field_of(&volume));
+        let cells = layout.offset + layout.voxels()..layout.range().end;
+        let own = noise(seed + 2, cells.len());
+        host[cells].copy_from_slice(&own);
+        c.copy_from_host(&host);
+    }
+    let scale = (1.0 / c.norm()) as f32;
+    c.scale(scale);
+    c.axpy((1.0 / norm) as f32, &fd);
+    let mut back = model.new_patterns()?;
+    model.pullback(x, &c, &mut back, run)?;
+    let (forward, backward) = (fd.dot(&c), d.dot(&back));
+    let found = Found {
+        adjoint_error: (forward - backward).abs() / (norm * c.norm()),
+        factor: backward / forward,
+    };
+    if found.adjoint_error <= 1e-5 {
+        return Ok(found);
+    }
+    Err(failed(
+        "adjoint",
+        format!("{found:?}: ⟨F′d, c⟩ = {forward}, ⟨d, F′ᵀc⟩ = {backward}"),
+    ))
+}
+
+fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
+    let (mut clean, mut dirty) = (model.new_dose()?, model.new_dose()?);
+    dirty.fill(f32::NAN);
+    model.dose(x, &mut clean, run)?;
+    model.dose(x, &mut dirty, run)?;
+    if bits(&clean) != bits(&dirty) {
+        return Err(failed(
+            "dose",
+            "what the output held before shows in the result".into(),
+        ));
+    }
+    let (mut first, mut second) = (model.new_patterns()?, model.new_patterns()?);
+    second.fill(f32::NAN);
+    model.pullback(x, &clean, &mut first, run)?;
+    model.pullback(x, &clean, &mut second, run)?;
+    if bits(&first) != bits(&second) {
+        return Err(failed(
+            "pullback",
+            "what the output held before shows in the result".into(),
+        ));
+    }
+    Ok(())
+}
+
+fn frames_add_up<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
+    let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
+    let (mut whole, mut parts) = (model.new_dose()?, model.new_dose()?);
+    model.dose(x, &mut whole, run)?;
+    let middle = frames / 3;
+    model.dose_of(0..middle, x, &mut parts, run)?;
+    model.dose_of(middle..frames, x, &mut parts, run)?;
+    let size = whole.norm();
+    parts.axpy(-1.0, &whole);
+    let error = parts.norm() / size;
+    if error > 1e-6 {
+        return Err(failed(
+            "dose_of",
+            format!("the frames' doses add up to the dose only within {error:e}"),
+        ));
+    }
+    Ok(())
+}
+
+fn linear<M: DoseModel + ?Sized>(
+    model: &M,
+    x: &M::Field,
+    seed: u64,
+    run: &Run,
+) -> Result<(), Error> {
+    let mut y = model.new_patterns()?;
+    y.copy_from_host(&noise(seed, y.len()));
+    let mut sum = y.clone();
+    sum.axpy(2.0, x);
+    let (mut fx, mut fy, mut fsum) = (model.new_dose()?, model.new_dose()?, model.new_dose()?);
+    model.dose(x, &mut fx, run)?;
+    model.dose(&y, &mut fy, run)?;
+    model.dose(&sum, &mut fsum, run)?;
+    let size = fsum.norm();
+    fsum.axpy(-2.0, &fx);
+    fsum.axpy(-1.0, &fy);
+    let error = fsum.norm() / size;
+    if error > 1e-5 {
+        return Err(failed(
+            "linearity",
+            format!("F(2x + y) differs from 2F(x) + F(y) by {error:e}"),
+        ));
+    }
+    Ok(())
+}
+
+fn same_bits_on_any_thread_count<M: DoseModel + ?Sized>(
+    model: &M,
+    x: &M::Field,
+    run: &Run,
+) -> Result<(), Error> {
+    let mut results = Vec::new();
+    for threads in [1, 2, 8] {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|e| failed("threads", e.to_string()))?;
+        let (mut dose, mut grad) = (model.new_dose()?, model.new_patterns()?);
+        pool.install(|| {
+            model
+                .dose(x, &mut dose, run)
+                .and_then(|()| model.pullback(x, &dose, &mut grad, run))
+        })?;
+        results.push((bits(&dose), bits(&grad)));
+    }
+    if results.windows(2).all(|pair| pair[0] == pair[1]) {
+        return Ok(());
+    }
+    Err(failed(
+        "threads",
+        "results differ between 1, 2 and 8 threads".into(),
+    ))
+}
+
+fn bits<F: Field>(field: &F) -> Vec<u32> {
+    field.to_host().into_iter().map(f32::to_bits).collect()
+}

@@ -1,0 +1,492 @@
+//! Numbers in the memory where the work happens.
+//!
+//! Optimisers, objectives and models talk about [`Field`]s only: flat vectors of f32 with f64 sums. [`HostField`] is the
+//! one in this machine's memory; a device has its own. The meaning of an element (which pixel, which voxel) is in the
+//! model's layouts.
+//!
+//! Sums run over fixed blocks whose partial results are added in order, so a number does not depend on how many threads
+//! computed it.
+//!
+//! ```
+//! use tomolith_core::field::{Field, HostField};
+//! let mut x = HostField::zeros(3);
+//! x.fill(2.0);
+//! let mut y = x.clone();
+//! y.axpy(0.5, &x); // 2 + 0.5·2 = 3
+//! assert_eq!(x.dot(&y), 3.0 * 2.0 * 3.0); // three elements, 2·3 each
+//! ```
+
+pub mod group;
+mod pairs;
+
+pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
+use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// Elements per block of a parallel loop: 256 kB of f32, a compromise between cache and scheduling.
+pub const BLOCK: usize = 1 << 16;
+
+/// Bounds of the elements of a field: constant over pieces, of which a pattern field has one per light.
+///
+/// ```
+/// use tomolith_core::field::Bounds;
+/// let bounds = Bounds::uniform(100_000, 0.0, 1.0);
+/// assert_eq!(bounds.len(), 100_000);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    blocks: Vec<BoundedBlock>,
+}
+
+/// Neighbouring elements with the same bounds, at most [`BLOCK`] of them.
+#[derive(Clone, Debug, PartialEq)]
+struct BoundedBlock {
+    len: usize,
+    lower: f32,
+    upper: f32,
+}
+
+impl Bounds {
+    /// One pair of bounds for `len` elements.
+    #[must_use]
+    pub fn uniform(len: usize, lower: f32, upper: f32) -> Self {
+        Bounds::of_pieces([(len, lower, upper)])
+    }
+
+    /// Pieces `(length, lower, upper)` one after the other.
+    #[must_use]
+    pub fn of_pieces(pieces: impl IntoIterator<Item = (usize, f32, f32)>) -> Self {
+        let mut blocks = Vec::new();
+        for (len, lower, upper) in pieces {
+            for begin in (0..len).step_by(BLOCK) {
+                let len = BLOCK.min(len - begin);
+                blocks.push(BoundedBlock { len, lower, upper });
+            }
+        }
+        Bounds { blocks }
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.blocks.iter().map(|b| b.len).sum()
+    }
+
+    /// Whether there is no element.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
+    /// The elements of a field, block by block.
+    fn split<'a>(&self, mut values: &'a [f32]) -> Vec<&'a [f32]> {
+        assert_eq!(
+            values.len(),
+            self.len(),
+            "a field of another length than its bounds"
+        );
+        self.blocks
+            .iter()
+            .map(|b| values.split_off(..b.len).unwrap_or_default())
+            .collect()
+    }
+
+    /// The elements of a field, block by block, to change.
+    fn split_mut<'a>(&self, mut values: &'a mut [f32]) -> Vec<&'a mut [f32]> {
+        assert_eq!(
+            values.len(),
+            self.len(),
+            "a field of another length than its bounds"
+        );
+        self.blocks
+            .iter()
+            .map(|b| values.split_off_mut(..b.len).unwrap_or_default())
+            .collect()
+    }
+}
+
+/// Sums over a step p and a gradient g, taken in the pass that made the step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepSums {
+    /// g·p, negative for a descent.
+    pub slope: f64,
+    /// p·p
+    pub square: f64,
+}
+
+/// Sums over the secant of a step: y is the change of the gradient where the step p is not 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Secant {
+    /// p·p
+    pub pp: f64,
+    /// p·y
+    pub py: f64,
+    /// y·y
+    pub yy: f64,
+}
+
+/// A flat vector of f32 somewhere. All operations on two fields need equal lengths and panic otherwise
+/// (a programming error, not a user's).
+pub trait Field: Clone + Send + Sync {
+    /// The memory of a quasi-Newton method over such fields.
+    type Pairs: Pairs<Self>;
+
+    /// Number of elements.
+    fn len(&self) -> usize;
+    /// Whether there are no elements.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// Zeros of the same length, in the same memory.
+    fn zeros_like(&self) -> Self;
+    /// Overwrites with `other`.
+    fn copy_from(&mut self, other: &Self);
+    /// Overwrites with one value.
+    fn fill(&mut self, value: f32);
+    /// Σ selfᵢ·otherᵢ, summed in f64.
+    fn dot(&self, other: &Self) -> f64;
+    /// √Σ selfᵢ², summed in f64.
+    fn norm(&self) -> f64 {
+        self.dot(self).sqrt()
+    }
+    /// self ← self + a·x
+    fn axpy(&mut self, a: f32, x: &Self);
+    /// self ← a·self
+    fn scale(&mut self, a: f32);
+    /// self ← min(max(self, lower), upper)
+    fn clamp(&mut self, lower: f32, upper: f32);
+    /// self ← P(self + a·step), P the projection onto the bounds.
+    fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds);
+    /// self ← P(x − t·gradient) − x, the projected gradient step of length t.
+    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums;
+    /// selfᵢ ← f(selfᵢ, otherᵢ): for the own formulas of a method.
+    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync);
+    /// Largest f(selfᵢ, otherᵢ), 0 at least; NaN if any is NaN.
+    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32;
+    /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
+    /// bound, the largest element takes its place.
+    fn quantise(&mut self, levels: u32, bounds: &Bounds);
+    /// Secant sums of the step `self` between two gradients.
+    fn secant(&self, before: &Self, after: &Self) -> Secant;
+    /// Largest |selfᵢ|; NaN if any element is NaN.
+    fn max_abs(&self) -> f32;
+    /// Copies to host memory.
+    fn to_host(&self) -> Vec<f32>;
+    /// The bytes of the elements (f32), copied only where they live elsewhere.
+    fn host_bytes(&self) -> Cow<'_, [u8]> {
+        Cow::Owned(bytemuck::cast_slice(&self.to_host()).to_vec())
+    }
+    /// Overwrites from host memory.
+    fn copy_from_host(&mut self, values: &[f32]);
+}
+
+/// Sixteen floats on a 64-byte boundary: one cache line, one AVX-512 register.
+#[derive(Clone, Copy, Debug, Default, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C, align(64))]
+pub struct Lanes(pub [f32; 16]);
+
+/// Lanes of f32 in one [`Lanes`].
+pub const LANES: usize = 16;
+
+/// A [`Field`] in host memory, starting on a 64-byte boundary.
+#[derive(Clone, Debug, Default)]
+pub struct HostField {
+    lanes: Vec<Lanes>,
+    len: usize,
+}
+
+impl HostField {
+    /// `len` zeros.
+    #[must_use]
+    pub fn zeros(len: usize) -> Self {
+        let count = len.div_ceil(LANES);
+        // Fresh memory comes page by page to the thread that writes first: many pages want many threads
+        let lanes = if len > BLOCK {
+            rayon::iter::repeat_n(Lanes::default(), count)
+                .with_min_len(BLOCK / LANES)
+                .collect()
+        } else {
+            vec![Lanes::default(); count]
+        };
+        HostField { lanes, len }
+    }
+
+    /// A copy of a slice.
+    #[must_use]
+    pub fn from_slice(values: &[f32]) -> Self {
+        let mut field = HostField::zeros(values.len());
+        field.as_mut_slice().copy_from_slice(values);
+        field
+    }
+
+    /// The elements.
+    #[must_use]
+    pub fn as_slice(&self) -> &[f32] {
+        &bytemuck::cast_slice(&self.lanes)[..self.len]
+    }
+
+    /// The elements, to change.
+    #[must_use]
+    pub fn as_mut_slice(&mut self) -> &mut [f32] {
+        &mut bytemuck::cast_slice_mut(&mut self.lanes)[..self.len]
+    }
+
+    /// The elements sixteen at a time; what lies beyond the last element is padding, which nobody reads as a result.
+    #[must_use]
+    pub fn lanes(&self) -> &[Lanes] {
+        &self.lanes
+    }
+
+    /// The elements sixteen at a time, to change; see [`lanes`](Self::lanes).
+    #[must_use]
+    pub fn lanes_mut(&mut self) -> &mut [Lanes] {
+        &mut self.lanes
+    }
+
+    /// Σ over blocks of `f(block of self, block of other)`, in a fixed order.
+    fn sum_blocks(&self, other: &Self, f: impl Fn(&[f32], &[f32]) -> f64 + Sync) -> f64 {
+        assert_eq!(self.len, other.len, "fields of different length");
+        let partial: Vec<f64> = self
+            .as_slice()
+            .par_chunks(BLOCK)
+            .zip(other.as_slice().par_chunks(BLOCK))
+            .map(|(a, b)| f(a, b))
+            .collect();
+        partial.iter().sum()
+    }
+
+    fn update_blocks(&mut self, other: &Self, f: impl Fn(&mut [f32], &[f32]) + Sync) {
+        assert_eq!(self.len, other.len, "fields of different length");
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .zip(other.as_slice().par_chunks(BLOCK))
+            .for_each(|(a, b)| f(a, b));
+    }
+}
+
+/// `value` brought into the bounds; a NaN stays one, which `f32::clamp` would also do but not `max` and `min`.
+#[inline(always)]
+fn clamp(value: f32, lower: f32, upper: f32) -> f32 {
+    let value = if value < lower { lower } else { value };
+    if value > upper { upper } else { value }
+}
+
+/// The larger of two numbers, NaN if one of them is.
+fn larger(a: f32, b: f32) -> f32 {
+    if a.is_nan() || b.is_nan() {
+        f32::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+/// Σ aᵢ·bᵢ in f64, with eight running sums so that it vectorises.
+#[must_use]
+pub fn dot_block(a: &[f32], b: &[f32]) -> f64 {
+    let mut sums = [0.0f64; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8
+        .remainder()
+        .iter()
+        .zip(b8.remainder())
+        .map(|(&x, &y)| f64::from(x) * f64::from(y))
+        .sum();
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
+            sums[i] += f64::from(x[i]) * f64::from(y[i]);
+        }
+    }
+    sums.iter().sum::<f64>() + tail
+}
+
+impl Field for HostField {
+    type Pairs = HostPairs;
+
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    fn zeros_like(&self) -> Self {
+        HostField::zeros(self.len)
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.update_blocks(other, |a, b| a.copy_from_slice(b));
+    }
+
+    fn fill(&mut self, value: f32) {
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .for_each(|block| block.fill(value));
+    }
+
+    fn dot(&self, other: &Self) -> f64 {
+        self.sum_blocks(other, dot_block)
+    }
+
+    fn axpy(&mut self, a: f32, x: &Self) {
+        self.update_blocks(x, |y, x| {
+            y.iter_mut().zip(x).for_each(|(y, &x)| *y += a * x)
+        });
+    }
+
+    fn scale(&mut self, a: f32) {
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .for_each(|block| block.iter_mut().for_each(|v| *v *= a));
+    }
+
+    fn clamp(&mut self, lower: f32, upper: f32) {
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .for_each(|block| block.iter_mut().for_each(|v| *v = v.max(lower).min(upper)));
+    }
+
+    fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
+        let blocks = bounds.split_mut(self.as_mut_slice()).into_par_iter();
+        blocks
+            .zip(bounds.split(step.as_slice()))
+            .zip(&bounds.blocks)
+            .for_each(|((x, step), b)| {
+                for (x, step) in x.iter_mut().zip(step) {
+                    *x = clamp(*x + a * step, b.lower, b.upper);
+                }
+            });
+    }
+
+    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums {
+        let sums: Vec<StepSums> = bounds
+            .split_mut(self.as_mut_slice())
+            .into_par_iter()
+            .zip(bounds.split(x.as_slice()))
+            .zip(bounds.split(gradient.as_slice()))
+            .zip(&bounds.blocks)
+            .map(|(((step, x), gradient), b)| {
+                for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
+                    *step = clamp(x - t * gradient, b.lower, b.upper) - x;
+                }
+                StepSums {
+                    slope: dot_block(gradient, step),
+                    square: dot_block(step, step),
+                }
+            })
+            .collect();
+        sums.iter().fold(StepSums::default(), |a, b| StepSums {
+            slope: a.slope + b.slope,
+            square: a.square + b.square,
+        })
+    }
+
+    fn secant(&self, before: &Self, after: &Self) -> Secant {
+        assert_eq!(self.len, before.len, "fields of different length");
+        assert_eq!(self.len, after.len, "fields of different length");
+        let sums: Vec<Secant> = self
+            .as_slice()
+            .par_chunks(BLOCK)
+            .zip(before.as_slice().par_chunks(BLOCK))
+            .zip(after.as_slice().par_chunks(BLOCK))
+            .map(|((step, before), after)| {
+                let mut sums = Secant::default();
+                for ((&p, &before), &after) in step.iter().zip(before).zip(after) {
+                    let y = if p == 0.0 {
+                        0.0
+                    } else {
+                        f64::from(after) - f64::from(before)
+                    };
+                    let p = f64::from(p);
+                    sums.pp += p * p;
+                    sums.py += p * y;
+                    sums.yy += y * y;
+                }
+                sums
+            })
+            .collect();
+        sums.iter().fold(Secant::default(), |a, b| Secant {
+            pp: a.pp + b.pp,
+            py: a.py + b.py,
+            yy: a.yy + b.yy,
+        })
+    }
+
+    fn max_abs(&self) -> f32 {
+        self.as_slice()
+            .par_chunks(BLOCK)
+            .map(|block| block.iter().map(|v| v.abs()).fold(0.0, larger))
+            .reduce(|| 0.0, larger)
+    }
+
+    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
+        self.update_blocks(other, |a, b| {
+            a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
+        });
+    }
+
+    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32 {
+        assert_eq!(self.len, other.len, "fields of different length");
+        self.as_slice()
+            .par_chunks(BLOCK)
+            .zip(other.as_slice().par_chunks(BLOCK))
+            .map(|(a, b)| a.iter().zip(b).map(|(&a, &b)| f(a, b)).fold(0.0, larger))
+            .reduce(|| 0.0, larger)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "at most 2¹⁶ levels")]
+    fn quantise(&mut self, levels: u32, bounds: &Bounds) {
+        let top = self.max_abs();
+        let steps = levels.saturating_sub(1).max(1) as f32;
+        bounds
+            .split_mut(self.as_mut_slice())
+            .into_par_iter()
+            .zip(&bounds.blocks)
+            .for_each(|(values, b)| {
+                let upper = if b.upper.is_finite() { b.upper } else { top };
+                let width = upper - b.lower;
+                if width > 0.0 {
+                    for value in values {
+                        let share = (clamp(*value, b.lower, upper) - b.lower) / width;
+                        // Half goes up, as in the patterns that are written
+                        let level = (share * steps + 0.5).floor() / steps;
+                        *value = clamp(b.lower + level * width, b.lower, upper);
+                    }
+                }
+            });
+    }
+
+    fn to_host(&self) -> Vec<f32> {
+        self.as_slice().to_vec()
+    }
+
+    fn host_bytes(&self) -> Cow<'_, [u8]> {
+        Cow::Borrowed(bytemuck::cast_slice(self.as_slice()))
+    }
+
+    fn copy_from_host(&mut self, values: &[f32]) {
+        self.as_mut_slice().copy_from_slice(values);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_even_between_the_bounds_and_half_goes_up() {
+        let mut x = HostField::from_slice(&[-1.0, 0.0, 0.124, 0.125, 0.4, 0.99, 7.0]);
+        // Five levels on [0, 1]
+        x.quantise(5, &Bounds::uniform(7, 0.0, 1.0));
+        assert_eq!(x.as_slice(), [0.0, 0.0, 0.0, 0.25, 0.5, 1.0, 1.0]);
+        // One bit from ¼ to the largest element
+        let mut x = HostField::from_slice(&[0.0, 1.0, 2.25, 1.2]);
+        x.quantise(2, &Bounds::uniform(4, 0.25, f32::INFINITY));
+        assert_eq!(x.as_slice(), [0.25, 0.25, 2.25, 0.25]);
+    }
+
+    #[test]
+    fn what_is_no_number_is_not_lost_in_the_largest() {
+        let x = HostField::from_slice(&[1.0, f32::NAN, 3.0]);
+        assert!(x.max_abs().is_nan());
+        assert!(x.largest_with(&x, |a, _| a).is_nan());
+        let y = HostField::from_slice(&[1.0, -5.0, 3.0]);
+        assert_eq!(y.largest_with(&y, |a, _| a), 3.0);
+    }
+}

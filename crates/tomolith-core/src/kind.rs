@@ -1,0 +1,475 @@
+//! Rows of the tables of kinds: the row is the registration.
+//!
+//! A family (vials, objectives, optimisers, …) is a trait and a static table of [`Kind`]s. A row enrols its kind in job
+//! files, in `tomolith kinds`, in the JSON schema and in the family's tests. In a job a kind is an externally tagged
+//! table, `[family.kind]`, so that an error can name the very key.
+
+use crate::error::{Error, Result, nearest_name};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// One table of a job file, and the key path that led to it.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Dotted key path, for error messages.
+    pub path: String,
+    /// The content.
+    pub value: Value,
+    /// The folder that its relative paths begin in; empty for the current one.
+    base: PathBuf,
+    /// A section of its kind that works, for messages; empty where it is of no kind.
+    example: &'static str,
+}
+
+impl Section {
+    /// A section at a path.
+    pub fn new(path: impl Into<String>, value: Value) -> Self {
+        Section {
+            path: path.into(),
+            value,
+            base: PathBuf::new(),
+            example: "",
+        }
+    }
+
+    /// The same section, its relative paths beginning in a folder.
+    #[must_use]
+    pub fn based(mut self, folder: &Path) -> Self {
+        folder.clone_into(&mut self.base);
+        self
+    }
+
+    /// Where a file that the section names is.
+    #[must_use]
+    pub fn file(&self, path: &Path) -> PathBuf {
+        self.base.join(path)
+    }
+
+    /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
+        serde_path_to_error::deserialize(self.value.clone()).map_err(|e| {
+            let inner = e.path().to_string();
+            let inner = if inner == "." { "" } else { &inner };
+            let in_table = value_at(&self.value, e.path()).is_none_or(Value::is_object);
+            let message = e.inner().to_string();
+            let error = config_error(&self.path, inner, in_table, &message);
+            match error {
+                Error::Config {
+                    key,
+                    found,
+                    mut accepted,
+                    nearest,
+                    place,
+                } => {
+                    if CHOICES.iter().any(|words| message.ends_with(words)) {
+                        accepted = choices::<T>(&self.value, e.path()).unwrap_or(accepted);
+                    } else if let Some(line) = self.example_of(&key).filter(|_| found == MISSING) {
+                        accepted = format!("a value, for example `{line}`");
+                    }
+                    Error::Config {
+                        key,
+                        found,
+                        accepted,
+                        nearest,
+                        place,
+                    }
+                }
+                other => other,
+            }
+        })
+    }
+
+    /// The line of the example that gives a key.
+    fn example_of(&self, key: &str) -> Option<&'static str> {
+        let name = key.rsplit('.').next()?;
+        let gives = |line: &&str| line.split('=').next().is_some_and(|key| key.trim() == name);
+        self.example.lines().find(gives).map(str::trim)
+    }
+
+    /// The single kind named in an externally tagged table, and its section: `{cylinder = {…}}` → `("cylinder", {…})`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when the section does not hold exactly one table, or the kind is not in `table`.
+    pub fn kind<'k, B>(&self, table: &'k [Kind<B>]) -> Result<(&'k Kind<B>, Section)> {
+        let names = || table.iter().map(|k| k.name);
+        let accepted = || names().collect::<Vec<_>>().join(", ");
+        let (name, value) = match &self.value {
+            Value::String(name) => (name, Value::Object(serde_json::Map::new())),
+            Value::Object(map) if map.len() == 1 => {
+                let (name, value) = map.iter().next().ok_or(Error::Cancelled)?;
+                (name, value.clone())
+            }
+            Value::Object(map) if map.is_empty() => {
+                return Err(Error::config(
+                    &self.path,
+                    "no kind is named",
+                    format!("one of {}", accepted()),
+                ));
+            }
+            Value::Object(map) => {
+                let found = map.keys().cloned().collect::<Vec<_>>().join(", ");
+                return Err(Error::config(
+                    &self.path,
+                    format!("more than one entry ({found})"),
+                    format!("exactly one of {}", accepted()),
+                ));
+            }
+            other => {
+                return Err(Error::config(
+                    &self.path,
+                    format!("found {other}"),
+                    format!(
+                        "a table [{}.KIND] with KIND one of {}",
+                        self.path,
+                        accepted()
+                    ),
+                ));
+            }
+        };
+        let row = table
+            .iter()
+            .find(|k| k.name == name)
+            .ok_or_else(|| Error::Config {
+                key: format!("{}.{name}", self.path),
+                found: format!("unknown kind `{name}`"),
+                accepted: accepted(),
+                nearest: nearest_name(name, names()).map(str::to_owned),
+                place: None,
+            })?;
+        let mut inner = Section::new(format!("{}.{name}", self.path), value).based(&self.base);
+        inner.example = row.example;
+        Ok((row, inner))
+    }
+}
+
+/// The value a path leads to; None when it ends before.
+fn value_at<'v>(root: &'v Value, path: &serde_path_to_error::Path) -> Option<&'v Value> {
+    use serde_path_to_error::Segment;
+    path.iter().try_fold(root, |value, segment| match segment {
+        Segment::Map { key } | Segment::Enum { variant: key } => value.get(key),
+        Segment::Seq { index } => value.get(index),
+        Segment::Unknown => None,
+    })
+}
+
+/// The same, to be changed.
+fn value_at_mut<'v>(
+    root: &'v mut Value,
+    path: &serde_path_to_error::Path,
+) -> Option<&'v mut Value> {
+    use serde_path_to_error::Segment;
+    path.iter().try_fold(root, |value, segment| match segment {
+        Segment::Map { key } | Segment::Enum { variant: key } => value.get_mut(key),
+        Segment::Seq { index } => value.get_mut(index),
+        Segment::Unknown => None,
+    })
+}
+
+/// How serde's messages end where one of several names was expected, but not which.
+const CHOICES: [&str; 2] = ["string or map", "map with a single key"];
+
+/// The names that are accepted at a path: serde tells them only to a name that is none of them.
+fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path) -> Option<String> {
+    let mut value = value.clone();
+    *value_at_mut(&mut value, path)? = Value::String("?".to_owned());
+    let message = serde_json::from_value::<T>(value).err()?.to_string();
+    let names = message.strip_prefix("unknown variant `?`, expected ")?;
+    let names: Vec<&str> = names.split('`').skip(1).step_by(2).collect();
+    Some(names.join(", "))
+}
+
+/// What is found where a key is missing.
+pub const MISSING: &str = "the key is missing";
+
+/// Keys that had another name, and the name that they have now.
+const RENAMED: [(&str, &str); 4] = [
+    ("motion.wobble_mm", "axis_runout_mm"),
+    ("motion.wobble_phase_deg", "axis_runout_deg"),
+    ("printer.wobble_mm", "eccentricity_mm"),
+    ("printer.wobble_deg", "eccentricity_deg"),
+];
+
+/// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
+///
+/// `in_table`: the value at fault is a table, so that an unknown name is a key in it and not the value itself.
+fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error {
+    let mut key = match (path.is_empty(), inner.is_empty()) {
+        (_, true) => path.to_owned(),
+        (true, _) => inner.to_owned(),
+        _ => format!("{path}.{inner}"),
+    };
+    // serde: "unknown field `x`, expected one of `a`, `b`" | "unknown variant …" | "missing field `x`"
+    let ticked: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    if message.starts_with("unknown field") || message.starts_with("unknown variant") {
+        let (word, names) = ticked.split_first().map_or(("", &[][..]), |(w, n)| (*w, n));
+        if in_table && key.rsplit('.').next() != Some(word) {
+            key = if key.is_empty() {
+                word.to_owned()
+            } else {
+                format!("{key}.{word}")
+            };
+        }
+        let accepted = match names {
+            [] => "nothing: this table has no keys".to_owned(),
+            names => names.join(", "),
+        };
+        let renamed = RENAMED.iter().find(|(old, _)| *old == key);
+        let renamed = renamed.map(|(_, name)| *name);
+        return Error::Config {
+            found: renamed.map_or_else(
+                || format!("unknown name `{word}`"),
+                |name| format!("`{word}` is now called `{name}`"),
+            ),
+            key,
+            accepted,
+            nearest: renamed
+                .or_else(|| nearest_name(word, names.iter().copied()))
+                .map(str::to_owned),
+            place: None,
+        };
+    }
+    if message.starts_with("missing field") {
+        let word = ticked.first().copied().unwrap_or_default();
+        return Error::config(
+            if key.is_empty() {
+                word.to_owned()
+            } else {
+                format!("{key}.{word}")
+            },
+            MISSING,
+            "a value: docs/job.md and `tomolith kinds` say which",
+        );
+    }
+    let (found, accepted) = match message.split_once(", expected ") {
+        Some((found @ "invalid type: map", "a sequence")) => (
+            found_in_words(found),
+            format!("a list, whose tables are written [[{key}]]"),
+        ),
+        Some((found, expected)) => (found_in_words(found), in_words(expected)),
+        None => match message.split_once("; accepted: ") {
+            Some((found, accepted)) => (found.to_owned(), accepted.to_owned()),
+            None => (message.to_owned(), "see `tomolith schema`".to_owned()),
+        },
+    };
+    Error::config(key, found, accepted)
+}
+
+/// What serde found, without the names of Rust's types.
+fn found_in_words(message: &str) -> String {
+    if let Some(length) = message.strip_prefix("invalid length ") {
+        return match length {
+            "0" => "found an empty list".to_owned(),
+            length => format!("found a list of {length}"),
+        };
+    }
+    let kinds = ["invalid type: ", "invalid value: "];
+    let Some(found) = kinds.iter().find_map(|kind| message.strip_prefix(kind)) else {
+        return message.to_owned();
+    };
+    let ticked = found.split('`').nth(1);
+    let found = match (found, ticked) {
+        ("map", _) => "a table",
+        ("sequence", _) => "a list",
+        (_, Some(ticked)) => ticked,
+        (text, None) => text.strip_prefix("string ").unwrap_or(text),
+    };
+    // serde writes 1e+30, a job 1e30
+    format!("found {}", found.replace("e+", "e"))
+}
+
+/// What serde expects, without the names of Rust's types.
+fn in_words(expected: &str) -> String {
+    let words = match expected {
+        "usize" | "u64" | "u32" | "u16" | "u8" => "a whole number, 0 or more",
+        "i64" | "i32" => "a whole number",
+        "f64" | "f32" => "a number",
+        "a string" | "str" | "path string" => "text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        "a map" | "map" => "a table",
+        other if other.starts_with("struct ") => "a table",
+        "fewer elements in array" => "a list with fewer entries",
+        other if other.starts_with("an array of length ") => {
+            return other.replace("an array of length ", "a list of ");
+        }
+        other => other,
+    };
+    words.to_owned()
+}
+
+/// A row of a family's table.
+pub struct Kind<B> {
+    /// Its name in job files.
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// A section of a job file that works, in TOML.
+    pub example: &'static str,
+    /// The JSON schema of its parameters: names, types, defaults and meaning (from the doc comments).
+    pub schema: fn() -> schemars::Schema,
+    /// Builds one from its section.
+    pub build: B,
+}
+
+/// A kind without its builder: what help pages and schemas need.
+pub struct KindPage {
+    /// The family, as the key in a job file: `vial`, `objective`, …
+    pub family: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// A section of a job file that works, in TOML.
+    pub example: &'static str,
+    /// The JSON schema of its parameters.
+    pub schema: schemars::Schema,
+}
+
+impl<B> Kind<B> {
+    /// The help page of this row.
+    pub fn page(&self, family: &'static str) -> KindPage {
+        KindPage {
+            family,
+            name: self.name,
+            summary: self.summary,
+            example: self.example,
+            schema: (self.schema)(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Stop {
+        iterations: usize,
+    }
+
+    #[test]
+    fn a_misspelt_key_is_named_with_its_neighbour() {
+        let section = Section::new("stop", serde_json::json!({ "iteratons": 3 }));
+        let Err(Error::Config {
+            key,
+            nearest,
+            accepted,
+            ..
+        }) = section.parse::<Stop>()
+        else {
+            panic!("the misspelt key was accepted")
+        };
+        assert_eq!(key, "stop.iteratons");
+        assert_eq!(nearest.as_deref(), Some("iterations"));
+        assert_eq!(accepted, "iterations");
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    enum Way {
+        Up,
+        Down,
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Walk {
+        #[serde(rename = "ways")]
+        _ways: Vec<Way>,
+        #[serde(rename = "size", default)]
+        _size: [f64; 2],
+    }
+
+    #[test]
+    fn what_is_accepted_is_said_in_words_of_a_job() {
+        let text = |value| {
+            let section = Section::new("walk", value);
+            section.parse::<Walk>().unwrap_err().to_string()
+        };
+        for (value, expected) in [
+            (
+                serde_json::json!({ "ways": ["up", 3] }),
+                "walk.ways[1]: found 3; accepted: up, down",
+            ),
+            (
+                serde_json::json!({ "ways": [{}] }),
+                "walk.ways[0]: found a table; accepted: up, down",
+            ),
+            (
+                serde_json::json!({ "ways": 1e30 }),
+                "walk.ways: found 1e30; accepted: a list",
+            ),
+            (
+                serde_json::json!({ "ways": [], "size": [1.0, 2.0, 3.0] }),
+                "walk.size: found a list of 3; accepted: a list with fewer entries",
+            ),
+            (
+                serde_json::json!({ "ways": [], "size": [] }),
+                "walk.size: found an empty list; accepted: a list of 2",
+            ),
+        ] {
+            assert_eq!(text(value), expected);
+        }
+    }
+
+    #[test]
+    fn a_missing_key_of_a_kind_is_shown_as_in_its_example() {
+        static ROWS: &[Kind<()>] = &[Kind {
+            name: "fixed",
+            summary: "",
+            example: "[stop.fixed]\niterations = 40",
+            schema: || schemars::schema_for!(bool),
+            build: (),
+        }];
+        let section = Section::new("stop", serde_json::json!("fixed"));
+        let (_, inner) = section.kind(ROWS).unwrap();
+        assert_eq!(
+            inner.parse::<Stop>().unwrap_err().to_string(),
+            "stop.fixed.iterations: the key is missing; accepted: a value, for example `iterations = 40`"
+        );
+    }
+
+    #[test]
+    fn an_old_name_is_refused_with_the_new_one() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Motion {
+            #[serde(rename = "axis_runout_mm", default)]
+            _axis_runout_mm: f64,
+        }
+        let section = Section::new("motion", serde_json::json!({ "wobble_mm": 0.1 }));
+        assert_eq!(
+            section.parse::<Motion>().unwrap_err().to_string(),
+            "motion.wobble_mm: `wobble_mm` is now called `axis_runout_mm`; accepted: axis_runout_mm; \
+             did you mean `axis_runout_mm`?"
+        );
+    }
+
+    #[test]
+    fn a_missing_key_and_a_wrong_type_are_named() {
+        let section = Section::new("stop", serde_json::json!({}));
+        let text = section.parse::<Stop>().unwrap_err().to_string();
+        assert!(
+            text.starts_with("stop.iterations: the key is missing"),
+            "{text}"
+        );
+        let section = Section::new("stop", serde_json::json!({ "iterations": "many" }));
+        let text = section.parse::<Stop>().unwrap_err().to_string();
+        assert!(
+            text.starts_with("stop.iterations: found \"many\"; accepted: a whole number"),
+            "{text}"
+        );
+        assert_eq!(
+            Section::new("stop", serde_json::json!({"iterations": 4}))
+                .parse::<Stop>()
+                .unwrap()
+                .iterations,
+            4
+        );
+    }
+}

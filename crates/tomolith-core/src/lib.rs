@@ -1,0 +1,16 @@
+//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, dose models as a trait, material responses and run control.
+//!
+//! Users find all of it in the crate `tomolith`; whoever writes a model, an objective or a method of their own needs this crate alone.
+
+pub mod check;
+pub mod dose;
+pub mod error;
+pub mod field;
+pub mod grid;
+pub mod kind;
+pub mod response;
+pub mod run;
+pub mod target;
+pub mod units;
+
+pub use error::{Error, Place, Result};

@@ -1,0 +1,392 @@
+//! Fitted response: a curve through measured points that need not rise, for example a sheet of conversion against dose.
+//!
+//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`](mod@super::logistic)) with the least sum of
+//! squared distances, found by Levenberg's and Marquardt's method from the curve's own quarter points. `form = "table"`: the
+//! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`].
+//!
+//! **Source** Marquardt, SIAM J. Appl. Math. 11 (1963) 431; for the forms see the pages of both kinds.
+//!
+//! **Parameters** see [`Params`]. **Limits** a logistic needs five points, six with `asymmetry`; points that fall with dose
+//! are refused. **Cost** that of the form; the fit itself is microseconds.
+//!
+//! ```
+//! use tomolith_core::response::{curve::Curve, fit::logistic};
+//! let doses: Vec<f64> = (0..=10).map(|i| 0.1 * f64::from(i)).collect();
+//! let responses: Vec<f64> = doses.iter().map(|d| 0.1 + 0.8 / (1.0 + (-12.0 * (d - 0.4f64)).exp())).collect();
+//! let (found, rms) = logistic(&Curve::new(&doses, &responses).unwrap(), false).unwrap();
+//! assert!((found.steepness - 12.0).abs() < 1e-6 && (found.midpoint - 0.4).abs() < 1e-8); // what the points were made of
+//! assert!(rms < 1e-9);
+//! ```
+
+use super::curve::Curve;
+use super::table::{self, Beyond, Table};
+use super::{BuildResponse, Logistic, Response, logistic};
+use crate::error::{Error, Result};
+use crate::kind::Kind;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// What is laid through the points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Form {
+    /// The generalised logistic of least squares.
+    #[default]
+    Logistic,
+    /// The nearest table that never falls.
+    Table,
+}
+
+/// The parameters of a fit.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Measured doses
+    pub dose: Vec<f64>,
+    /// Responses to them
+    pub response: Vec<f64>,
+    /// A file with two columns, dose and response, in place of the lists; relative to the job file
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// What is laid through them: "logistic" (default) or "table"
+    pub form: Form,
+    /// Whether the logistic's asymmetry ν is fitted too (default: ν = 1)
+    pub asymmetry: bool,
+}
+
+/// The logistic response nearest to a curve, and the root mean square of what is left.
+///
+/// # Errors
+/// [`Error::Config`] for fewer points than parameters and one, or a curve that does not rise.
+pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<(logistic::Params, f64)> {
+    let unknowns = if asymmetry { 5 } else { 4 };
+    let n = curve.doses.len();
+    if n <= unknowns {
+        return Err(Error::config(
+            "dose",
+            format!("found {n} doses"),
+            format!("at least {} for a fit", unknowns + 1),
+        ));
+    }
+    if curve.responses[n - 1] <= curve.responses[0] {
+        return Err(falls(curve));
+    }
+    let fit = Fit { curve, unknowns };
+    let theta = fit.levenberg(start(&curve.monotone()));
+    let [lower, upper, b, midpoint, v] = theta;
+    if lower >= upper || !theta.iter().all(|v| v.is_finite()) {
+        return Err(falls(curve));
+    }
+    let found = logistic::Params {
+        lower,
+        upper,
+        steepness: b.exp(),
+        midpoint,
+        asymmetry: v.exp(),
+    };
+    Ok((found, (fit.cost(&theta) / n as f64).sqrt()))
+}
+
+/// The refusal of points through which no rising curve goes.
+fn falls(curve: &Curve) -> Error {
+    let (first, last) = (curve.responses[0], curve.responses[curve.doses.len() - 1]);
+    Error::config(
+        "response",
+        format!("a response that falls with dose or stays the same: from {first} to {last}"),
+        "responses that rise with dose, noise apart",
+    )
+}
+
+/// A, K, ln B, M and ln ν.
+type Theta = [f64; 5];
+
+/// From the ends of a rising curve and the doses of a quarter and three quarters of the way.
+fn start(curve: &Curve) -> Theta {
+    let n = curve.doses.len();
+    let (low, high) = (curve.responses[0], curve.responses[n - 1]);
+    let dose_at = |share: f64| {
+        let wanted = low + share * (high - low);
+        let k = curve
+            .responses
+            .partition_point(|&m| m < wanted)
+            .clamp(1, n - 1);
+        let rise = curve.responses[k] - curve.responses[k - 1];
+        let part = if rise > 0.0 {
+            (wanted - curve.responses[k - 1]) / rise
+        } else {
+            0.5
+        };
+        curve.doses[k - 1] + part * (curve.doses[k] - curve.doses[k - 1])
+    };
+    let width = (dose_at(0.75) - dose_at(0.25)).max(1e-6 * (curve.doses[n - 1] - curve.doses[0]));
+    // Between the quarters B·d grows by 2·ln 3
+    [low, high, (9f64.ln() / width).ln(), dose_at(0.5), 0.0]
+}
+
+struct Fit<'a> {
+    curve: &'a Curve,
+    /// 4, or 5 with ν.
+    unknowns: usize,
+}
+
+impl Fit<'_> {
+    /// Response and its derivatives by A, K, ln B, M and ln ν.
+    fn model(dose: f64, [a, k, ln_b, m, ln_v]: &Theta) -> (f64, Theta) {
+        let (b, v) = (ln_b.exp(), ln_v.exp());
+        let x = b * (dose - m);
+        let u = 1.0 / (1.0 + (-x).exp());
+        let height = u.powf(1.0 / v);
+        let rise = (k - a) * height / v * (1.0 - u);
+        let by_v = if u > 0.0 {
+            -(k - a) * height * u.ln() / v
+        } else {
+            0.0
+        };
+        (
+            a + (k - a) * height,
+            [1.0 - height, height, rise * x, -rise * b, by_v],
+        )
+    }
+
+    fn cost(&self, theta: &Theta) -> f64 {
+        let pairs = self.curve.doses.iter().zip(&self.curve.responses);
+        pairs
+            .map(|(&d, &m)| (Self::model(d, theta).0 - m).powi(2))
+            .sum()
+    }
+
+    fn levenberg(&self, mut theta: Theta) -> Theta {
+        let mut cost = self.cost(&theta);
+        let mut damping = 1e-3;
+        for _ in 0..500 {
+            let mut matrix = [[0.0; 5]; 5];
+            let mut right = [0.0; 5];
+            for (&d, &m) in self.curve.doses.iter().zip(&self.curve.responses) {
+                let (value, slopes) = Self::model(d, &theta);
+                for i in 0..self.unknowns {
+                    right[i] -= slopes[i] * (value - m);
+                    for j in 0..self.unknowns {
+                        matrix[i][j] += slopes[i] * slopes[j];
+                    }
+                }
+            }
+            for (i, row) in matrix.iter_mut().enumerate() {
+                row[i] = if i < self.unknowns {
+                    row[i] * (1.0 + damping) + 1e-300
+                } else {
+                    1.0
+                };
+            }
+            let step = solve(matrix, right);
+            let next: Theta = std::array::from_fn(|i| theta[i] + step[i]);
+            let reached = self.cost(&next);
+            if reached < cost {
+                let settled = cost - reached <= 1e-15 * cost;
+                (theta, cost, damping) = (next, reached, (damping * 0.3).max(1e-12));
+                if settled {
+                    break;
+                }
+            } else {
+                damping *= 4.0;
+                if damping > 1e12 {
+                    break;
+                }
+            }
+        }
+        theta
+    }
+}
+
+/// A small system of equations, by elimination with the largest pivot.
+fn solve(mut a: [[f64; 5]; 5], mut b: [f64; 5]) -> [f64; 5] {
+    for i in 0..5 {
+        let pivot = (i..5)
+            .max_by(|&p, &q| a[p][i].abs().total_cmp(&a[q][i].abs()))
+            .unwrap_or(i);
+        a.swap(i, pivot);
+        b.swap(i, pivot);
+        for row in i + 1..5 {
+            let factor = a[row][i] / a[i][i];
+            let above = a[i];
+            a[row]
+                .iter_mut()
+                .zip(above)
+                .for_each(|(cell, up)| *cell -= factor * up);
+            b[row] -= factor * b[i];
+        }
+    }
+    let mut x = [0.0; 5];
+    for i in (0..5).rev() {
+        let known: f64 = (i + 1..5).map(|j| a[i][j] * x[j]).sum();
+        x[i] = (b[i] - known) / a[i][i];
+    }
+    x
+}
+
+fn build(params: &Params, curve: &Curve) -> Result<Box<dyn Response>> {
+    match params.form {
+        Form::Logistic => Ok(Box::new(Logistic::new(
+            logistic(curve, params.asymmetry)?.0,
+        )?)),
+        Form::Table => {
+            let level = curve.monotone();
+            if level.responses[0] == level.responses[level.doses.len() - 1] {
+                return Err(falls(curve));
+            }
+            Ok(Box::new(Table::new(
+                &level.doses,
+                &level.responses,
+                Beyond::Flat,
+            )?))
+        }
+    }
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildResponse> = Kind {
+    name: "fit",
+    summary: "measured response: a logistic or a monotone table fitted to points of dose and response",
+    example: "[response.fit]\ndose = [0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0]\nresponse = [0.01, 0.05, 0.27, 0.5, 0.73, 0.95, 0.99]",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let params: Params = section.parse()?;
+        let curve = match &params.file {
+            None => Curve::new(&params.dose, &params.response),
+            Some(_) if !params.dose.is_empty() || !params.response.is_empty() => Err(
+                Error::config("file", "both a file and lists", "one of the two"),
+            ),
+            Some(file) => table::read(section, file),
+        };
+        curve
+            .and_then(|curve| build(&params, &curve))
+            .map_err(|e| e.under(&section.path))
+    },
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::noise;
+
+    fn points(params: &logistic::Params, jitter: f64) -> Curve {
+        let doses: Vec<f64> = (0..60).map(|i| f64::from(i) / 40.0).collect();
+        let responses: Vec<f64> = doses
+            .iter()
+            .zip(noise(60, 4))
+            .map(|(d, e)| {
+                let u = 1.0 / (1.0 + (-params.steepness * (d - params.midpoint)).exp());
+                params.lower
+                    + (params.upper - params.lower) * u.powf(1.0 / params.asymmetry)
+                    + jitter * f64::from(e)
+            })
+            .collect();
+        Curve::new(&doses, &responses).unwrap()
+    }
+
+    #[test]
+    fn a_fit_finds_what_points_were_made_of() {
+        for (lower, upper, steepness, midpoint, asymmetry) in [
+            (0.0, 1.0, 10.0, 0.5, 1.0),
+            (-0.2, 3.0, 25.0, 0.8, 1.0),
+            (0.1, 0.9, 6.0, 0.6, 2.5),
+            (0.0, 1.0, 8.0, 0.5, 0.4),
+        ] {
+            let made_of = logistic::Params {
+                lower,
+                upper,
+                steepness,
+                midpoint,
+                asymmetry,
+            };
+            let (found, rms) = super::logistic(&points(&made_of, 0.0), asymmetry != 1.0).unwrap();
+            for (a, b) in [
+                (found.lower, lower),
+                (found.upper, upper),
+                (found.steepness, steepness),
+                (found.midpoint, midpoint),
+                (found.asymmetry, asymmetry),
+            ] {
+                assert!(
+                    (a - b).abs() < 1e-5 * (1.0 + b.abs()),
+                    "{made_of:?} came back as {found:?}"
+                );
+            }
+            assert!(rms < 1e-8, "{rms}");
+        }
+    }
+
+    #[test]
+    fn with_noise_it_is_no_worse_than_the_truth() {
+        let made_of = logistic::Params {
+            asymmetry: 1.0,
+            ..Default::default()
+        };
+        let curve = points(&made_of, 0.03);
+        let (found, rms) = super::logistic(&curve, false).unwrap();
+        let truth = [
+            made_of.lower,
+            made_of.upper,
+            made_of.steepness.ln(),
+            made_of.midpoint,
+            0.0,
+        ];
+        let fit = Fit {
+            curve: &curve,
+            unknowns: 4,
+        };
+        assert!(
+            rms <= (fit.cost(&truth) / 60.0).sqrt() && rms > 0.01,
+            "{rms}"
+        );
+        assert!(
+            (found.midpoint - 0.5).abs() < 0.02 && (found.steepness - 10.0).abs() < 1.0,
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_model() {
+        let theta = [0.1, 0.9, 2.0, 0.5, 0.4];
+        for dose in [-0.3, 0.2, 0.5, 0.9, 2.0] {
+            let slopes = Fit::model(dose, &theta).1;
+            for i in 0..5 {
+                let moved = |h: f64| {
+                    let mut t = theta;
+                    t[i] += h;
+                    Fit::model(dose, &t).0
+                };
+                let difference = (moved(1e-6) - moved(-1e-6)) / 2e-6;
+                assert!(
+                    (difference - slopes[i]).abs() < 1e-8,
+                    "{i} at {dose}: {} {difference}",
+                    slopes[i]
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn noise_in_a_table_is_levelled_and_a_falling_curve_refused() {
+        let section = |json| crate::kind::Section::new("response.fit", json);
+        let noisy = serde_json::json!({"dose": [0, 1, 2, 3], "response": [0.0, 0.6, 0.4, 1.0], "form": "table"});
+        let table = (KIND.build)(&section(noisy)).unwrap();
+        assert!((table.value(1.5) - 0.5).abs() < 1e-6);
+        assert_eq!(table.range(), [0.0, 1.0]);
+        for (json, key) in [
+            (
+                serde_json::json!({"dose": [0, 1, 2, 3, 4, 5], "response": [5, 4, 3, 2, 1, 0]}),
+                "response.fit.response",
+            ),
+            (
+                serde_json::json!({"dose": [0, 1, 2], "response": [0, 1, 2]}),
+                "response.fit.dose",
+            ),
+        ] {
+            let Err(Error::Config { key: found, .. }) = (KIND.build)(&section(json)) else {
+                panic!("{key} was accepted")
+            };
+            assert_eq!(found, key);
+        }
+    }
+}

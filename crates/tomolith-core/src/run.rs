@@ -1,0 +1,240 @@
+//! What long work carries along: a way to be stopped, and a gauge of how much is done.
+
+use crate::error::{Error, Result};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+
+/// The whole of a stage on the gauge.
+const WHOLE: u64 = 1 << 52;
+
+/// What long work carries along: a way to be stopped, and a gauge of how much of the stage at hand is done.
+///
+/// Work is cut into [`part`](Run::part)s, each with its share of the whole, and counted in [`steps`](Run::steps) where a part
+/// is not cut further. Parts may run side by side. What a part did not count is done when it is dropped, so the gauge never
+/// falls, and a stage that ends has filled it.
+///
+/// An optimisation is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
+/// one breaks into the step.
+///
+/// ```
+/// use tomolith_core::dose::Run;
+/// let run = Run::new();
+/// let stage = run.stage();
+/// let reading = stage.part(0.5);
+/// let steps = reading.steps(4);
+/// steps.add(1);
+/// assert_eq!(run.done(), 0.125); // a quarter of one half
+/// drop(reading);
+/// assert_eq!(run.done(), 0.5);
+/// run.cancel();
+/// assert!(stage.check().is_err());
+/// ```
+#[derive(Debug)]
+pub struct Run {
+    signal: Arc<Signal>,
+    gauge: Arc<AtomicU64>,
+    /// Of the gauge: how much this part is, and how much of it was told or given to parts of its own.
+    share: u64,
+    used: AtomicU64,
+}
+
+#[derive(Debug, Default)]
+struct Signal {
+    requests: AtomicU32,
+    patient: AtomicBool,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Run {
+            signal: Arc::default(),
+            gauge: Arc::default(),
+            share: WHOLE,
+            used: AtomicU64::new(0),
+        }
+    }
+}
+
+impl Run {
+    /// A run that nobody has stopped yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Asks everything that carries this run to stop soon; returns how often that was asked before.
+    pub fn cancel(&self) -> u32 {
+        self.signal.requests.fetch_add(1, Ordering::Relaxed)
+    }
+
+    /// Whether a stop was asked for.
+    #[must_use]
+    pub fn is_stop_asked(&self) -> bool {
+        self.signal.requests.load(Ordering::Relaxed) > 0
+    }
+
+    /// Whether work must stop now, in the middle of what it does.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        let enough = if self.signal.patient.load(Ordering::Relaxed) {
+            2
+        } else {
+            1
+        };
+        self.signal.requests.load(Ordering::Relaxed) >= enough
+    }
+
+    /// Refuses to go on when work must stop now.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn check(&self) -> Result<()> {
+        if self.is_cancelled() {
+            Err(Error::Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Whether the first request may wait for the end of the step at hand.
+    pub fn set_patient(&self, patient: bool) {
+        self.signal.patient.store(patient, Ordering::Relaxed);
+    }
+
+    /// The whole of a new stage: the gauge begins at 0.
+    #[must_use]
+    pub fn stage(&self) -> Run {
+        self.gauge.store(0, Ordering::Relaxed);
+        self.of_share(WHOLE)
+    }
+
+    /// A part of this work, as large a share of it as that; what the parts before it have left at most.
+    #[must_use]
+    pub fn part(&self, share: f64) -> Run {
+        let wanted = (self.share as f64 * share.clamp(0.0, 1.0)).round() as u64;
+        self.of_share(self.take(wanted))
+    }
+
+    /// Work that is watched, but no part of what is done.
+    #[must_use]
+    pub fn aside(&self) -> Run {
+        self.of_share(0)
+    }
+
+    /// Counts this work in so many equal steps.
+    #[must_use]
+    pub fn steps(&self, count: usize) -> Steps<'_> {
+        Steps {
+            run: self,
+            count: count as u64,
+            done: AtomicU64::new(0),
+        }
+    }
+
+    /// How much of the stage at hand is done, 0 to 1.
+    #[must_use]
+    pub fn done(&self) -> f64 {
+        self.gauge.load(Ordering::Relaxed).min(WHOLE) as f64 / WHOLE as f64
+    }
+
+    fn of_share(&self, share: u64) -> Run {
+        Run {
+            signal: Arc::clone(&self.signal),
+            gauge: Arc::clone(&self.gauge),
+            share,
+            used: AtomicU64::new(0),
+        }
+    }
+
+    /// Takes so much of the share, or what is left of it.
+    fn take(&self, wanted: u64) -> u64 {
+        let take = |used: u64| Some((used + wanted).min(self.share));
+        let before = self
+            .used
+            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, take);
+        wanted.min(self.share - before.unwrap_or(self.share))
+    }
+
+    fn tell(&self, wanted: u64) {
+        let share = self.take(wanted);
+        self.gauge.fetch_add(share, Ordering::Relaxed);
+    }
+}
+
+impl Drop for Run {
+    fn drop(&mut self) {
+        self.tell(self.share);
+    }
+}
+
+/// Steps of a piece of work, counted from any thread.
+#[derive(Debug)]
+pub struct Steps<'r> {
+    run: &'r Run,
+    count: u64,
+    done: AtomicU64,
+}
+
+impl Steps<'_> {
+    /// Some more are done.
+    pub fn add(&self, steps: usize) {
+        let before = self.done.fetch_add(steps as u64, Ordering::Relaxed);
+        let place = |done: u64| {
+            let share = u128::from(self.run.share) * u128::from(done.min(self.count));
+            (share / u128::from(self.count.max(1))) as u64
+        };
+        self.run.tell(place(before + steps as u64) - place(before));
+    }
+
+    /// Whether work must stop now.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.run.is_cancelled()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayon::prelude::*;
+
+    #[test]
+    fn parts_side_by_side_fill_the_gauge_without_a_step_back() {
+        let run = Run::new();
+        for _ in 0..2 {
+            let stage = run.stage();
+            assert_eq!(run.done(), 0.0);
+            let parts = [stage.part(0.3), stage.part(0.5), stage.part(0.9)];
+            let last = AtomicU64::new(0);
+            parts.par_iter().enumerate().for_each(|(i, part)| {
+                let steps = part.steps(1000 + i);
+                (0..1000).into_par_iter().for_each(|_| {
+                    let before = last.load(Ordering::Acquire);
+                    steps.add(1);
+                    let now = run.done().to_bits();
+                    assert!(now >= before, "the gauge fell");
+                    last.fetch_max(now, Ordering::Release);
+                });
+            });
+            assert!(run.done() > 0.99 && run.done() < 1.0);
+            drop((parts, stage));
+            assert_eq!(run.done(), 1.0);
+        }
+    }
+
+    #[test]
+    fn what_is_not_counted_is_done_at_the_end_and_nothing_twice() {
+        let run = Run::new();
+        let stage = run.stage();
+        drop(stage.part(0.25));
+        assert_eq!(run.done(), 0.25);
+        drop(stage.aside());
+        assert_eq!(run.done(), 0.25);
+        let steps = stage.steps(2);
+        steps.add(5); // more than there are
+        assert_eq!(run.done(), 1.0);
+        assert_eq!(stage.part(0.5).share, 0);
+        drop(stage);
+        assert_eq!(run.done(), 1.0);
+    }
+}

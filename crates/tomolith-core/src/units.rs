@@ -1,0 +1,189 @@
+//! Quantities of job files that may carry a unit.
+//!
+//! A key names its unit (`inner_radius_mm`); a plain number is in that unit, and a string may say another one:
+//!
+//! ```
+//! use tomolith_core::units::Mm;
+//! let a: Mm = serde_json::from_str("8.0").unwrap();
+//! let b: Mm = serde_json::from_str("\"0.8 cm\"").unwrap();
+//! assert_eq!(a.0, 8.0); // a number is in millimetres, the unit in the key
+//! assert!((b.0 - a.0).abs() < 1e-12); // 0.8 cm = 8 mm
+//! assert!(serde_json::from_str::<Mm>("\"8 kg\"").is_err());
+//! ```
+
+use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
+
+/// A number as it stands in a job, for messages: every digit that was written, however large or small it is.
+///
+/// ```
+/// use tomolith_core::units::exact;
+/// assert_eq!([0.054, 2.0, 1.0000001, 1e300].map(exact), ["0.054", "2", "1.0000001", "1e300"]);
+/// ```
+#[must_use]
+pub fn exact(value: impl fmt::LowerExp + fmt::Debug) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// A length or volume that was computed, for messages: six significant digits at most, so that a part of micrometres has some
+/// and one of 10³⁰⁰ mm has not three hundred.
+///
+/// ```
+/// use tomolith_core::units::concise;
+/// assert_eq!([0.1 + 0.2, 7.6, 1.0 / 3.0, 1.25e-9, -2e300].map(concise), ["0.3", "7.6", "0.333333", "1.25e-9", "-2e300"]);
+/// assert_eq!(concise(-0.0), "0");
+/// ```
+#[must_use]
+pub fn concise(value: f64) -> String {
+    // Adding zero turns −0 into 0
+    exact(format!("{value:.5e}").parse().unwrap_or(value) + 0.0)
+}
+
+/// A length in millimetres: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default, Serialize)]
+#[serde(transparent)]
+pub struct Mm(pub f64);
+
+/// As it was written, with its unit: `8 mm`, `1e300 mm`.
+impl fmt::Display for Mm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} mm", exact(self.0))
+    }
+}
+
+impl Mm {
+    fn parse(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        let split = text
+            .find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E')
+            .unwrap_or(text.len());
+        let (number, unit) = text.split_at(split);
+        let value: f64 = number
+            .trim()
+            .parse()
+            .map_err(|_| format!("`{text}` is no length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
+        let factor = match unit.trim() {
+            "" | "mm" => 1.0,
+            "um" | "µm" | "μm" => 1e-3,
+            "nm" => 1e-6,
+            "cm" => 10.0,
+            "m" => 1000.0,
+            "in" | "inch" => 25.4,
+            other => {
+                return Err(format!(
+                    "unknown unit of length `{other}`; accepted: nm, um, mm, cm, m, in"
+                ));
+            }
+        };
+        if value.is_finite() {
+            Ok(Mm(value * factor))
+        } else {
+            Err(format!("`{text}` is not finite"))
+        }
+    }
+}
+
+/// Distances of columns and of rows, mm: one length for square pixels, or both.
+///
+/// ```
+/// use tomolith_core::units::Pitch;
+/// let square: Pitch = serde_json::from_str("\"20 um\"").unwrap();
+/// let flat: Pitch = serde_json::from_str("[0.04, \"20 um\"]").unwrap();
+/// assert_eq!((square.0, flat.0), ([0.02, 0.02], [0.04, 0.02]));
+/// assert!(serde_json::from_str::<Pitch>("[0.04]").is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pitch(pub [f64; 2]);
+
+impl Serialize for Pitch {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [columns, rows] = self.0;
+        if columns == rows {
+            Mm(columns).serialize(serializer)
+        } else {
+            self.0.serialize(serializer)
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Pitch {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let lengths = if value.is_array() {
+            serde_json::from_value::<[Mm; 2]>(value)
+        } else {
+            serde_json::from_value::<Mm>(value).map(|pitch| [pitch; 2])
+        };
+        let lengths = lengths.map_err(serde::de::Error::custom)?;
+        Ok(Pitch(lengths.map(|mm| mm.0)))
+    }
+}
+
+impl schemars::JsonSchema for Pitch {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Pitch".into()
+    }
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let one = generator.subschema_for::<Mm>();
+        schemars::json_schema!({
+            "description": "One length for square pixels, or that of columns and that of rows",
+            "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }]
+        })
+    }
+}
+
+impl<'de> Deserialize<'de> for Mm {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl serde::de::Visitor<'_> for Visitor {
+            type Value = Mm;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a length: a number in mm, or a string such as \"8 mm\" or \"13.7 um\"")
+            }
+            fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<Mm, E> {
+                if v.is_finite() {
+                    Ok(Mm(v))
+                } else {
+                    Err(E::custom("a length must be finite"))
+                }
+            }
+            #[expect(clippy::cast_precision_loss, reason = "lengths are small numbers")]
+            fn visit_i64<E: serde::de::Error>(self, v: i64) -> Result<Mm, E> {
+                Ok(Mm(v as f64))
+            }
+            #[expect(clippy::cast_precision_loss, reason = "lengths are small numbers")]
+            fn visit_u64<E: serde::de::Error>(self, v: u64) -> Result<Mm, E> {
+                Ok(Mm(v as f64))
+            }
+            fn visit_str<E: serde::de::Error>(self, v: &str) -> Result<Mm, E> {
+                Mm::parse(v).map_err(E::custom)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl schemars::JsonSchema for Mm {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Length".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A length: a number in mm, or a string with a unit (nm, um, mm, cm, m, in)",
+            "type": ["number", "string"]
+        })
+    }
+}
+
+/// A number of things.
+///
+/// ```
+/// use tomolith_core::units::counted;
+/// assert_eq!([1, 3].map(|n| counted(n, "frame")), ["1 frame", "3 frames"]);
+/// ```
+#[must_use]
+pub fn counted(count: usize, thing: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{plural}")
+}

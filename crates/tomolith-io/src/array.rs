@@ -1,0 +1,133 @@
+//! Anybody's volumes: `.npy`, or one array of an `.npz`, of whatever number type, as f32 `[z, y, x]`.
+//!
+//! Read are floats of 16, 32 and 64 bits, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), little or
+//! big endian, in C or Fortran order; an array of two dimensions is one slice. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
+//!
+//! ```
+//! use tomolith_io::array::read_any;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("target.npy");
+//! ndarray_npy::write_npy(&path, &ndarray::array![[true, false, true], [false, true, false]]).unwrap();
+//! let (shape, values) = read_any(path.to_str().unwrap()).unwrap();
+//! assert_eq!((shape, values), ([1, 2, 3], vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0]));
+//! ```
+
+use super::numbers::{Archive, Numbers, bad, tuple};
+use std::path::Path;
+use tomolith_core::error::{Error, Result, nearest_name};
+
+const ACCEPTED: &str =
+    ".npy or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
+
+/// Reads `FILE.npy`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
+///
+/// # Errors
+/// [`Error::Io`] when the file cannot be opened; [`Error::Format`] when it holds no such array.
+pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
+    let (path, name) = match source.rsplit_once(".npz:") {
+        Some((stem, name)) => (format!("{stem}.npz"), Some(name)),
+        None => (source.to_owned(), None),
+    };
+    let path = Path::new(&path);
+    let is_npz = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npz"));
+    let Numbers { shape, values, .. } = if is_npz {
+        let mut archive = Archive::open(path, ACCEPTED)?;
+        let name = chosen(&archive.names(), path, name)?;
+        archive.numbers(&name)?
+    } else {
+        Numbers::read(path, ACCEPTED)?
+    };
+    match shape[..] {
+        [y, x] => Ok(([1, y, x], values)),
+        [z, y, x] => Ok(([z, y, x], values)),
+        _ => {
+            let found = format!("an array of shape {}", tuple(&shape));
+            Err(bad(path, found, ACCEPTED))
+        }
+    }
+}
+
+/// The array of an archive that is meant.
+fn chosen(names: &[String], path: &Path, name: Option<&str>) -> Result<String> {
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    match (name, names.as_slice()) {
+        (None, [only]) => Ok((*only).to_owned()),
+        (Some(name), _) if names.contains(&name) => Ok(name.to_owned()),
+        (asked, _) => {
+            let asked = asked.map_or("no array is named".to_owned(), |name| {
+                format!("no array `{name}`")
+            });
+            let near = name.and_then(|name| nearest_name(name, names.iter().copied()));
+            Err(Error::Format {
+                path: path.to_owned(),
+                found: format!("{asked}; it holds {}", names.join(", ")),
+                accepted: format!(
+                    "FILE.npz:NAME, for example {}:{}",
+                    path.display(),
+                    near.or(names.first().copied()).unwrap_or("dose")
+                ),
+            })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::{Array1, Array3, ShapeBuilder};
+    use ndarray_npy::{NpzWriter, write_npy};
+    use std::fs::File;
+
+    #[test]
+    fn types_orders_and_names_are_understood() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = |name: &str| folder.path().join(name).display().to_string();
+        let fortran = Array3::from_shape_fn((2, 3, 4).f(), |(z, y, x)| (z * 12 + y * 4 + x) as i64);
+        write_npy(place("a.npy"), &fortran).unwrap();
+        let expected: Vec<f32> = (0..24).map(|i| i as f32).collect();
+        assert_eq!(
+            read_any(&place("a.npy")).unwrap(),
+            ([2, 3, 4], expected.clone())
+        );
+        let mut npz = NpzWriter::new_compressed(File::create(place("b.npz")).unwrap());
+        npz.add_array("dose", &fortran.mapv(|v| v as f64)).unwrap();
+        npz.add_array("mask", &fortran.mapv(|v| v > 3)).unwrap();
+        npz.finish().unwrap();
+        assert_eq!(read_any(&place("b.npz:dose")).unwrap().1, expected);
+        assert_eq!(read_any(&place("b.npz:mask")).unwrap().1[3..5], [0.0, 1.0]);
+        let message = read_any(&place("b.npz")).unwrap_err().to_string();
+        assert!(
+            message.contains("no array is named; it holds dose, mask"),
+            "{message}"
+        );
+        let message = read_any(&place("b.npz:does")).unwrap_err().to_string();
+        assert!(
+            message.contains("no array `does`") && message.contains("b.npz:dose"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_volume_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = |name: &str| folder.path().join(name).display().to_string();
+        write_npy(place("line.npy"), &Array1::<f32>::zeros(4)).unwrap();
+        assert!(
+            read_any(&place("line.npy"))
+                .unwrap_err()
+                .to_string()
+                .contains("shape (4,)")
+        );
+        std::fs::write(place("text.npy"), "no array").unwrap();
+        assert!(matches!(
+            read_any(&place("text.npy")),
+            Err(Error::Format { .. })
+        ));
+        assert!(matches!(
+            read_any(&place("none.npy")),
+            Err(Error::Io { .. })
+        ));
+    }
+}

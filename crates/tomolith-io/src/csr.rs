@@ -1,0 +1,361 @@
+//! Sparse matrices: SciPy's `.npz` of a CSR array (`scipy.sparse.save_npz`), read and written.
+//!
+//! The file holds `format` ("csr"), `shape` [rows, columns], `indptr` (rows + 1 numbers), `indices` (column of each entry)
+//! and `data`. Reading takes int32 and int64 indices, f32 and f64 values (kept as f32), compressed or not; writing stores
+//! f32 values, uncompressed. Entries of a row come back in growing order of columns, equal ones added.
+//!
+//! ```
+//! use tomolith_io::csr::Csr;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("matrix.npz");
+//! // [[0, 2], [0, 0], [1, 3]]
+//! let matrix = Csr { columns: 2, starts: vec![0, 1, 1, 3], indices: vec![1, 0, 1], values: vec![2.0, 1.0, 3.0] };
+//! matrix.write(&path).unwrap();
+//! assert_eq!(Csr::read(&path).unwrap(), matrix);
+//! assert_eq!(matrix.transposed().row(1).collect::<Vec<_>>(), [(0, 2.0), (2, 3.0)]);
+//! ```
+
+use super::npy::Sink;
+use super::whole::{Refused, write_whole};
+use ndarray::{Array1, ArrayView1, Ix1, OwnedRepr};
+use ndarray_npy::{ReadNpyExt, ReadableElement, WritableElement, WriteNpyExt};
+use std::fs::File;
+use std::io::{BufReader, Read, Write};
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+/// What a file must hold.
+const ACCEPTED: &str =
+    "an .npz of scipy.sparse.save_npz with a CSR matrix (use .tocsr() before saving)";
+
+/// A sparse matrix, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Csr {
+    /// Number of columns.
+    pub columns: usize,
+    /// First entry of each row, and the number of entries at the end: rows + 1 numbers.
+    pub starts: Vec<usize>,
+    /// Column of each entry, growing within a row.
+    pub indices: Vec<u32>,
+    /// Value of each entry.
+    pub values: Vec<f32>,
+}
+
+impl Csr {
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Number of stored entries.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Columns and values of a row.
+    ///
+    /// # Panics
+    /// When there is no such row.
+    pub fn row(&self, row: usize) -> impl Iterator<Item = (u32, f32)> {
+        let range = self.starts[row]..self.starts[row + 1];
+        let columns = self.indices[range.clone()].iter().copied();
+        columns.zip(self.values[range].iter().copied())
+    }
+
+    /// From entries `(row, column, value)` in any order; entries of one place are added.
+    ///
+    /// # Panics
+    /// When an entry lies outside.
+    #[must_use]
+    pub fn from_entries(rows: usize, columns: usize, entries: &[(u32, u32, f32)]) -> Self {
+        let mut starts = vec![0usize; rows + 1];
+        for &(row, column, _) in entries {
+            assert!((column as usize) < columns, "entry outside the matrix");
+            starts[row as usize + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let (mut indices, mut values) = (vec![0; entries.len()], vec![0.0; entries.len()]);
+        for &(row, column, value) in entries {
+            let to = &mut next[row as usize];
+            (indices[*to], values[*to]) = (column, value);
+            *to += 1;
+        }
+        let mut matrix = Csr {
+            columns,
+            starts,
+            indices,
+            values,
+        };
+        matrix.tidy();
+        matrix
+    }
+
+    /// Rows become columns.
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let mut starts = vec![0usize; self.columns + 1];
+        for &column in &self.indices {
+            starts[column as usize + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let (mut indices, mut values) = (vec![0; self.entries()], vec![0.0; self.entries()]);
+        for row in 0..self.rows() {
+            for (column, value) in self.row(row) {
+                let to = &mut next[column as usize];
+                (indices[*to], values[*to]) = (row as u32, value);
+                *to += 1;
+            }
+        }
+        Csr {
+            columns: self.rows(),
+            starts,
+            indices,
+            values,
+        }
+    }
+
+    /// Sorts the entries of every row and adds those of one place.
+    fn tidy(&mut self) {
+        let is_tidy = |row: usize| {
+            self.indices[self.starts[row]..self.starts[row + 1]].is_sorted_by(|a, b| a < b)
+        };
+        if (0..self.rows()).all(is_tidy) {
+            return;
+        }
+        let (mut starts, mut indices, mut values) = (vec![0], Vec::new(), Vec::<f32>::new());
+        for row in 0..self.rows() {
+            let mut entries: Vec<(u32, f32)> = self.row(row).collect();
+            entries.sort_by_key(|entry| entry.0);
+            let begin = indices.len();
+            for (column, value) in entries {
+                if indices.len() > begin && indices.last() == Some(&column) {
+                    if let Some(last) = values.last_mut() {
+                        *last += value;
+                    }
+                } else {
+                    indices.push(column);
+                    values.push(value);
+                }
+            }
+            starts.push(indices.len());
+        }
+        (self.starts, self.indices, self.values) = (starts, indices, values);
+    }
+
+    /// Writes the matrix; see the [module page](self).
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn write(&self, path: &Path) -> Result<()> {
+        let io = |e: zip::result::ZipError| Refused::Io(std::io::Error::other(e));
+        write_whole(path, |file| {
+            let mut sink = Sink::new(file);
+            let mut zip = ZipWriter::new(&mut sink);
+            let shape = [self.rows() as i64, self.columns as i64];
+            start(&mut zip, "format").map_err(io)?;
+            zip.write_all(&npy_of_text("csr"))?;
+            add(&mut zip, "shape", &shape)?;
+            // SciPy wants both of one type: int32 where that is enough
+            if i32::try_from(self.entries().max(self.columns)).is_ok() {
+                let starts: Vec<i32> = self.starts.iter().map(|&s| s as i32).collect();
+                let indices: Vec<i32> = self.indices.iter().map(|&i| i as i32).collect();
+                add(&mut zip, "indptr", &starts)?;
+                add(&mut zip, "indices", &indices)?;
+            } else {
+                let starts: Vec<i64> = self.starts.iter().map(|&s| s as i64).collect();
+                let indices: Vec<i64> = self.indices.iter().map(|&i| i64::from(i)).collect();
+                add(&mut zip, "indptr", &starts)?;
+                add(&mut zip, "indices", &indices)?;
+            }
+            add(&mut zip, "data", &self.values)?;
+            zip.finish().map_err(io)?;
+            Ok(sink.done()?)
+        })
+    }
+
+    /// Reads a matrix; see the [module page](self).
+    ///
+    /// # Errors
+    /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, or not a valid matrix of finite
+    /// numbers.
+    pub fn read(path: &Path) -> Result<Self> {
+        let file = File::open(path).map_err(|e| Error::io(path, e))?;
+        let bad = |found: String| bad(path, found);
+        let mut zip = ZipArchive::new(BufReader::new(file)).map_err(|e| bad(e.to_string()))?;
+        let mut bytes = |name: &str| -> Result<Vec<u8>> {
+            let mut entry = zip
+                .by_name(&format!("{name}.npy"))
+                .map_err(|e| bad(format!("{name}: {e}")))?;
+            let mut bytes = Vec::new();
+            entry
+                .read_to_end(&mut bytes)
+                .map_err(|e| bad(format!("{name}: {e}")))?;
+            Ok(bytes)
+        };
+        let format = text_of_npy(&bytes("format")?);
+        if format != "csr" {
+            return Err(bad(format!("a sparse matrix of format {format:?}")));
+        }
+        let shape = whole_numbers(&bytes("shape")?).ok_or_else(|| bad("no shape".to_owned()))?;
+        let starts = whole_numbers(&bytes("indptr")?).ok_or_else(|| bad("no indptr".to_owned()))?;
+        let indices =
+            whole_numbers(&bytes("indices")?).ok_or_else(|| bad("no indices".to_owned()))?;
+        let data = bytes("data")?;
+        let values = array::<f32>(&data)
+            .or_else(|| Some(array::<f64>(&data)?.iter().map(|&v| v as f32).collect()))
+            .ok_or_else(|| bad("data that is neither f32 nor f64".to_owned()))?;
+        let [rows, columns] = shape[..] else {
+            return Err(bad(format!("shape {shape:?}")));
+        };
+        let is_valid = starts.len() == rows + 1
+            && starts.first() == Some(&0)
+            && starts.is_sorted()
+            && starts.last() == Some(&values.len())
+            && indices.len() == values.len()
+            && indices.iter().all(|&i| i < columns)
+            && u32::try_from(columns).is_ok();
+        if !is_valid {
+            return Err(bad(format!(
+                "{rows} × {columns} with {} row starts, {} indices and {} values that do not fit together",
+                starts.len(),
+                indices.len(),
+                values.len()
+            )));
+        }
+        if let Some(value) = values.iter().find(|v| !v.is_finite()) {
+            return Err(bad(format!("an entry {value}")));
+        }
+        let mut matrix = Csr {
+            columns,
+            starts,
+            indices: indices.into_iter().map(|i| i as u32).collect(),
+            values,
+        };
+        matrix.tidy();
+        Ok(matrix)
+    }
+}
+
+fn bad(path: &Path, found: String) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found,
+        accepted: ACCEPTED.to_owned(),
+    }
+}
+
+fn start<W: Write + std::io::Seek>(
+    zip: &mut ZipWriter<W>,
+    name: &str,
+) -> zip::result::ZipResult<()> {
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .large_file(true);
+    zip.start_file(format!("{name}.npy"), options)
+}
+
+fn add<W: Write + std::io::Seek, T: WritableElement>(
+    zip: &mut ZipWriter<W>,
+    name: &str,
+    values: &[T],
+) -> std::result::Result<(), Refused> {
+    start(zip, name).map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+    ArrayView1::from(values)
+        .write_npy(zip)
+        .map_err(|e| Refused::Io(std::io::Error::other(e)))
+}
+
+/// A `.npy` of one string of bytes, as NumPy writes it.
+fn npy_of_text(text: &str) -> Vec<u8> {
+    let mut header = format!(
+        "{{'descr': '|S{}', 'fortran_order': False, 'shape': (), }}",
+        text.len()
+    );
+    // Magic, version and length take ten bytes; the values begin at a multiple of 64
+    while (10 + header.len() + 1) % 64 != 0 {
+        header.push(' ');
+    }
+    header.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend(text.as_bytes());
+    bytes
+}
+
+/// The text of a `.npy` of one string: of bytes, or of 4-byte characters.
+fn text_of_npy(bytes: &[u8]) -> String {
+    let header = bytes
+        .get(8..10)
+        .map_or(0, |l| usize::from(u16::from_le_bytes([l[0], l[1]])) + 10);
+    let content = bytes.get(header..).unwrap_or_default();
+    let letters = content.iter().filter(|b| b.is_ascii_alphanumeric());
+    letters.map(|&b| char::from(b)).collect()
+}
+
+fn array<T: ReadableElement>(bytes: &[u8]) -> Option<Vec<T>> {
+    let array = ndarray::ArrayBase::<OwnedRepr<T>, Ix1>::read_npy(bytes).ok()?;
+    let array: Array1<T> = array;
+    Some(array.into_raw_vec_and_offset().0)
+}
+
+/// Whole numbers ≥ 0 of either width.
+fn whole_numbers(bytes: &[u8]) -> Option<Vec<usize>> {
+    let wide = |v: Vec<i32>| v.into_iter().map(i64::from).collect();
+    let numbers: Vec<i64> = array::<i64>(bytes).or_else(|| array::<i32>(bytes).map(wide))?;
+    let numbers = numbers.into_iter().map(|v| usize::try_from(v).ok());
+    numbers.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_in_any_order_make_the_matrix_and_its_transpose() {
+        let entries = [(2, 1, 3.0), (0, 1, 1.5), (2, 0, 1.0), (0, 1, 0.5)];
+        let matrix = Csr::from_entries(3, 2, &entries);
+        assert_eq!(matrix.starts, [0, 1, 1, 3]);
+        assert_eq!(matrix.row(0).collect::<Vec<_>>(), [(1, 2.0)]);
+        assert_eq!(matrix.row(2).collect::<Vec<_>>(), [(0, 1.0), (1, 3.0)]);
+        assert_eq!(matrix.transposed().transposed(), matrix);
+    }
+
+    #[test]
+    fn another_format_and_broken_matrices_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.npz");
+        let good = Csr::from_entries(2, 3, &[(0, 2, 1.0), (1, 0, -2.0)]);
+        let broken = [
+            Csr {
+                columns: 2,
+                ..good.clone()
+            },
+            Csr {
+                starts: vec![0, 2, 1],
+                ..good.clone()
+            },
+            Csr {
+                values: vec![1.0, f32::NAN],
+                ..good.clone()
+            },
+        ];
+        for matrix in broken {
+            matrix.write(&path).unwrap();
+            assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));
+        }
+        assert_eq!(text_of_npy(&npy_of_text("csc")), "csc");
+        std::fs::write(&path, b"no zip at all").unwrap();
+        assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));
+    }
+}

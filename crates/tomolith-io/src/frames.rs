@@ -1,0 +1,438 @@
+//! Frames as grey PNG files, `frames/frame_0000.png` and so on.
+//!
+//! Up to 8 bits are stored in 8-bit files, more in 16-bit files. A level q of b bits is stored on the file's own scale,
+//! v = q·(2^c − 1)/(2^b − 1) rounded half up (c = 8 or 16), so that white is the full scale in any viewer; q comes back
+//! exactly. Each file states in text chunks `tomolith:bits`, `tomolith:full_scale` (the pattern value of white,
+//! mJ/mm², as the shortest text that reads back exactly), `tomolith:azimuth_rad` and `tomolith:pitch_mm`.
+//! Row 0 of the image is the top (+z), columns grow along (−sin α, cos α, 0).
+//!
+//! Frames of other programs may be stored as RGB or with a palette, where all colours are grey, and with opacity, which does
+//! not count.
+//!
+//! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::{FrameSet, read_frames, write_frames};
+//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let folder = tempfile::tempdir().unwrap();
+//! let frames = folder.path().join("frames");
+//! write_frames(&frames, &[set], &Run::new()).unwrap();
+//! let read = read_frames(&frames).unwrap();
+//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
+//! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
+//! ```
+
+use super::whole::{Refused, write_folder_whole};
+use rayon::prelude::*;
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, BufWriter, Seek, Write};
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::PatternGrid;
+use tomolith_core::run::Run;
+use tomolith_core::units::exact;
+
+/// The highest level of a bit depth, 2^bits − 1.
+#[must_use]
+pub fn top_level(bits: u32) -> u16 {
+    u16::try_from((1u32 << bits.min(16)) - 1).unwrap_or(u16::MAX)
+}
+
+/// A level of `from` bits on a scale of `to` bits, rounded half up; exactly undone by the way back when `to` is not
+/// smaller.
+#[must_use]
+pub fn rescale(level: u16, from: u32, to: u32) -> u16 {
+    let (top, new_top) = (u64::from(top_level(from)), u64::from(top_level(to)));
+    let scaled = (2 * u64::from(level) * new_top + top) / (2 * top);
+    u16::try_from(scaled).unwrap_or(u16::MAX)
+}
+
+/// The frames of one light, to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameSet<'a> {
+    /// Name of the light, when there are several.
+    pub light: Option<&'a str>,
+    /// Which pixel is where.
+    pub grid: &'a PatternGrid,
+    /// Bit depth, 1…16.
+    pub bits: u32,
+    /// The pattern value of the highest level, mJ/mm².
+    pub full_scale: f32,
+    /// Levels 0…2^bits − 1, `[angle, row, column]`.
+    pub values: &'a [u16],
+}
+
+impl FrameSet<'_> {
+    /// The levels of one frame, `[row, column]`, on a scale of `bits` bits.
+    pub fn levels(&self, frame: usize, bits: u32) -> impl Iterator<Item = u16> {
+        let size = self.grid.rows * self.grid.columns;
+        let from = self.bits;
+        self.values[frame * size..(frame + 1) * size]
+            .iter()
+            .map(move |&level| rescale(level, from, bits))
+    }
+
+    /// Whether levels and grid fit.
+    pub(crate) fn check(&self) -> Result<()> {
+        if self.values.len() == self.grid.len() {
+            return Ok(());
+        }
+        Err(Error::Shape {
+            what: "levels of frames".to_owned(),
+            expected: self.grid.shape().to_vec(),
+            found: vec![self.values.len()],
+        })
+    }
+}
+
+/// Frames read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frames {
+    /// `[frames, rows, columns]`.
+    pub shape: [usize; 3],
+    /// Bit depth of the levels: as stated in the files, else the depth of the files.
+    pub bits: u32,
+    /// The pattern value of the highest level, when the files state it.
+    pub full_scale: Option<f32>,
+    /// Levels 0…2^bits − 1, `[angle, row, column]`.
+    pub values: Vec<u16>,
+}
+
+/// Writes all frames of all lights into `folder`; a light without name goes into the folder itself.
+///
+/// # Errors
+/// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`]; `folder` is then as it was.
+pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
+    let frames = run.steps(lights.iter().map(|set| set.grid.frames()).sum());
+    for set in lights {
+        set.check()?;
+    }
+    write_folder_whole(folder, |aside| {
+        for set in lights {
+            let place = set
+                .light
+                .map_or_else(|| aside.to_owned(), |name| aside.join(name));
+            fs::create_dir_all(&place)?;
+            (0..set.grid.frames()).into_par_iter().try_for_each(
+                |frame| -> Result<(), Refused> {
+                    run.check()?;
+                    frames.add(1);
+                    Ok(write_frame(
+                        &place.join(format!("frame_{frame:04}.png")),
+                        set,
+                        frame,
+                    )?)
+                },
+            )?;
+        }
+        Ok(())
+    })
+}
+
+fn write_frame(path: &Path, set: &FrameSet<'_>, frame: usize) -> std::io::Result<()> {
+    encode(BufWriter::new(File::create(path)?), set, frame)
+}
+
+/// One frame as a PNG file.
+pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std::io::Result<()> {
+    let grid = set.grid;
+    let wide = set.bits > 8;
+    let mut encoder = png::Encoder::new(file, grid.columns as u32, grid.rows as u32);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(if wide {
+        png::BitDepth::Sixteen
+    } else {
+        png::BitDepth::Eight
+    });
+    encoder.set_compression(png::Compression::Fast);
+    let [u, z] = grid.pitch_mm;
+    let pitch = grid
+        .square_pitch_mm()
+        .map_or_else(|| format!("{u} {z}"), |pitch| pitch.to_string());
+    for (key, text) in [
+        ("bits", set.bits.to_string()),
+        ("full_scale", set.full_scale.to_string()),
+        ("azimuth_rad", grid.azimuths[frame].to_string()),
+        ("pitch_mm", pitch),
+    ] {
+        encoder.add_text_chunk(format!("tomolith:{key}"), text)?;
+    }
+    let mut writer = encoder.write_header()?;
+    let bytes: Vec<u8> = if wide {
+        set.levels(frame, 16).flat_map(u16::to_be_bytes).collect()
+    } else {
+        set.levels(frame, 8).map(|v| v as u8).collect()
+    };
+    writer.write_image_data(&bytes)?;
+    writer.finish()?;
+    Ok(())
+}
+
+/// Reads the frames of one light: all `*.png` of a folder, in the order of their names.
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no PNG whose pixels are grey, of the same size,
+/// depth and scale as the first one.
+pub fn read_frames(folder: &Path) -> Result<Frames> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
+        .map_err(|e| Error::io(folder, e))?
+        .map(|entry| entry.map(|e| e.path()).map_err(|e| Error::io(folder, e)))
+        .collect::<Result<_>>()?;
+    paths.retain(|p| p.extension().is_some_and(|e| e.eq_ignore_ascii_case("png")));
+    paths.sort();
+    let images: Vec<Image> = paths
+        .par_iter()
+        .map(|path| read_frame(path))
+        .collect::<Result<_>>()?;
+    if images.is_empty() {
+        return Err(format_error(folder, "no frame"));
+    }
+    together(images, |i| paths[i].clone())
+}
+
+/// Frames that are alike as one array; `place` names the file of one of them.
+pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> Result<Frames> {
+    let first = images.first().map(Image::kind).unwrap_or_default();
+    if let Some(odd) = images.iter().position(|image| image.kind() != first) {
+        let found = format!(
+            "{}; the first frame has {}",
+            images[odd].words(),
+            images[0].words()
+        );
+        return Err(format_error(&place(odd), &found));
+    }
+    let ([rows, columns], bits, full_scale) = first;
+    Ok(Frames {
+        shape: [images.len(), rows, columns],
+        bits,
+        full_scale,
+        values: images.into_iter().flat_map(|image| image.values).collect(),
+    })
+}
+
+fn format_error(path: &Path, found: &str) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found: found.to_owned(),
+        accepted: "grey PNG frames, all alike (RGB and palettes too, where all colours are grey)"
+            .to_owned(),
+    }
+}
+
+/// One frame.
+pub(super) struct Image {
+    size: [usize; 2],
+    bits: u32,
+    full_scale: Option<f32>,
+    values: Vec<u16>,
+}
+
+impl Image {
+    /// What all frames must have in common: rows and columns, bits, white.
+    fn kind(&self) -> ([usize; 2], u32, Option<f32>) {
+        (self.size, self.bits, self.full_scale)
+    }
+
+    fn words(&self) -> String {
+        let [rows, columns] = self.size;
+        let white = self.full_scale.map_or_else(
+            || "no stated white".to_owned(),
+            |white| format!("white {}", exact(white)),
+        );
+        format!("{columns} × {rows} pixels of {} bits, {white}", self.bits)
+    }
+}
+
+fn read_frame(path: &Path) -> Result<Image> {
+    let file = File::open(path).map_err(|e| Error::io(path, e))?;
+    decode(BufReader::new(file)).map_err(|trouble| match trouble {
+        Trouble::Io(source) => Error::io(path, source),
+        Trouble::Said(found) => format_error(path, &found),
+    })
+}
+
+/// Why there is no frame.
+pub(super) enum Trouble {
+    Io(std::io::Error),
+    Said(String),
+}
+
+impl From<png::DecodingError> for Trouble {
+    fn from(error: png::DecodingError) -> Self {
+        match error {
+            png::DecodingError::IoError(source) => Trouble::Io(source),
+            other => Trouble::Said(other.to_string()),
+        }
+    }
+}
+
+/// A PNG file as a frame: grey, or stored as colours that are all grey; opacity does not count.
+pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
+    let mut decoder = png::Decoder::new(file);
+    // Palettes become colours, and fewer than 8 bits become 8
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info()?;
+    let size = reader
+        .output_buffer_size()
+        .ok_or_else(|| Trouble::Said("an image larger than memory".to_owned()))?;
+    let mut bytes = vec![0; size];
+    let shape = reader.next_frame(&mut bytes)?;
+    bytes.truncate(shape.buffer_size());
+    reader.finish()?;
+    let (depth, samples): (u32, Vec<u16>) = if shape.bit_depth == png::BitDepth::Sixteen {
+        let pairs = bytes.chunks_exact(2);
+        (
+            16,
+            pairs.map(|c| u16::from_be_bytes([c[0], c[1]])).collect(),
+        )
+    } else {
+        (8, bytes.iter().map(|&v| u16::from(v)).collect())
+    };
+    let colours = match shape.color_type {
+        png::ColorType::Rgb | png::ColorType::Rgba => 3,
+        _ => 1,
+    };
+    let pixels = samples.chunks_exact(shape.color_type.samples());
+    let is_coloured = |pixel: &&[u16]| pixel[..colours].iter().any(|v| *v != pixel[0]);
+    if let Some(at) = pixels.clone().position(|pixel| is_coloured(&pixel)) {
+        let (row, column) = (at / shape.width as usize, at % shape.width as usize);
+        let found = format!("a coloured pixel in row {row}, column {column}");
+        return Err(Trouble::Said(found));
+    }
+    let values: Vec<u16> = pixels.map(|pixel| pixel[0]).collect();
+    let text = |key: &str| {
+        reader
+            .info()
+            .uncompressed_latin1_text
+            .iter()
+            .find(|chunk| chunk.keyword == format!("tomolith:{key}"))
+            .map(|chunk| chunk.text.as_str())
+    };
+    let bits = text("bits")
+        .and_then(|t| t.parse().ok())
+        .filter(|bits| (1..=depth).contains(bits))
+        .unwrap_or(depth);
+    Ok(Image {
+        size: [shape.height as usize, shape.width as usize],
+        bits,
+        full_scale: text("full_scale")
+            .and_then(|t| t.parse().ok())
+            .filter(|s: &f32| s.is_finite() && *s >= 0.0),
+        values: values
+            .into_iter()
+            .map(|v| rescale(v, depth, bits))
+            .collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Waves {
+        grid: PatternGrid,
+        bits: u32,
+        full_scale: f32,
+        values: Vec<u16>,
+    }
+
+    fn waves(full_scale: f32, bits: u32) -> Waves {
+        let grid = PatternGrid::full_turn(11, 0.3, 7, 9, 0.02);
+        let top = f32::from(top_level(bits));
+        let level = |i: usize| ((0.5 + 0.5 * (i as f32 * 0.37).sin()) * top).round() as u16;
+        let values = (0..grid.len()).map(level).collect();
+        Waves {
+            grid,
+            bits,
+            full_scale,
+            values,
+        }
+    }
+
+    impl Waves {
+        fn frames<'a>(&'a self, light: Option<&'a str>) -> FrameSet<'a> {
+            FrameSet {
+                light,
+                grid: &self.grid,
+                bits: self.bits,
+                full_scale: self.full_scale,
+                values: &self.values,
+            }
+        }
+    }
+
+    #[test]
+    fn levels_and_scale_come_back_bit_for_bit_at_any_depth() {
+        let folder = tempfile::tempdir().unwrap();
+        for bits in [1, 4, 8, 10, 12, 16] {
+            let quantised = waves(0.1234, bits);
+            let place = folder.path().join("frames");
+            write_frames(&place, &[quantised.frames(None)], &Run::new()).unwrap();
+            let read = read_frames(&place).unwrap();
+            assert_eq!(read.shape, [11, 7, 9]);
+            assert_eq!(
+                (read.bits, read.full_scale),
+                (bits, Some(quantised.full_scale))
+            );
+            assert_eq!(read.values, quantised.values, "{bits} bits");
+            assert!(place.join("frame_0010.png").is_file());
+        }
+    }
+
+    #[test]
+    fn several_lights_have_folders_of_their_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("frames");
+        let (a, b) = (waves(1.0, 8), waves(3.0, 8));
+        write_frames(
+            &place,
+            &[a.frames(Some("blue")), b.frames(Some("uv"))],
+            &Run::new(),
+        )
+        .unwrap();
+        assert_eq!(
+            read_frames(&place.join("uv")).unwrap().full_scale,
+            Some(b.full_scale)
+        );
+        assert_eq!(read_frames(&place.join("blue")).unwrap().values, a.values);
+    }
+
+    #[test]
+    fn odd_frames_out_and_truncated_files_are_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("frames");
+        write_frames(&place, &[waves(1.0, 8).frames(None)], &Run::new()).unwrap();
+        let third = place.join("frame_0003.png");
+        let bytes = fs::read(&third).unwrap();
+        fs::write(&third, &bytes[..bytes.len() / 2]).unwrap();
+        let text = read_frames(&place).unwrap_err().to_string();
+        assert!(text.contains("frame_0003.png"), "{text}");
+        let other = folder.path().join("other");
+        write_frames(&other, &[waves(1.0, 12).frames(None)], &Run::new()).unwrap();
+        fs::copy(other.join("frame_0003.png"), &third).unwrap();
+        let text = read_frames(&place).unwrap_err().to_string();
+        assert!(
+            text.contains("frame_0003.png") && text.contains("12 bits"),
+            "{text}"
+        );
+        let empty = folder.path().join("empty");
+        fs::create_dir(&empty).unwrap();
+        assert!(matches!(read_frames(&empty), Err(Error::Format { .. })));
+    }
+
+    #[test]
+    fn a_finer_scale_can_be_undone() {
+        for bits in 1..=16 {
+            for to in bits..=16 {
+                for level in 0..=top_level(bits) {
+                    assert_eq!(rescale(rescale(level, bits, to), to, bits), level);
+                }
+            }
+        }
+        assert_eq!(rescale(255, 8, 16), 65535);
+        assert_eq!(rescale(1, 1, 8), 255);
+    }
+}

@@ -1,0 +1,348 @@
+//! 3MF: a zip archive with the model in XML; what is printed is the *build*, items that place objects.
+//!
+//! Objects are meshes, or components: other objects with a transform each. Lengths are in the root model's unit and come
+//! out in mm. Objects meant as support or for other purposes are skipped. The package is examined before the reader gets
+//! it: the reader reserves whatever an archive's header promises, and takes what is no number for zero.
+
+use super::{Sink, bad};
+use std::collections::HashMap;
+use std::io::{Cursor, Read};
+use std::path::Path;
+use threemf2::model::domain::model::{Model, Unit};
+use threemf2::model::domain::object::{Object, ObjectKind, ObjectType};
+use threemf2::model::domain::transform::Transform;
+use threemf2::package::ThreemfPackage;
+use tomolith_core::error::Result;
+
+const WANTED: &str = "a 3MF package with a build of mesh objects";
+
+/// Deflate cannot shrink by more than 1032; meshes as text shrink by 5 to 20.
+const MOST_INFLATED: u64 = 200;
+
+/// Small packages of constant bytes may do better than that.
+const SMALL: u64 = 16 << 20;
+
+/// Parts of a package; printers' project files have hundreds.
+const MOST_PARTS: usize = 10_000;
+
+/// Depth of components in components.
+const DEEPEST: usize = 32;
+
+/// Placed objects and components: stops packages whose components refer to each other many times over.
+const MOST_PLACED: usize = 1 << 20;
+
+pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
+    let refuse = |found: String| bad(path, found, WANTED);
+    let counted = examine(bytes).map_err(refuse)?;
+    let package =
+        ThreemfPackage::from_reader_with_memory_optimized_deserializer(Cursor::new(bytes), true)
+            .map_err(|e| refuse(format!("damaged 3MF: {e}")))?;
+    compare(&package, &counted).map_err(refuse)?;
+    let mut walk = Walk {
+        models: Models::new(&package),
+        path,
+        placed: 0,
+        sink,
+    };
+    let unit = Place::scaled(millimetres(package.root.unit.as_ref()));
+    for item in &package.root.build.item {
+        let place = Place::of(item.transform.as_ref()).then(&unit);
+        let part = item.path.as_ref().map_or(ROOT, |p| p.as_str());
+        walk.object(part, item.objectid, &place, 0)?;
+    }
+    Ok(())
+}
+
+/// How many vertices and triangles a model has.
+#[derive(Clone, Copy, Default, PartialEq, Debug)]
+struct Counted {
+    vertices: usize,
+    triangles: usize,
+}
+
+/// Inflates every part within bounds and looks at the numbers in the models; what their texts hold, by part.
+fn examine(bytes: &[u8]) -> Result<HashMap<String, Counted>, String> {
+    let damaged = |e: &dyn std::fmt::Display| format!("damaged 3MF: {e}");
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| damaged(&e))?;
+    if archive.len() > MOST_PARTS {
+        return Err(format!("a package of {} parts", archive.len()));
+    }
+    let mut left = MOST_INFLATED * bytes.len() as u64 + SMALL;
+    let mut counted = HashMap::new();
+    for i in 0..archive.len() {
+        let part = archive.by_index(i).map_err(|e| damaged(&e))?;
+        let (name, size) = (part.name().to_owned(), part.size());
+        if size > left {
+            return Err(format!(
+                "a package of {} bytes that promises {size} bytes in `{name}`",
+                bytes.len()
+            ));
+        }
+        let mut text = Vec::new();
+        part.take(left)
+            .read_to_end(&mut text)
+            .map_err(|e| damaged(&e))?;
+        if text.len() as u64 != size {
+            return Err(format!(
+                "damaged 3MF: `{name}` has {} bytes instead of {size}",
+                text.len()
+            ));
+        }
+        left -= size;
+        let text = String::from_utf8_lossy(&text);
+        if name.ends_with(".rels") && text.matches("<").count() > MOST_PARTS {
+            return Err(format!("`{name}` has more than {MOST_PARTS} relationships"));
+        }
+        if name.ends_with(".model") {
+            counted.insert(name, examine_model(&text)?);
+        }
+    }
+    Ok(counted)
+}
+
+/// Counts vertices and triangles and refuses coordinates and indices that are no numbers.
+fn examine_model(text: &str) -> Result<Counted, String> {
+    let mut counted = Counted::default();
+    for tag in text.split('<').skip(1) {
+        let end = tag
+            .find(|c: char| c.is_ascii_whitespace() || c == '/' || c == '>')
+            .unwrap_or(tag.len());
+        let (name, attributes) = tag.split_at(end);
+        match name.rsplit(':').next() {
+            Some("vertex") => {
+                counted.vertices += 1;
+                for axis in ["x", "y", "z"] {
+                    let value = attribute(attributes, axis).unwrap_or("missing");
+                    if !value.trim().parse::<f64>().is_ok_and(f64::is_finite) {
+                        return Err(format!(
+                            "vertex {} has {axis} = `{value}`",
+                            counted.vertices
+                        ));
+                    }
+                }
+            }
+            Some("triangle") => {
+                counted.triangles += 1;
+                for corner in ["v1", "v2", "v3"] {
+                    let value = attribute(attributes, corner).unwrap_or("missing");
+                    if value.trim().parse::<u32>().is_err() {
+                        return Err(format!(
+                            "triangle {} has {corner} = `{value}`",
+                            counted.triangles
+                        ));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(counted)
+}
+
+/// The value of an attribute in the inside of a tag.
+fn attribute<'a>(attributes: &'a str, name: &str) -> Option<&'a str> {
+    let mut rest = attributes;
+    loop {
+        let (key, after) = rest.split_once('=')?;
+        let after = after.trim_start();
+        let quote = after.chars().next().filter(|c| matches!(c, '"' | '\''))?;
+        let (value, next) = after[1..].split_once(quote)?;
+        if key.trim() == name {
+            return Some(value);
+        }
+        rest = next;
+    }
+}
+
+/// The reader skips elements that it does not understand: none may be missing.
+fn compare(package: &ThreemfPackage, counted: &HashMap<String, Counted>) -> Result<(), String> {
+    // The package does not say which part its root is
+    let root = count(&package.root);
+    if !counted.values().any(|c| *c == root) {
+        return Err(incomplete("the root model", root));
+    }
+    for (part, model) in &package.sub_models {
+        let read = count(model);
+        if counted.get(part.as_str().trim_start_matches('/')) != Some(&read) {
+            return Err(incomplete(part.as_str(), read));
+        }
+    }
+    Ok(())
+}
+
+fn incomplete(part: &str, read: Counted) -> String {
+    format!(
+        "of {part} only {} vertices and {} triangles can be read",
+        read.vertices, read.triangles
+    )
+}
+
+fn count(model: &Model) -> Counted {
+    let mut counted = Counted::default();
+    for mesh in model.resources.object.iter().filter_map(Object::get_mesh) {
+        counted.vertices += mesh.vertices.vertex.len();
+        counted.triangles += mesh.triangles.triangle.len();
+    }
+    counted
+}
+
+fn millimetres(unit: Option<&Unit>) -> f64 {
+    match unit {
+        None | Some(Unit::Millimeter) => 1.0,
+        Some(Unit::Micron) => 1e-3,
+        Some(Unit::Centimeter) => 10.0,
+        Some(Unit::Inch) => 25.4,
+        Some(Unit::Foot) => 304.8,
+        Some(Unit::Meter) => 1000.0,
+    }
+}
+
+/// A transform as 3MF writes it: a row vector (x, y, z, 1) times four rows of three numbers.
+#[derive(Clone, Copy)]
+struct Place([[f64; 3]; 4]);
+
+impl Place {
+    fn of(transform: Option<&Transform>) -> Self {
+        transform.map_or(Place::scaled(1.0), |t| {
+            Place(std::array::from_fn(|row| {
+                std::array::from_fn(|column| t.0[3 * row + column])
+            }))
+        })
+    }
+
+    fn scaled(s: f64) -> Self {
+        Place([[s, 0.0, 0.0], [0.0, s, 0.0], [0.0, 0.0, s], [0.0; 3]])
+    }
+
+    /// First this, then `next`.
+    fn then(&self, next: &Place) -> Place {
+        let mut rows = self
+            .0
+            .map(|row| std::array::from_fn(|c| (0..3).map(|k| row[k] * next.0[k][c]).sum::<f64>()));
+        for (value, shift) in rows[3].iter_mut().zip(next.0[3]) {
+            *value += shift;
+        }
+        Place(rows)
+    }
+
+    fn apply(&self, p: [f64; 3]) -> [f64; 3] {
+        let [a, b, c, shift] = self.0;
+        std::array::from_fn(|i| p[0] * a[i] + p[1] * b[i] + p[2] * c[i] + shift[i])
+    }
+
+    /// Whether it turns a surface inside out.
+    fn mirrors(&self) -> bool {
+        let [a, b, c, _] = self.0;
+        super::dot(a, super::cross(b, c)) < 0.0
+    }
+}
+
+/// Key of the root model, which has no path of its own.
+const ROOT: &str = "";
+
+/// Objects by part and number.
+struct Models<'a>(HashMap<(&'a str, u32), &'a Object>);
+
+impl<'a> Models<'a> {
+    fn new(package: &'a ThreemfPackage) -> Self {
+        fn of<'a>(
+            part: &'a str,
+            model: &'a Model,
+        ) -> impl Iterator<Item = ((&'a str, u32), &'a Object)> {
+            let objects = model.resources.object.iter();
+            objects.map(move |object| ((part, object.id), object))
+        }
+        let parts = package.sub_models.iter();
+        Models(
+            of(ROOT, &package.root)
+                .chain(parts.flat_map(|(part, model)| of(part.as_str(), model)))
+                .collect(),
+        )
+    }
+}
+
+struct Walk<'a, 'b> {
+    models: Models<'a>,
+    path: &'b Path,
+    placed: usize,
+    sink: Sink<'b>,
+}
+
+impl<'a> Walk<'a, '_> {
+    fn object(&mut self, part: &str, id: u32, place: &Place, depth: usize) -> Result<()> {
+        self.placed += 1;
+        if depth > DEEPEST || self.placed > MOST_PLACED {
+            return Err(bad(
+                self.path,
+                format!(
+                    "components nested deeper than {DEEPEST}, or more than {MOST_PLACED} of them"
+                ),
+                WANTED,
+            ));
+        }
+        let Some(&object) = self.models.0.get(&(part, id)) else {
+            return Err(bad(
+                self.path,
+                format!("object {id} is placed but not there"),
+                WANTED,
+            ));
+        };
+        if !matches!(
+            object.objecttype,
+            None | Some(ObjectType::Model | ObjectType::Surface)
+        ) {
+            return Ok(());
+        }
+        match &object.kind {
+            Some(ObjectKind::Mesh(mesh)) => self.mesh(mesh, id, place),
+            Some(ObjectKind::Components(components)) => {
+                for component in &components.component {
+                    let inner = Place::of(component.transform.as_ref()).then(place);
+                    let part = component.path.as_ref().map_or(part, |p| p.as_str());
+                    self.object(part, component.objectid, &inner, depth + 1)?;
+                }
+                Ok(())
+            }
+            _ => Err(bad(
+                self.path,
+                format!("object {id} is neither a mesh nor made of components"),
+                WANTED,
+            )),
+        }
+    }
+
+    fn mesh(
+        &mut self,
+        mesh: &'a threemf2::model::domain::mesh::Mesh,
+        id: u32,
+        place: &Place,
+    ) -> Result<()> {
+        let points = &mesh.vertices.vertex;
+        // A mesh placed many times must not grow without bounds either
+        self.placed += mesh.triangles.triangle.len() / 100;
+        for triangle in &mesh.triangles.triangle {
+            let mut corners = [[0.0; 3]; 3];
+            for (corner, index) in corners
+                .iter_mut()
+                .zip([triangle.v1, triangle.v2, triangle.v3])
+            {
+                let Some(point) = points.get(index as usize) else {
+                    return Err(bad(
+                        self.path,
+                        format!(
+                            "a triangle of object {id} names vertex {index}, there are {}",
+                            points.len()
+                        ),
+                        "indices from 0 to the number of vertices − 1",
+                    ));
+                };
+                *corner = place.apply([point.x.value(), point.y.value(), point.z.value()]);
+            }
+            if place.mirrors() {
+                corners.swap(1, 2);
+            }
+            (self.sink)(corners)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,225 @@
+//! Movies in: what this program or another one made of frames, back as levels.
+//!
+//! | file | read by |
+//! |---|---|
+//! | MP4 or QuickTime with H.264 (Baseline, Main or High, 4:2:0, 8 bits, no B-frames) | OpenH264 |
+//! | QuickTime with PNG frames ([`write_lossless`]) | the reader of PNG frames |
+//! | any other MP4, QuickTime, Matroska, WebM or AVI: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
+//!
+//! What a file is follows from its content, not from its name. Grey is the luma: full range 0…255, or 16…235 stretched to
+//! it where the stream says nothing else; colours do not count. A movie has as many frames as the job, each of the job's
+//! size or padded as H.264 needs it ([`padded`]); padding is cut off.
+//!
+//! ```
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::FrameSet;
+//! use tomolith_io::movie::{check_lossless, read_movie, write_lossless};
+//! let grid = PatternGrid::full_turn(4, 0.0, 3, 5, 0.02);
+//! let values: Vec<u16> = (0..grid.len()).map(|i| i as u16 * 68).collect();
+//! let set = FrameSet { light: None, grid: &grid, bits: 12, full_scale: 0.3, values: &values };
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("part_10rpm.mov");
+//! write_lossless(&path, &set, 24.0).unwrap();
+//! assert_eq!(check_lossless(&path, &set).unwrap().largest_error, 0);
+//! let read = read_movie(&path, [4, 3, 5]).unwrap();
+//! assert_eq!((read.bits, read.full_scale, read.values), (12, Some(0.3), values));
+//! ```
+
+mod ffmpeg;
+pub(super) mod h264;
+mod lossless;
+#[cfg(test)]
+mod tests;
+pub(super) mod track;
+
+use super::frames::Frames;
+use super::mp4::padded;
+use h264::Stream;
+pub use lossless::{check_lossless, write_lossless};
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use track::{Codec, Track};
+
+/// Endings of files that are taken for movies.
+const ENDINGS: [&str; 6] = ["mp4", "m4v", "mov", "mkv", "webm", "avi"];
+
+/// Whether a file is a movie by its name.
+#[must_use]
+pub fn is_movie(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+    ENDINGS.iter().any(|known| ending == **known)
+}
+
+/// Reads the levels of a movie of this shape, `[frame, row, column]`; see the [module page](self).
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Format`] when the file is no movie, is damaged, has another number or size of frames, or can be
+/// read by `ffmpeg` alone and there is none.
+pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
+    let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    let what = match Container::of(&file) {
+        None => return Err(no_movie(path, &file)),
+        Some(Container::Matroska) => "a Matroska or WebM file".to_owned(),
+        Some(Container::Avi) => "an AVI file".to_owned(),
+        Some(Container::Mp4) => {
+            if let Some(missing) = track::missing(&file) {
+                return Err(damaged(path, missing));
+            }
+            match own(&file, path, shape)? {
+                Own::Read(frames) => return Ok(frames),
+                Own::Other(what) => what,
+            }
+        }
+    };
+    drop(file);
+    ffmpeg::read(path, shape).map_err(|trouble| match trouble {
+        ffmpeg::Trouble::Said(found) => damaged(path, format!("{what}: {found}")),
+        ffmpeg::Trouble::Missing => Error::Format {
+            path: path.to_owned(),
+            found: format!(
+                "{what}, which the program ffmpeg can read, but it is not installed (not on the PATH)"
+            ),
+            accepted: format!(
+                "ffmpeg installed; or the frames as PNG files in a folder, on a machine that has it: mkdir frames && ffmpeg -i {} \
+                 -pix_fmt gray frames/frame_%04d.png; or H.264 of 4:2:0 without B-frames: ffmpeg -i {0} -c:v libx264 -pix_fmt yuv420p \
+                 -bf 0 -crf 5 new.mp4",
+                path.display()
+            ),
+        },
+    })
+}
+
+/// What our own readers make of an MP4 or QuickTime file.
+enum Own {
+    Read(Frames),
+    /// Not theirs: what it holds.
+    Other(String),
+}
+
+fn own(file: &[u8], path: &Path, [frames, rows, columns]: [usize; 3]) -> Result<Own> {
+    let Some(track) = Track::find(file) else {
+        return Ok(Own::Other(
+            "a movie whose index is of another kind".to_owned(),
+        ));
+    };
+    let count = track.samples.len();
+    if count == 0 {
+        return Ok(Own::Other("a movie in fragments".to_owned()));
+    }
+    if count != frames && (track.is_in_order || count < frames) {
+        return Err(damaged(path, format!("{count} frames instead of {frames}")));
+    }
+    match &track.codec {
+        Codec::Png => lossless::read(&track, path, [rows, columns]).map(Own::Read),
+        Codec::Other(letters) => Ok(Own::Other(named(*letters))),
+        Codec::H264 { .. } => {
+            let Some(stream) = Stream::of(&track) else {
+                return Ok(Own::Other(
+                    "H.264 with parameters that cannot be read".to_owned(),
+                ));
+            };
+            must_fit(stream.size, [rows, columns]).map_err(|found| damaged(path, found))?;
+            if let Some(what) = stream.unsupported(&track) {
+                return Ok(Own::Other(what));
+            }
+            let read = h264::luma(&track, &stream, [rows, columns]);
+            if let Ok((_, Some(frame))) = read {
+                let found = format!("a coloured picture in frame {frame}, where patterns are grey");
+                return Err(damaged(path, found));
+            }
+            let values = read.map(|(values, _)| values);
+            Ok(values.map_or_else(
+                |found| Own::Other(format!("H.264 that OpenH264 does not decode ({found})")),
+                |values| {
+                    Own::Read(Frames {
+                        shape: [frames, rows, columns],
+                        bits: 8,
+                        full_scale: None,
+                        values,
+                    })
+                },
+            ))
+        }
+    }
+}
+
+/// Refuses frames of `[columns, rows]` that are neither of this size `[rows, columns]` nor padded from it.
+fn must_fit([width, height]: [usize; 2], [rows, columns]: [usize; 2]) -> Result<(), String> {
+    let fits = |found: usize, wanted: usize| (wanted..=padded(wanted)).contains(&found);
+    if fits(width, columns) && fits(height, rows) {
+        return Ok(());
+    }
+    Err(format!(
+        "frames of {width} × {height} pixels instead of {columns} × {rows}"
+    ))
+}
+
+/// A codec by its four letters (mp4ra.org).
+fn named(letters: [u8; 4]) -> String {
+    let name = match &letters {
+        b"hvc1" | b"hev1" => "HEVC",
+        b"avc3" => "H.264 with parameters in its frames",
+        b"vp08" => "VP8",
+        b"vp09" => "VP9",
+        b"av01" => "AV1",
+        b"mp4v" => "MPEG-4 Visual or Motion JPEG",
+        b"jpeg" | b"mjpa" | b"mjpb" => "Motion JPEG",
+        b"apch" | b"apcn" | b"apcs" | b"apco" | b"ap4h" | b"ap4x" => "ProRes",
+        _ => "another codec",
+    };
+    format!(
+        "{name} (`{}`)",
+        String::from_utf8_lossy(&letters).trim_end()
+    )
+}
+
+/// What frames lie in.
+enum Container {
+    Mp4,
+    Matroska,
+    Avi,
+}
+
+impl Container {
+    /// By the first bytes.
+    fn of(file: &[u8]) -> Option<Self> {
+        const BOXES: [&[u8]; 7] = [
+            b"ftyp", b"moov", b"mdat", b"free", b"skip", b"wide", b"pnot",
+        ];
+        let at = |from: usize, to: usize| file.get(from..to);
+        if at(4, 8).is_some_and(|kind| BOXES.contains(&kind)) {
+            Some(Container::Mp4)
+        } else if at(0, 4) == Some(b"\x1a\x45\xdf\xa3") {
+            Some(Container::Matroska)
+        } else if at(0, 4) == Some(b"RIFF") && at(8, 12) == Some(b"AVI ") {
+            Some(Container::Avi)
+        } else {
+            None
+        }
+    }
+}
+
+fn no_movie(path: &Path, file: &[u8]) -> Error {
+    let start: String = String::from_utf8_lossy(&file[..file.len().min(16)])
+        .chars()
+        .filter(|c| !c.is_control())
+        .collect();
+    let found = if file.is_empty() {
+        "the file is empty".to_owned()
+    } else {
+        format!("no movie: it begins with `{start}`")
+    };
+    Error::Format {
+        path: path.to_owned(),
+        found,
+        accepted: "a movie: MP4, QuickTime, Matroska, WebM or AVI".to_owned(),
+    }
+}
+
+fn damaged(path: &Path, found: String) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found,
+        accepted: "a whole movie with the frames of the job, one for each angle".to_owned(),
+    }
+}

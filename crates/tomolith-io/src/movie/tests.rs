@@ -1,0 +1,175 @@
+//! Movies that FFmpeg 5.1 made of six frames of 32 × 24 pixels (`odd_444`: 31 × 23) with the levels of [`level`], in
+//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`.
+
+use super::*;
+use crate::frames::FrameSet;
+use std::path::PathBuf;
+use tomolith_core::grid::PatternGrid;
+
+/// The level of a pixel.
+fn level(frame: usize, row: usize, column: usize) -> u16 {
+    (8 + 20 * frame + 3 * row + 2 * column) as u16
+}
+
+const SHAPE: [usize; 3] = [6, 24, 32];
+
+fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("src/movie/samples")
+        .join(name)
+}
+
+/// Largest error of frames read back.
+fn error(read: &Frames) -> u16 {
+    let [_, rows, columns] = read.shape;
+    let places = read.values.iter().enumerate();
+    let errors = places.map(|(i, found)| {
+        let (frame, row) = (i / (rows * columns), i / columns % rows);
+        found.abs_diff(level(frame, row, i % columns))
+    });
+    errors.max().unwrap_or(u16::MAX)
+}
+
+fn refused(path: &Path, shape: [usize; 3]) -> String {
+    read_movie(path, shape).unwrap_err().to_string()
+}
+
+#[test]
+fn movies_without_b_frames_are_read_with_their_limited_range() {
+    // Frames that follow from the frame before; rows that are cropped from 32 to 24; black 16 and white 235
+    for name in ["baseline.mp4", "high.mp4"] {
+        let read = read_movie(&sample(name), SHAPE).unwrap();
+        assert_eq!((read.shape, read.bits), (SHAPE, 8));
+        assert!(error(&read) <= 3, "{name}: {}", error(&read));
+    }
+    // Neither cut to a smaller light nor stretched to a larger one
+    for (shape, found) in [
+        ([6, 12, 16], "32 × 24 pixels instead of 16 × 12"),
+        ([6, 24, 34], "32 × 24 pixels instead of 34 × 24"),
+        ([5, 24, 32], "6 frames instead of 5"),
+    ] {
+        let text = refused(&sample("high.mp4"), shape);
+        assert!(text.contains(found), "{text}");
+    }
+}
+
+#[test]
+fn other_movies_are_read_by_ffmpeg_or_named() {
+    let has_ffmpeg = std::process::Command::new("ffmpeg")
+        .arg("-version")
+        .output()
+        .is_ok();
+    for (name, what) in [
+        ("b_frames.mp4", "H.264 High, with B-frames"),
+        (
+            "odd_444.mp4",
+            "H.264 High 4:4:4 Predictive, 4:4:4 of 8 bits",
+        ),
+        ("mjpeg.mp4", "MPEG-4 Visual or Motion JPEG (`mp4v`)"),
+        ("vp9.webm", "a Matroska or WebM file"),
+    ] {
+        let shape = if name == "odd_444.mp4" {
+            [6, 23, 31]
+        } else {
+            SHAPE
+        };
+        match (has_ffmpeg, read_movie(&sample(name), shape)) {
+            (true, read) => {
+                let read = read.unwrap();
+                assert!(error(&read) <= 3, "{name}: {}", error(&read));
+                let more = [shape[0] + 1, shape[1], shape[2]];
+                let text = refused(&sample(name), more);
+                assert!(text.contains("6 frames instead of 7"), "{text}");
+            }
+            (false, read) => {
+                // Without ffmpeg only what is said of its absence
+                let text = read.unwrap_err().to_string();
+                for part in [what, "which the program ffmpeg can read", "frame_%04d.png"] {
+                    assert!(text.contains(part), "{part}: {text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_movie_or_cut_off_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("m.mp4");
+    let found = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        refused(&path, SHAPE)
+    };
+    let text = found(b"This is a text, not a movie.");
+    assert!(
+        text.contains("no movie: it begins with `This is a text, `"),
+        "{text}"
+    );
+    assert!(found(b"").contains("the file is empty"));
+    let whole = std::fs::read(sample("high.mp4")).unwrap();
+    for cut in [20, 45, 200, whole.len() / 2, whole.len() - 3] {
+        let text = found(&whole[..cut]);
+        assert!(
+            text.contains("truncated: the box `") && text.contains("should have"),
+            "{cut}: {text}"
+        );
+    }
+    assert!(track::missing(&whole[..6]).unwrap().contains("should have"));
+    let movie = whole.windows(4).position(|w| w == b"moov").unwrap() - 4;
+    assert!(found(&whole[..movie]).contains("no box `moov`"));
+}
+
+#[test]
+fn lossless_movies_keep_every_level_at_any_depth() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("m.mov");
+    let grid = PatternGrid::full_turn(70, 0.3, 7, 9, 0.02);
+    for bits in [1, 8, 12, 16] {
+        let top = u32::from(crate::frames::top_level(bits));
+        let values: Vec<u16> = (0..grid.len() as u32)
+            .map(|i| (i.wrapping_mul(2_654_435_761) >> 7 & top) as u16)
+            .collect();
+        let set = FrameSet {
+            light: None,
+            grid: &grid,
+            bits,
+            full_scale: 0.7,
+            values: &values,
+        };
+        write_lossless(&path, &set, 44.4).unwrap();
+        let check = check_lossless(&path, &set).unwrap();
+        assert_eq!((check.frames, check.width, check.height), (70, 9, 7));
+        assert!((check.frame_rate - 44.4).abs() < 0.01, "{check:?}");
+        let read = read_movie(&path, grid.shape()).unwrap();
+        assert_eq!((read.bits, read.full_scale), (bits, Some(0.7)));
+        assert_eq!(read.values, values, "{bits} bits");
+        // One level off by one is seen
+        let mut other = values.clone();
+        other[999] ^= 1;
+        let set = FrameSet {
+            values: &other,
+            ..set
+        };
+        assert!(check_lossless(&path, &set).is_err());
+    }
+}
+
+#[test]
+fn mutated_files_end_in_frames_or_an_error() {
+    use crate::fuzz::{self, Random, mutate};
+    let names = ["high.mp4", "baseline.mp4"];
+    let whole = names.map(|name| std::fs::read(sample(name)).unwrap());
+    let start = std::time::Instant::now();
+    let mut round = 0;
+    while start.elapsed() < fuzz::time() / 2 {
+        let mut random = Random(round);
+        let mut bytes = whole[random.below(2)].clone();
+        mutate(&mut bytes, &mut random);
+        let result = std::panic::catch_unwind(|| {
+            let _ = track::missing(&bytes);
+            own(&bytes, Path::new("m.mp4"), SHAPE).is_ok()
+        });
+        assert!(result.is_ok(), "round {round}: the reader panicked");
+        round += 1;
+    }
+}

@@ -1,0 +1,506 @@
+//! NumPy arrays: `.npy` volumes and the `.npz` of patterns.
+//!
+//! Volumes are f32 `[z, y, x]`, patterns f32 `[angle, row, column]`, C order, little endian. `patterns.npz` holds, for
+//! one light, `patterns` (what the projector shows, dequantised) and `patterns_raw` (before quantisation); for several
+//! lights `patterns_<light>` and `patterns_raw_<light>`. The arrays are stored, not compressed.
+//!
+//! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
+//! Fortran order, stored or compressed.
+//!
+//! Limits: one array of an `.npz` may hold up to 4 GiB.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::{PatternGrid, Patterns};
+//! use tomolith_io::npy::{PatternPair, read_patterns, write_patterns};
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("patterns.npz");
+//! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
+//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Run::new()).unwrap();
+//! let read = read_patterns(&path).unwrap();
+//! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
+//! ```
+
+use super::numbers::{Archive, Numbers, bad, tuple};
+use super::whole::{Refused, write_whole_under};
+use ndarray::ArrayView3;
+use ndarray_npy::{NpzWriter, WritableElement, WriteNpyExt};
+use std::io::{Seek, SeekFrom, Write};
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
+use tomolith_core::run::Run;
+
+/// The patterns of one light, to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct PatternPair<'a> {
+    /// Name of the light, when there are several.
+    pub light: Option<&'a str>,
+    /// What the projector shows: quantised, as pattern values.
+    pub shown: &'a Patterns,
+    /// Before quantisation.
+    pub raw: Option<&'a Patterns>,
+}
+
+/// The patterns of one light, read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatternArrays {
+    /// Name of the light, when there are several.
+    pub light: Option<String>,
+    /// `[frames, rows, columns]`.
+    pub shape: [usize; 3],
+    /// What the projector shows.
+    pub shown: Vec<f32>,
+    /// Before quantisation, when the file holds it.
+    pub raw: Option<Vec<f32>>,
+}
+
+fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayView3<'a, T>> {
+    ArrayView3::from_shape(shape, values).map_err(|_| Error::Shape {
+        what: path.display().to_string(),
+        expected: shape.to_vec(),
+        found: vec![values.len()],
+    })
+}
+
+/// Writes a volume as `.npy`, `[z, y, x]`.
+///
+/// # Errors
+/// [`Error::Io`], or [`Error::Shape`] when values and grid do not fit.
+pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>, run: &Run) -> Result<()> {
+    let array = view(path, volume.grid.shape, &volume.values)?;
+    write_whole_under(path, (run, size_of_val(&volume.values[..])), |file| {
+        array
+            .write_npy(file)
+            .map_err(|e| Refused::Io(std::io::Error::other(e)))
+    })
+}
+
+/// Reads an `.npy` volume `[z, y, x]`: its shape and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no 3D array of numbers.
+pub fn read_volume(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    read_dimensions(path, "a 3D .npy array [z, y, x] of numbers")
+}
+
+/// Reads a 2D `.npy` array `[row, column]`: its shape and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
+pub fn read_matrix(path: &Path) -> Result<([usize; 2], Vec<f32>)> {
+    read_dimensions(path, "a 2D .npy array [row, column] of numbers")
+}
+
+fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usize; N], Vec<f32>)> {
+    let numbers = Numbers::read(path, accepted)?;
+    numbers
+        .of_dimensions()
+        .map_err(|found| bad(path, found, accepted))
+}
+
+/// Reads a 2D or 3D `.npy` array: its shape `[level, row, column]`, one level for 2D, and values as f32.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
+pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    let accepted = "a 2D or 3D .npy array of numbers";
+    let Numbers { shape, values, .. } = Numbers::read(path, accepted)?;
+    match shape[..] {
+        [rows, columns] => Ok(([1, rows, columns], values)),
+        [levels, rows, columns] => Ok(([levels, rows, columns], values)),
+        _ => Err(bad(
+            path,
+            format!("an array of shape {}", tuple(&shape)),
+            accepted,
+        )),
+    }
+}
+
+/// Reads an `.npy` volume onto a grid.
+///
+/// # Errors
+/// As [`read_volume`], and [`Error::Shape`] when the array does not fit the grid.
+pub fn read_volume_on(path: &Path, grid: &VolumeGrid) -> Result<Volume<f32>> {
+    let (shape, values) = read_volume(path)?;
+    if shape != grid.shape {
+        return Err(Error::Shape {
+            what: path.display().to_string(),
+            expected: grid.shape.to_vec(),
+            found: shape.to_vec(),
+        });
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
+    })
+}
+
+fn array_name(kind: &str, light: Option<&str>) -> String {
+    light.map_or_else(|| kind.to_owned(), |light| format!("{kind}_{light}"))
+}
+
+/// Writes `patterns.npz`; see the [module page](self).
+///
+/// # Errors
+/// [`Error::Io`] or [`Error::Shape`].
+pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Result<()> {
+    let arrays = lights.iter().flat_map(|pair| [Some(pair.shown), pair.raw]);
+    let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
+    write_whole_under(path, (run, bytes), |file| {
+        let mut sink = Sink::new(file);
+        let mut npz = NpzWriter::new(&mut sink);
+        for pair in lights {
+            for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
+                let Some(patterns) = patterns else { continue };
+                let array = view(path, patterns.grid.shape(), &patterns.values)?;
+                npz.add_array(array_name(kind, pair.light), &array)
+                    .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+            }
+        }
+        npz.finish()
+            .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+        Ok(sink.done()?)
+    })
+}
+
+/// Remembers the first error of a file and takes everything after it without writing.
+///
+/// A zip writer that is dropped after an error tries once more and complains on standard error, where a library has
+/// nothing to say.
+pub(super) struct Sink<W> {
+    inner: W,
+    failed: Option<std::io::Error>,
+    position: u64,
+    length: u64,
+}
+
+impl<W: Write + Seek> Sink<W> {
+    pub(super) fn new(inner: W) -> Self {
+        Sink {
+            inner,
+            failed: None,
+            position: 0,
+            length: 0,
+        }
+    }
+
+    /// The first error, when there was one.
+    pub(super) fn done(self) -> std::io::Result<()> {
+        self.failed.map_or(Ok(()), Err)
+    }
+
+    /// Does something with the file, unless it has failed before.
+    fn attempt(&mut self, act: impl FnOnce(&mut W) -> std::io::Result<()>) {
+        if self.failed.is_none() {
+            self.failed = act(&mut self.inner).err();
+        }
+    }
+}
+
+impl<W: Write + Seek> Write for Sink<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.attempt(|file| file.write_all(bytes));
+        self.position += bytes.len() as u64;
+        self.length = self.length.max(self.position);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.attempt(W::flush);
+        Ok(())
+    }
+}
+
+impl<W: Write + Seek> Seek for Sink<W> {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        let from_start = match to {
+            SeekFrom::Start(place) => Some(place),
+            SeekFrom::Current(by) => self.position.checked_add_signed(by),
+            SeekFrom::End(by) => self.length.checked_add_signed(by),
+        };
+        let place = from_start.ok_or(std::io::ErrorKind::InvalidInput)?;
+        self.attempt(|file| file.seek(SeekFrom::Start(place)).map(drop));
+        self.position = place;
+        Ok(place)
+    }
+}
+
+/// What [`read_patterns`] reads, for error messages.
+const PATTERNS: &str = "an .npz with a 3D array `patterns` [angle, row, column] of numbers, or one `patterns_<light>` per light; or an .npy of one light";
+
+/// Reads `patterns.npz`: one entry per light, in the order of their names; or the one array of an `.npy`. Numbers of any
+/// type are taken as they are, in mJ/mm².
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, holds no patterns, or holds
+/// values that are negative or not finite.
+pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
+    if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npy"))
+    {
+        let (shape, shown) = values_of(Numbers::read(path, PATTERNS)?, path, "the array")?;
+        return Ok(vec![PatternArrays {
+            light: None,
+            shape,
+            shown,
+            raw: None,
+        }]);
+    }
+    let mut npz = Archive::open(path, PATTERNS)?;
+    let names = npz.names();
+    let mut lights = Vec::new();
+    for name in &names {
+        let light = match name.strip_prefix("patterns") {
+            Some("") => None,
+            // A light named `raw` would be mistaken for the values before quantisation
+            Some(rest) if rest != "_raw" && !rest.starts_with("_raw_") => rest.strip_prefix('_'),
+            _ => continue,
+        };
+        let (shape, shown) = values_of(npz.numbers(name)?, path, name)?;
+        let raw_name = array_name("patterns_raw", light);
+        let raw = if names.contains(&raw_name) {
+            let (raw_shape, raw) = values_of(npz.numbers(&raw_name)?, path, &raw_name)?;
+            if raw_shape != shape {
+                return Err(Error::Shape {
+                    what: format!("{}: {raw_name}", path.display()),
+                    expected: shape.to_vec(),
+                    found: raw_shape.to_vec(),
+                });
+            }
+            Some(raw)
+        } else {
+            None
+        };
+        lights.push(PatternArrays {
+            light: light.map(str::to_owned),
+            shape,
+            shown,
+            raw,
+        });
+    }
+    if lights.is_empty() {
+        let found = format!("the arrays {}", names.join(", "));
+        return Err(bad(path, found, PATTERNS));
+    }
+    Ok(lights)
+}
+
+/// The values of patterns, which must be finite and 0 or above.
+fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], Vec<f32>)> {
+    let (shape, values) = numbers
+        .of_dimensions()
+        .map_err(|found| bad(path, format!("{name}: {found}"), PATTERNS))?;
+    if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
+        let found = format!("{name} holds {value}");
+        return Err(bad(path, found, "finite values ≥ 0"));
+    }
+    Ok((shape, values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::{Array3, ShapeBuilder};
+    use ndarray_npy::NpzReader;
+    use std::fs::File;
+    use tomolith_core::grid::PatternGrid;
+
+    fn random_patterns(seed: u64, frames: usize) -> Patterns {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
+        let mut state = seed;
+        for value in &mut patterns.values {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            *value = (state >> 40) as f32 * 1e-7;
+        }
+        patterns
+    }
+
+    #[test]
+    fn a_volume_comes_back_bit_for_bit_in_c_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("dose.npy");
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let values: Vec<f32> = (0..24).map(|i| (i as f32).sqrt()).collect();
+        let volume = Volume { grid, values };
+        write_volume(&path, &volume, &Run::new()).unwrap();
+        assert_eq!(read_volume_on(&path, &volume.grid).unwrap(), volume);
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(&bytes[..6], b"\x93NUMPY");
+        let header = String::from_utf8_lossy(&bytes[..128]);
+        assert!(
+            header.contains("'<f4'") && header.contains("'fortran_order': False"),
+            "{header}"
+        );
+        assert!(header.contains("(2, 3, 4)"), "{header}");
+        // Element [1, 2, 3] is the last one in the file
+        assert_eq!(bytes[bytes.len() - 4..], 23f32.sqrt().to_le_bytes());
+        let other = VolumeGrid::centered([4, 3, 2], 0.1);
+        assert!(matches!(
+            read_volume_on(&path, &other),
+            Err(Error::Shape { .. })
+        ));
+    }
+
+    #[test]
+    fn fortran_order_is_turned_round() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("f.npy");
+        let fortran = Array3::from_shape_fn((2, 3, 4).f(), |(i, j, k)| (i * 12 + j * 4 + k) as f32);
+        ndarray_npy::write_npy(&path, &fortran).unwrap();
+        let (shape, values) = read_volume(&path).unwrap();
+        assert_eq!(shape, [2, 3, 4]);
+        assert_eq!(values, (0..24).map(|i| i as f32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn patterns_of_one_and_of_several_lights_come_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("patterns.npz");
+        let (a, b, c) = (
+            random_patterns(1, 3),
+            random_patterns(2, 3),
+            random_patterns(3, 2),
+        );
+        write_patterns(
+            &path,
+            &[PatternPair {
+                light: None,
+                shown: &a,
+                raw: Some(&b),
+            }],
+            &Run::new(),
+        )
+        .unwrap();
+        let read = read_patterns(&path).unwrap();
+        assert_eq!(read.len(), 1);
+        assert_eq!(
+            (&read[0].shown, read[0].raw.as_ref()),
+            (&a.values, Some(&b.values))
+        );
+
+        let lights = [
+            PatternPair {
+                light: Some("blue"),
+                shown: &a,
+                raw: Some(&b),
+            },
+            PatternPair {
+                light: Some("uv"),
+                shown: &c,
+                raw: None,
+            },
+        ];
+        write_patterns(&path, &lights, &Run::new()).unwrap();
+        let read = read_patterns(&path).unwrap();
+        assert_eq!(
+            read.iter().map(|l| l.light.as_deref()).collect::<Vec<_>>(),
+            [Some("blue"), Some("uv")]
+        );
+        assert_eq!(read[1].shape, [2, 4, 5]);
+        assert_eq!((&read[1].shown, read[1].raw.as_ref()), (&c.values, None));
+    }
+
+    #[test]
+    fn patterns_of_other_programs_may_be_f64_in_either_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        let write = |array: &Array3<f64>| {
+            let mut npz = NpzWriter::new(File::create(&path).unwrap());
+            npz.add_array("patterns", array).unwrap();
+            npz.finish().unwrap();
+        };
+        let value = |(i, j, k)| (i * 12 + j * 4 + k) as f64 / 3.0;
+        write(&Array3::from_shape_fn((2, 3, 4), value));
+        let read = read_patterns(&path).unwrap();
+        let expected: Vec<f32> = (0..24).map(|i| (f64::from(i) / 3.0) as f32).collect();
+        assert_eq!((read[0].shape, &read[0].shown), ([2, 3, 4], &expected));
+        write(&Array3::from_shape_fn((2, 3, 4).f(), value));
+        assert_eq!(read_patterns(&path).unwrap()[0].shown, expected);
+        // Beyond f32 there is no value to be shown
+        write(&Array3::from_elem((1, 1, 1), 1e300));
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("patterns holds inf"), "{text}");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("patterns", &ndarray::Array2::<i32>::zeros((1, 1)))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(
+            text.contains("patterns: an array of 2 dimensions, shape (1, 1), instead of 3"),
+            "{text}"
+        );
+    }
+
+    /// A disk with room for so many bytes.
+    struct Small(std::io::Cursor<Vec<u8>>, usize);
+
+    impl Write for Small {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            if self.0.get_ref().len() + bytes.len() > self.1 {
+                return Err(std::io::ErrorKind::StorageFull.into());
+            }
+            self.0.write(bytes)
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Small {
+        fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+            self.0.seek(to)
+        }
+    }
+
+    #[test]
+    fn a_zip_on_a_full_disk_ends_with_the_first_error_and_without_a_word() {
+        let array = Array3::<f32>::zeros((4, 5, 6));
+        let write = |room: usize| {
+            let mut sink = Sink::new(Small(std::io::Cursor::default(), room));
+            let mut npz = NpzWriter::new(&mut sink);
+            npz.add_array("patterns", &array).unwrap();
+            npz.finish().unwrap();
+            (sink.failed.map(|e| e.kind()), sink.inner.0.into_inner())
+        };
+        let (failed, whole) = write(usize::MAX);
+        assert!(failed.is_none() && whole.starts_with(b"PK"));
+        let mut npz = NpzReader::new(std::io::Cursor::new(whole.clone())).unwrap();
+        assert_eq!(
+            npz.by_name::<ndarray::OwnedRepr<f32>, _>("patterns")
+                .unwrap(),
+            array
+        );
+        for room in [0, 10, whole.len() / 2, whole.len() - 1] {
+            assert_eq!(
+                write(room).0,
+                Some(std::io::ErrorKind::StorageFull),
+                "{room}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_holds_no_patterns_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        assert!(matches!(read_patterns(&path), Err(Error::Io { .. })));
+        std::fs::write(&path, b"no zip").unwrap();
+        assert!(matches!(read_patterns(&path), Err(Error::Format { .. })));
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("dose", &Array3::<f32>::zeros((1, 1, 1)))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("the arrays dose"), "{text}");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("patterns", &Array3::from_elem((1, 1, 1), f32::NAN))
+            .unwrap();
+        npz.finish().unwrap();
+        let text = read_patterns(&path).unwrap_err().to_string();
+        assert!(text.contains("patterns holds NaN"), "{text}");
+    }
+}

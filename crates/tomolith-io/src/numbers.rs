@@ -1,0 +1,539 @@
+//! Numbers of NumPy files, whatever their type and order, as f32.
+//!
+//! Read are floats of 2, 4 and 8 bytes, whole numbers of 1 to 8 bytes with and without sign, and bool (true is 1), little or
+//! big endian, in C or Fortran order (`numpy.lib.format`, versions 1 to 3). What is cut off is told with the bytes that should
+//! be there.
+
+use std::fs::File;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result};
+
+/// An array in C order.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Numbers {
+    pub(super) shape: Vec<usize>,
+    pub(super) kind: Kind,
+    pub(super) values: Vec<f32>,
+}
+
+/// Type of the numbers in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Float(usize),
+    Signed(usize),
+    Unsigned(usize),
+    Bool,
+}
+
+/// Longest header that is believed.
+const LONGEST_HEADER: u64 = 1 << 20;
+
+impl Numbers {
+    /// Reads an `.npy` file.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Format`] with what was found, and `accepted` as it is given.
+    pub(super) fn read(path: &Path, accepted: &str) -> Result<Self> {
+        let file = File::open(path).map_err(|e| Error::io(path, e))?;
+        let length = file.metadata().map_err(|e| Error::io(path, e))?.len();
+        Self::parse(BufReader::new(file), length).map_err(|found| bad(path, found, accepted))
+    }
+
+    /// The array with so many dimensions.
+    pub(super) fn of_dimensions<const N: usize>(self) -> Result<([usize; N], Vec<f32>), String> {
+        match <[usize; N]>::try_from(self.shape) {
+            Ok(shape) => Ok((shape, self.values)),
+            Err(shape) => Err(format!(
+                "an array of {} dimensions, shape {}, instead of {N}",
+                shape.len(),
+                tuple(&shape)
+            )),
+        }
+    }
+
+    /// The content of an `.npy` file of so many bytes.
+    fn parse(mut file: impl Read, length: u64) -> Result<Self, String> {
+        let header = Header::read(&mut file)?;
+        let count = header
+            .shape
+            .iter()
+            .try_fold(1usize, |n, &m| n.checked_mul(m));
+        let size = header.element.kind.bytes();
+        let bytes = count.and_then(|count| u64::try_from(count.checked_mul(size)?).ok());
+        let (Some(count), Some(whole)) = (count, bytes.and_then(|b| b.checked_add(header.length)))
+        else {
+            return Err(format!("an array of shape {}", tuple(&header.shape)));
+        };
+        if whole != length {
+            let what = if whole > length {
+                "truncated"
+            } else {
+                "more than an array"
+            };
+            return Err(format!(
+                "{what}: an array {} of {size} bytes a number takes {whole} bytes with its header, {length} are there",
+                tuple(&header.shape)
+            ));
+        }
+        let mut values = Vec::with_capacity(count);
+        let mut block = vec![0u8; size * count.clamp(1, 1 << 16)];
+        while values.len() < count {
+            let now = &mut block[..size * (count - values.len()).min(1 << 16)];
+            file.read_exact(now).map_err(|e| format!("damaged: {e}"))?;
+            values.extend(
+                now.chunks_exact(size)
+                    .map(|bytes| header.element.value(bytes)),
+            );
+        }
+        if header.is_fortran {
+            values = in_c_order(&header.shape, &values);
+        }
+        Ok(Numbers {
+            shape: header.shape,
+            kind: header.element.kind,
+            values,
+        })
+    }
+}
+
+/// A shape as NumPy writes it.
+pub(super) fn tuple(shape: &[usize]) -> String {
+    let numbers: Vec<String> = shape.iter().map(usize::to_string).collect();
+    let comma = if shape.len() == 1 { "," } else { "" };
+    format!("({}{comma})", numbers.join(", "))
+}
+
+/// An [`Error::Format`].
+pub(super) fn bad(path: &Path, found: impl Into<String>, accepted: &str) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found: found.into(),
+        accepted: accepted.to_owned(),
+    }
+}
+
+/// Values whose first index runs fastest, with the last one fastest.
+fn in_c_order(shape: &[usize], values: &[f32]) -> Vec<f32> {
+    let mut index = vec![0; shape.len()];
+    let mut place = 0;
+    (0..values.len())
+        .map(|_| {
+            let value = values[place];
+            let mut step = values.len();
+            for (i, &n) in index.iter_mut().zip(shape).rev() {
+                step /= n;
+                *i += 1;
+                place += step;
+                if *i < n {
+                    break;
+                }
+                place -= step * n;
+                *i = 0;
+            }
+            value
+        })
+        .collect()
+}
+
+/// How one number is stored.
+#[derive(Clone, Copy)]
+struct Element {
+    kind: Kind,
+    is_big_endian: bool,
+}
+
+impl Kind {
+    fn bytes(self) -> usize {
+        match self {
+            Kind::Float(bytes) | Kind::Signed(bytes) | Kind::Unsigned(bytes) => bytes,
+            Kind::Bool => 1,
+        }
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+impl Element {
+    /// `<f4`, `>i2`, `|b1`, …
+    fn parse(text: &str) -> Option<Self> {
+        let (order, kind) = text.split_at_checked(1)?;
+        let (letter, bytes) = kind.split_at_checked(1)?;
+        let bytes: usize = bytes.parse().ok()?;
+        let kind = match (letter, bytes) {
+            ("f", 2 | 4 | 8) => Kind::Float(bytes),
+            ("i", 1 | 2 | 4 | 8) => Kind::Signed(bytes),
+            ("u", 1 | 2 | 4 | 8) => Kind::Unsigned(bytes),
+            ("b", 1) => Kind::Bool,
+            _ => return None,
+        };
+        Some(Element {
+            kind,
+            is_big_endian: match order {
+                "<" | "|" => false,
+                ">" => true,
+                _ => return None,
+            },
+        })
+    }
+
+    fn value(self, bytes: &[u8]) -> f32 {
+        let join = |word: u64, &byte: &u8| word << 8 | u64::from(byte);
+        let word = if self.is_big_endian {
+            bytes.iter().fold(0, join)
+        } else {
+            bytes.iter().rev().fold(0, join)
+        };
+        match self.kind {
+            Kind::Float(2) => half(word as u16),
+            Kind::Float(4) => f32::from_bits(word as u32),
+            Kind::Float(_) => f64::from_bits(word) as f32,
+            Kind::Signed(bytes) => {
+                // The sign goes to the top and comes back
+                let unused = 64 - 8 * bytes;
+                ((word << unused).cast_signed() >> unused) as f32
+            }
+            Kind::Unsigned(_) => word as f32,
+            Kind::Bool => f32::from(u8::from(word != 0)),
+        }
+    }
+}
+
+/// A float of 16 bits (IEEE 754 binary16): sign, 5 bits of exponent, 10 of fraction.
+fn half(bits: u16) -> f32 {
+    let fraction = f32::from(bits & 0x3ff);
+    let size = match bits >> 10 & 0x1f {
+        0 => fraction * 2f32.powi(-24),
+        31 if fraction == 0.0 => f32::INFINITY,
+        31 => f32::NAN,
+        exponent => (1024.0 + fraction) * 2f32.powi(i32::from(exponent) - 25),
+    };
+    if bits >> 15 == 1 { -size } else { size }
+}
+
+/// What an `.npy` file says before its numbers.
+struct Header {
+    element: Element,
+    is_fortran: bool,
+    shape: Vec<usize>,
+    /// Bytes of all of it.
+    length: u64,
+}
+
+impl Header {
+    fn read(file: &mut impl Read) -> Result<Self, String> {
+        let mut start = Vec::new();
+        let cut = |e: std::io::Error| format!("damaged: {e}");
+        file.take(8).read_to_end(&mut start).map_err(cut)?;
+        if start.get(..6) != Some(b"\x93NUMPY") {
+            return Err(match start.get(..2) {
+                None => "the file is empty".to_owned(),
+                Some(b"PK") => "an archive of arrays, which should be named .npz".to_owned(),
+                _ => format!("no NumPy array: it begins with `{}`", beginning(&start)),
+            });
+        }
+        // Version 1 has two bytes for the length of the text, later ones four
+        let wide = start.get(6).is_some_and(|version| *version > 1);
+        let mut length = Vec::new();
+        file.take(if wide { 4 } else { 2 })
+            .read_to_end(&mut length)
+            .map_err(cut)?;
+        let text_length = length
+            .iter()
+            .rev()
+            .fold(0, |n, &byte| n << 8 | u64::from(byte));
+        let mut text = Vec::new();
+        file.take(text_length.min(LONGEST_HEADER))
+            .read_to_end(&mut text)
+            .map_err(cut)?;
+        if (text.len() as u64) < text_length || text.is_empty() {
+            return Err("truncated: it ends within its header".to_owned());
+        }
+        let length = (start.len() + length.len() + text.len()) as u64;
+        Self::parse(&String::from_utf8_lossy(&text), length)
+    }
+
+    /// A Python dictionary of three entries.
+    fn parse(text: &str, length: u64) -> Result<Self, String> {
+        let damaged = || format!("a damaged header: {}", text.trim());
+        let entry = |key: &str| {
+            let after = text.split_once(&format!("'{key}':")).map(|(_, rest)| rest);
+            after.map(str::trim_start).ok_or_else(damaged)
+        };
+        let descr = entry("descr")?;
+        let quote = descr.chars().next().filter(|c| matches!(c, '\'' | '"'));
+        let kind = quote.and_then(|quote| descr[1..].split(quote).next());
+        let element = kind.and_then(Element::parse).ok_or_else(|| match kind {
+            Some(kind) => format!("elements of type `{kind}`"),
+            None => "elements of several fields".to_owned(),
+        })?;
+        let shape = entry("shape")?
+            .strip_prefix('(')
+            .and_then(|s| s.split_once(')'));
+        let (shape, _) = shape.ok_or_else(damaged)?;
+        let counts = shape.split(',').map(str::trim).filter(|n| !n.is_empty());
+        let counts = counts.map(|n| n.trim_end_matches('L').parse());
+        Ok(Header {
+            element,
+            is_fortran: entry("fortran_order")?.starts_with("True"),
+            shape: counts.collect::<Result<_, _>>().map_err(|_| damaged())?,
+            length,
+        })
+    }
+}
+
+/// The first bytes of a file as text.
+fn beginning(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    text.chars().filter(|c| !c.is_control()).collect()
+}
+
+/// An `.npz` file.
+pub(super) struct Archive {
+    zip: zip::ZipArchive<BufReader<File>>,
+    path: PathBuf,
+    accepted: String,
+}
+
+impl Archive {
+    /// Opens an archive; errors say `accepted`.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Format`].
+    pub(super) fn open(path: &Path, accepted: &str) -> Result<Self> {
+        let file = File::open(path).map_err(|e| Error::io(path, e))?;
+        let zip = zip::ZipArchive::new(BufReader::new(file)).map_err(|error| {
+            let found = no_archive(path).unwrap_or_else(|| format!("no .npz archive: {error}"));
+            bad(path, found, accepted)
+        })?;
+        Ok(Archive {
+            zip,
+            path: path.to_owned(),
+            accepted: accepted.to_owned(),
+        })
+    }
+
+    /// Names of the arrays, in alphabetical order.
+    pub(super) fn names(&self) -> Vec<String> {
+        let names = self.zip.file_names();
+        let mut names: Vec<String> = names
+            .map(|n| n.trim_end_matches(".npy").to_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// An array by its name.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when it is not there or no array of numbers.
+    pub(super) fn numbers(&mut self, name: &str) -> Result<Numbers> {
+        let file = format!("{name}.npy");
+        let file = if self.zip.index_for_name(&file).is_some() {
+            &file
+        } else {
+            name
+        };
+        let array = self.zip.by_name(file).map_err(|e| e.to_string());
+        let array = array.and_then(|array| {
+            let length = array.size();
+            Numbers::parse(array, length)
+        });
+        array.map_err(|found| bad(&self.path, format!("{name}: {found}"), &self.accepted))
+    }
+}
+
+/// Why a file that begins like an archive is none: its arrays say where they end (APPNOTE.TXT, 4.3.7 and 4.5.3).
+fn no_archive(path: &Path) -> Option<String> {
+    let mut file = File::open(path).ok()?;
+    let length = file.metadata().ok()?.len();
+    let mut at = 0;
+    loop {
+        let mut head = Vec::new();
+        file.seek(SeekFrom::Start(at)).ok()?;
+        (&mut file).take(30).read_to_end(&mut head).ok()?;
+        let number = |from: usize, bytes: usize| {
+            let bytes = head.get(from..from + bytes)?;
+            Some(
+                bytes
+                    .iter()
+                    .rev()
+                    .fold(0u64, |n, &byte| n << 8 | u64::from(byte)),
+            )
+        };
+        if at == 0 && head.get(..4) != Some(b"PK\x03\x04") {
+            let start = beginning(&head[..head.len().min(8)]);
+            return (!head.starts_with(b"PK")).then(|| match head.len() {
+                0 => "the file is empty".to_owned(),
+                _ => format!("no .npz archive: it begins with `{start}`"),
+            });
+        }
+        if head.get(..4) != Some(b"PK\x03\x04") {
+            return Some(format!(
+                "truncated: the directory at the end of the archive is not whole, the file has {length} bytes"
+            ));
+        }
+        let (Some(name_length), Some(extra_length)) = (number(26, 2), number(28, 2)) else {
+            return Some(format!(
+                "truncated: it ends at byte {length} before an array"
+            ));
+        };
+        let mut rest = Vec::new();
+        (&mut file)
+            .take(name_length + extra_length)
+            .read_to_end(&mut rest)
+            .ok()?;
+        let name = beginning(&rest[..rest.len().min(name_length as usize)]);
+        let size = match number(18, 4)? {
+            // Sizes beyond 4 GB, or of unknown length when they were written: two words of 8 bytes
+            0xffff_ffff => rest
+                .get(name_length as usize + 12..name_length as usize + 20)
+                .map_or(0, |word| {
+                    word.iter().rev().fold(0, |n, &b| n << 8 | u64::from(b))
+                }),
+            size => size,
+        };
+        let end = at + 30 + name_length + extra_length + size;
+        if end > length {
+            return Some(format!(
+                "truncated: its array `{}` ends at byte {end}, the file has {length} bytes",
+                name.trim_end_matches(".npy")
+            ));
+        }
+        at = end;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An `.npy` file.
+    fn npy(descr: &str, order: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+        let text =
+            format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': ({shape}), }}");
+        let text = format!("{text:<117}\n");
+        [b"\x93NUMPY\x01\x00\x76\x00", text.as_bytes(), data].concat()
+    }
+
+    fn parse(bytes: &[u8]) -> Result<Numbers, String> {
+        Numbers::parse(bytes, bytes.len() as u64)
+    }
+
+    #[test]
+    fn every_type_and_byte_order_is_a_number() {
+        for (descr, data, expected) in [
+            ("<f4", &[0, 0, 0xc0, 0x3f][..], 1.5),
+            (">f4", &[0x3f, 0xc0, 0, 0], 1.5),
+            (">f8", &[0xbf, 0xf8, 0, 0, 0, 0, 0, 0], -1.5),
+            ("<f2", &[0x00, 0xc1], -2.5),
+            (">f2", &[0x3c, 0x00], 1.0),
+            ("|u1", &[200], 200.0),
+            ("|i1", &[0xff], -1.0),
+            ("|b1", &[1], 1.0),
+            ("<u2", &[1, 2], 513.0),
+            (">u2", &[1, 2], 258.0),
+            ("<i2", &[0xfe, 0xff], -2.0),
+            (">i4", &[0xff, 0xff, 0xff, 0xfd], -3.0),
+            ("<u4", &[0, 0, 0, 1], 16_777_216.0),
+            (
+                "<i8",
+                &[0xfc, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff],
+                -4.0,
+            ),
+            (">u8", &[0, 0, 0, 0, 0, 0, 1, 0], 256.0),
+        ] {
+            let found = parse(&npy(descr, "False", "1,", data)).unwrap();
+            assert_eq!(found.values, [expected], "{descr}");
+        }
+        // Smallest, largest, infinite: 2⁻²⁴, 65504
+        assert_eq!(half(1), 2f32.powi(-24));
+        assert_eq!(half(0x7bff), 65504.0);
+        assert_eq!(half(0xfc00), f32::NEG_INFINITY);
+        assert!(half(0x7e00).is_nan());
+        for descr in ["<c8", "|O", "<f16", "<U4"] {
+            let text = parse(&npy(descr, "False", "1,", &[0; 16])).unwrap_err();
+            assert_eq!(text, format!("elements of type `{descr}`"));
+        }
+    }
+
+    #[test]
+    fn fortran_order_is_turned_round_in_any_dimension() {
+        for shape in [vec![2, 3, 4], vec![3, 2], vec![5], vec![2, 1, 3, 2]] {
+            let count: usize = shape.iter().product();
+            // The element of index i, j, k has the value of its place in C order
+            let mut data = vec![0; count];
+            for (c, _) in (0..count).enumerate() {
+                let (mut rest, mut place, mut step) = (c, 0, count);
+                for (axis, &n) in shape.iter().enumerate() {
+                    step /= n;
+                    let before: usize = shape[..axis].iter().product();
+                    place += rest / step * before;
+                    rest %= step;
+                }
+                data[place] = c as u8;
+            }
+            let text = tuple(&shape);
+            let found = parse(&npy("|u1", "True", text.trim_matches(['(', ')']), &data)).unwrap();
+            let expected: Vec<f32> = (0..count).map(|c| c as f32).collect();
+            assert_eq!(found.values, expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_cut_off_is_told_with_its_bytes() {
+        let whole = npy("<f4", "False", "2, 3", &[0; 24]);
+        assert_eq!(parse(&whole).unwrap().shape, [2, 3]);
+        let text = parse(&whole[..140]).unwrap_err();
+        let expected = "truncated: an array (2, 3) of 4 bytes a number takes 152 bytes with its header, 140 are there";
+        assert_eq!(text, expected);
+        assert!(
+            parse(&whole[..60])
+                .unwrap_err()
+                .contains("within its header")
+        );
+        assert!(parse(b"").unwrap_err().contains("empty"));
+        assert!(
+            parse(b"some text")
+                .unwrap_err()
+                .contains("it begins with `some tex`")
+        );
+        assert!(parse(b"PK\x03\x04....").unwrap_err().contains(".npz"));
+        let more = [&whole[..], &[0; 4]].concat();
+        assert!(parse(&more).unwrap_err().starts_with("more than an array"));
+        // A count beyond all memory is not reserved
+        let huge = npy("<f4", "False", "999999999999, 999999", &[0; 4]);
+        assert!(parse(&huge).unwrap_err().contains("999999999999"));
+    }
+
+    #[test]
+    fn a_truncated_archive_names_the_array_and_its_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.npz");
+        let mut npz = ndarray_npy::NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("first", &ndarray::Array1::<f32>::zeros(100))
+            .unwrap();
+        npz.add_array("second", &ndarray::Array1::<f32>::zeros(100))
+            .unwrap();
+        npz.finish().unwrap();
+        let whole = std::fs::read(&path).unwrap();
+        let found = |bytes: usize| {
+            std::fs::write(&path, &whole[..bytes]).unwrap();
+            Archive::open(&path, "an archive")
+                .map(drop)
+                .unwrap_err()
+                .to_string()
+        };
+        let text = found(700);
+        assert!(
+            text.contains("its array `second` ends at byte ")
+                && text.contains("the file has 700 bytes"),
+            "{text}"
+        );
+        assert!(found(300).contains("array `first`"));
+        let text = found(whole.len() - 10);
+        assert!(text.contains("truncated: the directory"), "{text}");
+        std::fs::write(&path, "no archive at all").unwrap();
+        let text = Archive::open(&path, "").map(drop).unwrap_err().to_string();
+        assert!(text.contains("it begins with `no archi`"), "{text}");
+    }
+}

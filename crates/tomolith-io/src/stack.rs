@@ -1,0 +1,188 @@
+//! All frames as one array: `frames.npz`, as the memories of fast light modulators (ALP and the like) take them.
+//!
+//! | array | type | meaning |
+//! |---|---|---|
+//! | `frames` | u8 up to 8 bits, else u16, `[frame, row, column]` | levels on the full scale of the type: 255 or 65535 is white |
+//! | `bits` | i64, one number | the bit depth that the levels stand for |
+//! | `full_scale` | f64, one number | the pattern value of white, mJ/mm² (relative like all doses) |
+//! | `azimuth_rad` | f64, per frame | from where the light of the frame arrives in the resin frame |
+//! | `pitch_mm` | f64, one number, or [right, up] where they differ | size of a pixel at the vial |
+//!
+//! With several lights every name ends in `_` and the name of the light. In Python `numpy.load("frames.npz")["frames"]` is
+//! ready to be sent.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::FrameSet;
+//! use tomolith_io::stack::{read_stack, write_stack};
+//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("frames.npz");
+//! write_stack(&path, &[set], &Run::new()).unwrap();
+//! let read = read_stack(&path, None).unwrap();
+//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
+//! assert_eq!(read.values, [0, 1, 7, 15]);
+//! ```
+
+use super::frames::{FrameSet, Frames, rescale};
+use super::numbers::{Archive, Kind, bad};
+use super::whole::{Refused, write_whole_under};
+use ndarray::{Array1, Array3};
+use ndarray_npy::{NpzWriter, WritableElement};
+use std::io::{Seek, Write};
+use std::path::Path;
+use tomolith_core::error::Result;
+use tomolith_core::run::Run;
+
+fn name_of(what: &str, light: Option<&str>) -> String {
+    light.map_or_else(|| what.to_owned(), |light| format!("{what}_{light}"))
+}
+
+/// Writes the frames of all lights; see the [module page](self).
+///
+/// # Errors
+/// [`Error::Shape`](tomolith_core::Error::Shape) when levels and grid do not fit, [`Error::Io`](tomolith_core::Error::Io).
+pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
+    for set in lights {
+        set.check()?;
+    }
+    write_whole_under(path, (run, 0), |file| {
+        let mut npz = NpzWriter::new(file);
+        for set in lights {
+            let name = |what| name_of(what, set.light);
+            let depth = if set.bits > 8 { 16 } else { 8 };
+            let levels = set
+                .values
+                .iter()
+                .map(|&level| rescale(level, set.bits, depth));
+            if depth == 8 {
+                let levels = levels.map(|level| level as u8).collect();
+                add_levels(&mut npz, &name("frames"), set, levels)?;
+            } else {
+                add_levels(&mut npz, &name("frames"), set, levels.collect())?;
+            }
+            add(&mut npz, &name("bits"), vec![i64::from(set.bits)])?;
+            add(
+                &mut npz,
+                &name("full_scale"),
+                vec![f64::from(set.full_scale)],
+            )?;
+            add(&mut npz, &name("azimuth_rad"), set.grid.azimuths.clone())?;
+            let pitch = set.grid.square_pitch_mm();
+            let pitch = pitch.map_or_else(|| set.grid.pitch_mm.to_vec(), |pitch| vec![pitch]);
+            add(&mut npz, &name("pitch_mm"), pitch)?;
+        }
+        npz.finish().map_err(other)?;
+        Ok(())
+    })
+}
+
+fn other(error: impl std::error::Error + Send + Sync + 'static) -> Refused {
+    Refused::Io(std::io::Error::other(error))
+}
+
+fn add_levels<W: Write + Seek, T: WritableElement>(
+    npz: &mut NpzWriter<W>,
+    name: &str,
+    set: &FrameSet<'_>,
+    levels: Vec<T>,
+) -> Result<(), Refused> {
+    let array = Array3::from_shape_vec(set.grid.shape(), levels).map_err(other)?;
+    npz.add_array(name, &array).map_err(other)
+}
+
+fn add<W: Write + Seek, T: WritableElement>(
+    npz: &mut NpzWriter<W>,
+    name: &str,
+    values: Vec<T>,
+) -> Result<(), Refused> {
+    npz.add_array(name, &Array1::from_vec(values))
+        .map_err(other)
+}
+
+/// Reads the frames of one light.
+///
+/// # Errors
+/// [`Error::Io`](tomolith_core::Error::Io); [`Error::Format`](tomolith_core::Error::Format) when the file is no such stack or holds no frames
+/// of this light.
+pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
+    const ACCEPTED: &str =
+        "an .npz with `frames`, u8 or u16 [frame, row, column], and its `bits` and `full_scale`";
+    let mut npz = Archive::open(path, ACCEPTED)?;
+    let name = name_of("frames", light);
+    let frames = npz.numbers(&name)?;
+    let depth = match frames.kind {
+        Kind::Unsigned(bytes @ 1..=2) => 8 * bytes as u32,
+        _ => return Err(bad(path, format!("{name} of another type"), ACCEPTED)),
+    };
+    let (shape, values) = frames
+        .of_dimensions()
+        .map_err(|found| bad(path, format!("{name}: {found}"), ACCEPTED))?;
+    let mut number = |what| {
+        let numbers = npz.numbers(&name_of(what, light)).ok()?;
+        numbers.values.first().copied()
+    };
+    let bits = number("bits").map(|bits| bits as u32);
+    let bits = bits.filter(|bits| (1..=depth).contains(bits));
+    let bits = bits.unwrap_or(depth);
+    let level = |&level: &f32| rescale(level as u16, depth, bits);
+    Ok(Frames {
+        shape,
+        bits,
+        full_scale: number("full_scale"),
+        values: values.iter().map(level).collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frames::top_level;
+    use ndarray_npy::NpzReader;
+    use std::fs::File;
+    use tomolith_core::grid::PatternGrid;
+
+    #[test]
+    fn stacks_of_several_lights_and_depths_come_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("frames.npz");
+        let grid = PatternGrid::full_turn(5, 0.0, 3, 7, 0.1);
+        let levels = |bits| {
+            (0..grid.len())
+                .map(|i| (i * 37) as u16 % (top_level(bits).saturating_add(1).max(1)))
+                .collect::<Vec<_>>()
+        };
+        let (blue, uv) = (levels(8), levels(12));
+        let set = |light, bits, values| FrameSet {
+            light: Some(light),
+            grid: &grid,
+            bits,
+            full_scale: 0.3,
+            values,
+        };
+        write_stack(
+            &path,
+            &[set("blue", 8, &blue), set("uv", 12, &uv)],
+            &Run::new(),
+        )
+        .unwrap();
+        let read = read_stack(&path, Some("uv")).unwrap();
+        assert_eq!((read.bits, read.shape, &read.values), (12, [5, 3, 7], &uv));
+        assert_eq!(read_stack(&path, Some("blue")).unwrap().values, blue);
+        assert!(
+            read_stack(&path, None)
+                .unwrap_err()
+                .to_string()
+                .contains("frames")
+        );
+        // What a reader in another language sees
+        let mut npz = NpzReader::new(File::open(&path).unwrap()).unwrap();
+        let bytes: Array3<u8> = npz.by_name("frames_blue").unwrap();
+        assert_eq!(
+            bytes.iter().map(|&b| u16::from(b)).collect::<Vec<_>>(),
+            blue
+        );
+    }
+}

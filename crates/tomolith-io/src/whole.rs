@@ -1,0 +1,255 @@
+//! Files and folders that appear whole or not at all.
+//!
+//! A file is written aside in the same folder under a hidden name, brought to the disk, then renamed over its place.
+//! Whatever stops the program meanwhile, the place holds the old content or the new one. What is left aside
+//! (`.NAME.PID-N.partial`) by a killed program can be deleted.
+//!
+//! ```
+//! use std::io::Write;
+//! use tomolith_io::write_whole;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("history.csv");
+//! write_whole(&path, |file| Ok(file.write_all(b"iteration\n")?)).unwrap();
+//! assert_eq!(std::fs::read(&path).unwrap(), b"iteration\n");
+//! ```
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::run::{Run, Steps};
+
+/// Why the content of a file could not be written: the system's word, or the format's.
+#[derive(Debug)]
+pub enum Refused {
+    /// The system refused; [`write_whole`] adds the path.
+    Io(std::io::Error),
+    /// Another error, passed on unchanged.
+    Other(Error),
+}
+
+impl From<std::io::Error> for Refused {
+    fn from(error: std::io::Error) -> Self {
+        Refused::Io(error)
+    }
+}
+
+impl From<Error> for Refused {
+    fn from(error: Error) -> Self {
+        Refused::Other(error)
+    }
+}
+
+impl Refused {
+    fn at(self, path: &Path) -> Error {
+        match self {
+            Refused::Io(source) => Error::io(path, source),
+            Refused::Other(error) => error,
+        }
+    }
+}
+
+/// Writes a file through `write` so that `path` holds the whole of it, or what it held before.
+///
+/// # Errors
+/// [`Error::Io`] with the path, or what `write` returned; `path` is then as it was.
+pub fn write_whole<T>(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
+) -> Result<T> {
+    write_whole_under(path, (&Run::new(), 0), write)
+}
+
+/// The same as a part of a run, which is done after so many bytes.
+///
+/// # Errors
+/// As [`write_whole`]; [`Error::Cancelled`], with `path` as it was.
+pub fn write_whole_under<T>(
+    path: &Path,
+    (run, bytes): (&Run, usize),
+    write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
+) -> Result<T> {
+    let aside = aside(path)?;
+    let written = (|| {
+        let watched = Watched {
+            file: File::create(&aside)?,
+            steps: run.steps(bytes),
+            waiting: 0,
+        };
+        let mut file = BufWriter::with_capacity(1 << 20, watched);
+        let result = write(&mut file)?;
+        file.flush()?;
+        file.get_ref().file.sync_all()?;
+        drop(file);
+        fs::rename(&aside, path)?;
+        Ok(result)
+    })();
+    written.map_err(|refused: Refused| {
+        // The first error is the one to report; a leftover does no harm
+        let _ = fs::remove_file(&aside);
+        run.check().err().unwrap_or_else(|| refused.at(path))
+    })
+}
+
+/// Bytes that are handed to the system at a time, and that may wait for the disk: a request to stop waits for no more.
+const AT_A_TIME: usize = 4 << 20;
+const WAITING: usize = 64 << 20;
+
+/// A file on its way to the disk, refused as soon as its run is cancelled.
+#[derive(Debug)]
+pub struct Watched<'r> {
+    file: File,
+    steps: Steps<'r>,
+    /// Bytes that may not be on the disk yet.
+    waiting: usize,
+}
+
+impl Write for Watched<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.steps.is_cancelled() {
+            return Err(std::io::Error::other("cancelled"));
+        }
+        let written = self.file.write(&bytes[..bytes.len().min(AT_A_TIME)])?;
+        self.steps.add(written);
+        self.waiting += written;
+        if self.waiting >= WAITING {
+            self.file.sync_data()?;
+            self.waiting = 0;
+        }
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Seek for Watched<'_> {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        self.file.seek(to)
+    }
+}
+
+/// Fills a folder through `fill` so that `path` holds the whole of it, or what it held before. Between taking away an
+/// old folder and putting the new one in its place there is a moment with neither.
+///
+/// # Errors
+/// [`Error::Io`] with the path, or what `fill` returned; `path` is then as it was.
+pub fn write_folder_whole<T>(
+    path: &Path,
+    fill: impl FnOnce(&Path) -> Result<T, Refused>,
+) -> Result<T> {
+    let (new, old) = (aside(path)?, aside(path)?);
+    let written = (|| {
+        fs::create_dir(&new)?;
+        let result = fill(&new)?;
+        if path.exists() {
+            fs::rename(path, &old)?;
+        }
+        if let Err(error) = fs::rename(&new, path) {
+            let _ = fs::rename(&old, path);
+            return Err(error.into());
+        }
+        if old.exists() {
+            fs::remove_dir_all(&old)?;
+        }
+        Ok(result)
+    })();
+    written.map_err(|refused: Refused| {
+        let _ = fs::remove_dir_all(&new);
+        refused.at(path)
+    })
+}
+
+/// A hidden name beside `path` that no other writer uses.
+fn aside(path: &Path) -> Result<PathBuf> {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    let name = path.file_name().ok_or_else(|| {
+        Error::io(
+            path,
+            std::io::Error::new(
+                std::io::ErrorKind::InvalidInput,
+                "this path has no file name",
+            ),
+        )
+    })?;
+    let mut hidden = OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(
+        ".{}-{}.partial",
+        std::process::id(),
+        COUNT.fetch_add(1, Ordering::Relaxed)
+    ));
+    Ok(path.with_file_name(hidden))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_writer_that_fails_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_whole(&path, |f| Ok(f.write_all(b"old")?)).unwrap();
+        let failed = write_whole::<()>(&path, |f| {
+            f.write_all(b"half of the n")?;
+            Err(std::io::Error::other("disk full").into())
+        });
+        assert!(matches!(failed, Err(Error::Io { path: p, .. }) if p == path));
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn nothing_is_seen_before_the_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_whole(&path, |f| {
+            f.write_all(&vec![7; 3 << 20])?; // more than the buffer: some of it is on the disk already
+            assert!(!path.exists());
+            Ok(())
+        })
+        .unwrap();
+        assert_eq!(fs::metadata(&path).unwrap().len(), 3 << 20);
+    }
+
+    #[test]
+    fn a_folder_is_replaced_as_a_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("frames");
+        let fill = |names: &'static [&'static str]| {
+            move |f: &Path| {
+                for name in names {
+                    fs::write(f.join(name), name)?;
+                }
+                Ok(())
+            }
+        };
+        write_folder_whole(&path, fill(&["a", "b", "c"])).unwrap();
+        write_folder_whole(&path, fill(&["d"])).unwrap();
+        let failed = write_folder_whole::<()>(&path, |f| {
+            fs::write(f.join("e"), "e")?;
+            Err(std::io::Error::other("stop").into())
+        });
+        assert!(failed.is_err());
+        let names: Vec<_> = fs::read_dir(&path)
+            .unwrap()
+            .map(|e| e.unwrap().file_name())
+            .collect();
+        assert_eq!(names, ["d"]);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let path = Path::new("/nonexistent-folder/a.txt");
+        let error = write_whole(path, |_| Ok(())).unwrap_err();
+        assert!(
+            error.to_string().starts_with("/nonexistent-folder/a.txt: "),
+            "{error}"
+        );
+    }
+}

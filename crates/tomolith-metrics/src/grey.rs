@@ -1,0 +1,234 @@
+//! How well a grey target is reproduced: the share of voxels in the band, and errors of the response.
+//!
+//! With the grey value f asked for and the response m of each voxel that counts, and the half width ε of the band (that of
+//! the objective: Li et al., Additive Manufacturing 94 (2024) 104447, eq. 1, ask for |m − f| ≤ ε):
+//!
+//! ```text
+//! in_band         = #{|m − f| ≤ ε} / #            rms_error      = √(Σ (m − f)² / #)
+//! max_error_part  = max |m − f| where f ≥ ½       max_error_void = max |m − f| where f < ½
+//! ```
+//!
+//! None of them is defined for a target of part and void; the gel threshold plays no role.
+//!
+//! ```
+//! use tomolith_core::grid::{Volume, VolumeGrid};
+//! use tomolith_metrics::{evaluate, print::Print};
+//! use tomolith_core::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 4], 0.1);
+//! let volume = |values: [f32; 4]| Volume { grid: grid.clone(), values: values.to_vec() };
+//! let (wanted, response) = (volume([0.0, 0.25, 0.5, 1.0]), volume([0.0, 0.5, 0.53, 0.9]));
+//! let labels = Volume { grid: grid.clone(), values: vec![VOID, VOID, PART, PART] };
+//! let print = Print::new(&labels, &response).unwrap().with_grey(&wanted, 0.05).unwrap();
+//! let measures = evaluate(&print).measures;
+//! // Errors 0, 0.25, 0.03 and −0.1: two of four are within 0.05
+//! assert_eq!(measures.get("in_band"), Some(0.5));
+//! assert!((measures.get("rms_error").unwrap() - (0.0734f64 / 4.0).sqrt()).abs() < 1e-6);
+//! assert!((measures.get("max_error_part").unwrap() - 0.1).abs() < 1e-6);
+//! assert!((measures.get("max_error_void").unwrap() - 0.25).abs() < 1e-6);
+//! ```
+
+use super::print::Print;
+use super::{Better, Measure, Metric, MetricKind};
+use rayon::prelude::*;
+use tomolith_core::field::BLOCK;
+use tomolith_core::target::label;
+
+/// Parts of the half width by which a voxel may leave the band through rounding to f32.
+const ROUNDING: f64 = 1e-5;
+
+/// Errors of a grey print, in units of the response.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GreyErrors {
+    /// Share of the voxels in the band.
+    pub in_band: f64,
+    /// Root of the mean square error.
+    pub rms: f64,
+    /// Largest error of part voxels (f ≥ ½) and of void voxels; `None` without any.
+    pub largest: [Measure; 2],
+    /// Σ m²/#, Σ m·f/# and Σ f²/#: what the rms error is at other exposures.
+    moments: [f64; 3],
+}
+
+impl GreyErrors {
+    /// The least rms error over all exposures, and the exposures [low, best, high] over which it is at most `tolerance` larger, 1
+    /// being the exposure as it is. For a response that is proportional to the dose: m becomes s·m at an exposure s, and with
+    /// A = Σ m²/#, B = Σ m·f/#, C = Σ f²/# the error is √(A·s² − 2·B·s + C). `None` when all is dark.
+    pub(super) fn exposures(&self, tolerance: f64) -> Option<(f64, [f64; 3])> {
+        let [a, b, c] = self.moments;
+        let best = b / a;
+        let least = (c - b * best).max(0.0).sqrt();
+        let reach = (tolerance * (2.0 * least + tolerance) / a).sqrt();
+        (best > 0.0 && reach.is_finite())
+            .then(|| (least, [(best - reach).max(0.0), best, best + reach]))
+    }
+}
+
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    counts: [u64; 2],
+    in_band: u64,
+    squares: f64,
+    largest: [f64; 2],
+    moments: [f64; 3],
+}
+
+impl Sums {
+    fn of(labels: &[u8], response: &[f32], wanted: &[f32], half_width: f64) -> Self {
+        let mut sums = Sums::default();
+        for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
+            let class = match label {
+                label::PART => 0,
+                label::VOID => 1,
+                _ => continue,
+            };
+            let (m, f) = (f64::from(m), f64::from(f));
+            let error = (m - f).abs();
+            let moments = [m * m, m * f, f * f];
+            sums.moments = std::array::from_fn(|i| sums.moments[i] + moments[i]);
+            sums.counts[class] += 1;
+            sums.in_band += u64::from(error <= half_width * (1.0 + ROUNDING));
+            sums.squares += error * error;
+            sums.largest[class] = sums.largest[class].max(error);
+        }
+        sums
+    }
+
+    fn join(self, other: &Sums) -> Self {
+        let two = |f: &dyn Fn(usize) -> f64| [f(0), f(1)];
+        Sums {
+            counts: [0, 1].map(|c| self.counts[c] + other.counts[c]),
+            in_band: self.in_band + other.in_band,
+            squares: self.squares + other.squares,
+            largest: two(&|c| self.largest[c].max(other.largest[c])),
+            moments: std::array::from_fn(|i| self.moments[i] + other.moments[i]),
+        }
+    }
+}
+
+/// The errors of voxels that count, `None` when there are none.
+pub(super) fn grey_errors(
+    labels: &[u8],
+    response: &[f32],
+    wanted: &[f32],
+    half_width: f64,
+) -> Option<GreyErrors> {
+    let blocks: Vec<Sums> = labels
+        .par_chunks(BLOCK)
+        .zip(response.par_chunks(BLOCK))
+        .zip(wanted.par_chunks(BLOCK))
+        .map(|((labels, response), wanted)| Sums::of(labels, response, wanted, half_width))
+        .collect();
+    let sums = blocks.iter().fold(Sums::default(), Sums::join);
+    let count = (sums.counts[0] + sums.counts[1]) as f64;
+    (count > 0.0).then(|| GreyErrors {
+        in_band: sums.in_band as f64 / count,
+        rms: (sums.squares / count).sqrt(),
+        largest: [0, 1].map(|c| (sums.counts[c] > 0).then_some(sums.largest[c])),
+        moments: sums.moments.map(|sum| sum / count),
+    })
+}
+
+/// One of the numbers; see the [module page](self).
+pub struct GreyError(fn(&GreyErrors) -> Measure);
+
+impl Metric for GreyError {
+    fn measure(&self, print: &Print<'_>) -> Measure {
+        print.grey_errors().and_then(|errors| (self.0)(&errors))
+    }
+}
+
+/// Row of [`METRICS`](super::METRICS): the share of voxels in the band.
+pub const IN_BAND: MetricKind = MetricKind {
+    name: "in_band",
+    title: "Voxels in the band",
+    summary: "Share of the voxels whose response is as near to its grey value as the objective asks.",
+    unit: "",
+    better: Better::Higher,
+    metric: &GreyError(|errors| Some(errors.in_band)),
+};
+
+const fn error(
+    name: &'static str,
+    title: &'static str,
+    summary: &'static str,
+    metric: &'static GreyError,
+) -> MetricKind {
+    MetricKind {
+        name,
+        title,
+        summary,
+        unit: "response",
+        better: Better::Lower,
+        metric,
+    }
+}
+
+/// Row of [`METRICS`](super::METRICS): the rms error.
+pub const RMS: MetricKind = error(
+    "rms_error",
+    "Rms error",
+    "Root of the mean square difference between response and grey value.",
+    &GreyError(|errors| Some(errors.rms)),
+);
+
+/// Row of [`METRICS`](super::METRICS): the largest error of bright voxels.
+pub const MAX_PART: MetricKind = error(
+    "max_error_part",
+    "Largest error, bright",
+    "Largest difference where a grey value of at least ½ was asked for.",
+    &GreyError(|errors| errors.largest[0]),
+);
+
+/// Row of [`METRICS`](super::METRICS): the largest error of dark voxels.
+pub const MAX_VOID: MetricKind = error(
+    "max_error_void",
+    "Largest error, dark",
+    "Largest difference where a grey value below ½ was asked for.",
+    &GreyError(|errors| errors.largest[1]),
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    #[test]
+    fn only_voxels_that_count_are_looked_at_and_blocks_join() {
+        let n = 2 * BLOCK + 5;
+        let labels: Vec<u8> = (0..n).map(|i| [OUTSIDE, VOID, PART][i % 3]).collect();
+        let response: Vec<f32> = (0..n).map(|i| [9.0, 0.25, 0.5][i % 3]).collect();
+        let errors = grey_errors(&labels, &response, &vec![0.5; n], 0.1).unwrap();
+        let [void, part] = [VOID, PART].map(|l| labels.iter().filter(|x| **x == l).count() as f64);
+        assert!((errors.in_band - part / (void + part)).abs() < 1e-12);
+        assert!((errors.rms - (void * 0.0625 / (void + part)).sqrt()).abs() < 1e-12);
+        assert_eq!(errors.largest, [Some(0.0), Some(0.25)]);
+        assert_eq!(grey_errors(&[OUTSIDE], &[1.0], &[0.0], 0.1), None);
+    }
+
+    #[test]
+    fn the_rms_error_at_other_exposures_is_that_of_the_scaled_response() {
+        let wanted = [0.0, 0.25, 0.5, 1.0];
+        let response = [0.1f32, 0.25, 0.4, 0.8];
+        let rms = |s: f64| {
+            let scaled = response.map(|m| (f64::from(m) * s) as f32);
+            grey_errors(&[PART; 4], &scaled, &wanted, 0.1).unwrap().rms
+        };
+        let errors = grey_errors(&[PART; 4], &response, &wanted, 0.1).unwrap();
+        let (least, [low, best, high]) = errors.exposures(0.01).unwrap();
+        assert!(best > 1.1 && (rms(best) - least).abs() < 1e-7);
+        assert!(rms(best - 0.01) > least && rms(best + 0.01) > least);
+        for end in [low, high] {
+            assert!((rms(end) - least - 0.01).abs() < 1e-7, "{end}");
+        }
+        let dark = grey_errors(&[PART; 4], &[0.0; 4], &wanted, 0.1).unwrap();
+        assert_eq!(dark.exposures(0.01), None);
+    }
+
+    #[test]
+    fn the_edge_of_the_band_belongs_to_it() {
+        let errors = |m: f32| grey_errors(&[PART], &[m], &[0.9], 0.05).unwrap();
+        assert_eq!((errors(0.95).in_band, errors(0.8501).in_band), (1.0, 1.0));
+        assert_eq!((errors(0.9501).in_band, errors(0.8499).in_band), (0.0, 0.0));
+        assert_eq!(errors(0.95).largest[1], None);
+    }
+}

@@ -1,0 +1,489 @@
+//! A predicted print: what the metrics look at.
+//!
+//! Labels say what each voxel should become, the response what the dose makes of it; the print is what is above the gel
+//! threshold: the one that was given, else the best one. Work that several metrics share (counts over thresholds,
+//! distances of surfaces) is done once, when it is first asked for.
+//!
+//! ```
+//! use tomolith_core::grid::{Volume, VolumeGrid};
+//! use tomolith_metrics::print::Print;
+//! use tomolith_core::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 3], 0.1);
+//! let labels = Volume { grid: grid.clone(), values: vec![VOID, PART, VOID] };
+//! let response = Volume { grid, values: vec![0.2, 0.9, 0.4] };
+//! let print = Print::new(&labels, &response).unwrap();
+//! // From 0.4 to 0.9 only the part gels; the threshold is the middle
+//! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
+//! ```
+
+use super::grey::{GreyErrors, grey_errors};
+use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
+use super::scan::{Plateau, Scan};
+use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
+use rayon::prelude::*;
+use std::sync::OnceLock;
+use tomolith_core::dose::Run;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::BLOCK;
+use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
+use tomolith_core::target::label;
+use tomolith_core::units::exact;
+
+/// Sums over the pixels of all frames and lights, dark and masked ones included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatternStats {
+    /// Pixels.
+    pub pixels: u64,
+    /// Sum of the pattern values.
+    pub sum: f64,
+    /// Largest pattern value.
+    pub max: f32,
+}
+
+impl PatternStats {
+    /// Sums over all lights.
+    pub fn of<'p>(lights: impl IntoIterator<Item = &'p Patterns>) -> Self {
+        let mut stats = PatternStats {
+            pixels: 0,
+            sum: 0.0,
+            max: 0.0,
+        };
+        for patterns in lights {
+            let blocks: Vec<(f64, f32)> = patterns
+                .values
+                .par_chunks(BLOCK)
+                .map(|block| {
+                    block.iter().fold((0.0, 0.0f32), |(sum, max), &v| {
+                        (sum + f64::from(v), max.max(v))
+                    })
+                })
+                .collect();
+            stats.pixels += patterns.values.len() as u64;
+            stats.sum += blocks.iter().map(|b| b.0).sum::<f64>();
+            stats.max = blocks.iter().fold(stats.max, |max, b| max.max(b.1));
+        }
+        stats
+    }
+}
+
+/// A predicted print.
+pub struct Print<'a> {
+    labels: &'a Volume<u8>,
+    response: &'a Volume<f32>,
+    inside: Option<&'a Volume<f32>>,
+    patterns: Option<PatternStats>,
+    threshold: Option<f64>,
+    grey: Option<(&'a Volume<f32>, f64)>,
+    scan: Scan<'a>,
+    best: OnceLock<Option<Plateau>>,
+    above: OnceLock<[u64; 2]>,
+    distance: OnceLock<Option<SurfaceDistance>>,
+    errors: OnceLock<Option<GreyErrors>>,
+    run: Run,
+}
+
+/// Share of the work on a print that is counting; the rest are distances of surfaces.
+const COUNTING: f64 = 0.5;
+
+fn same_shape(what: &str, grid: &VolumeGrid, found: &VolumeGrid, len: usize) -> Result<()> {
+    if grid.shape == found.shape && len == grid.len() {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: what.to_owned(),
+        expected: grid.shape.to_vec(),
+        found: found.shape.to_vec(),
+    })
+}
+
+impl<'a> Print<'a> {
+    /// Labels ([`label`]) and response of the same voxels.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when they do not fit; [`Error::NonFinite`] when the response of a part or void voxel is not
+    /// finite.
+    pub fn new(labels: &'a Volume<u8>, response: &'a Volume<f32>) -> Result<Self> {
+        Self::under(labels, response, Run::new())
+    }
+
+    /// The same as a part of a run. When that is cancelled, numbers that are asked for afterwards mean nothing.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Cancelled`].
+    pub fn under(labels: &'a Volume<u8>, response: &'a Volume<f32>, run: Run) -> Result<Self> {
+        same_shape("labels", &labels.grid, &labels.grid, labels.values.len())?;
+        same_shape(
+            "response",
+            &labels.grid,
+            &response.grid,
+            response.values.len(),
+        )?;
+        Ok(Print {
+            labels,
+            response,
+            inside: None,
+            patterns: None,
+            threshold: None,
+            grey: None,
+            scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
+            run,
+            best: OnceLock::new(),
+            above: OnceLock::new(),
+            distance: OnceLock::new(),
+            errors: OnceLock::new(),
+        })
+    }
+
+    /// Adds the target's inside fraction, which places its surface within the voxels.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when it does not fit.
+    pub fn with_inside(mut self, inside: &'a Volume<f32>) -> Result<Self> {
+        same_shape(
+            "inside fraction",
+            &self.labels.grid,
+            &inside.grid,
+            inside.values.len(),
+        )?;
+        self.inside = Some(inside);
+        Ok(self)
+    }
+
+    /// Says that the target is grey: the values asked for, and the half width of the band around them, in units of the
+    /// response.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the values do not fit; [`Error::Config`] for a half width that is negative or not finite.
+    pub fn with_grey(mut self, wanted: &'a Volume<f32>, half_width: f64) -> Result<Self> {
+        same_shape(
+            "grey values",
+            &self.labels.grid,
+            &wanted.grid,
+            wanted.values.len(),
+        )?;
+        if !(half_width.is_finite() && half_width >= 0.0) {
+            return Err(Error::config(
+                "epsilon",
+                format!("found {}", exact(half_width)),
+                "a finite number, 0 or above",
+            ));
+        }
+        self.grey = Some((wanted, half_width));
+        Ok(self)
+    }
+
+    /// Adds what is known of the patterns.
+    #[must_use]
+    pub fn with_patterns(mut self, stats: PatternStats) -> Self {
+        self.patterns = Some(stats);
+        self
+    }
+
+    /// Sets the gel threshold, in units of the response.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when it is not finite.
+    pub fn with_threshold(mut self, threshold: f64) -> Result<Self> {
+        if !threshold.is_finite() {
+            return Err(Error::config(
+                "evaluate.threshold",
+                format!("found {}", exact(threshold)),
+                "a finite number",
+            ));
+        }
+        self.threshold = Some(threshold);
+        Ok(self)
+    }
+
+    /// What stops work on it.
+    pub(super) fn run(&self) -> &Run {
+        &self.run
+    }
+
+    /// Where the voxels are.
+    #[must_use]
+    pub fn grid(&self) -> &VolumeGrid {
+        &self.labels.grid
+    }
+
+    /// What each voxel should become.
+    #[must_use]
+    pub fn labels(&self) -> &Volume<u8> {
+        self.labels
+    }
+
+    /// What the dose makes of each voxel.
+    #[must_use]
+    pub fn response(&self) -> &Volume<f32> {
+        self.response
+    }
+
+    /// What is known of the patterns.
+    #[must_use]
+    pub fn patterns(&self) -> Option<PatternStats> {
+        self.patterns
+    }
+
+    /// Half width of the band round the grey values, `None` for a target of part and void.
+    #[must_use]
+    pub fn half_width(&self) -> Option<f64> {
+        self.grey.map(|(_, half_width)| half_width)
+    }
+
+    /// Errors against the grey values, `None` for a target of part and void.
+    #[must_use]
+    pub fn grey_errors(&self) -> Option<GreyErrors> {
+        let (wanted, half_width) = self.grey?;
+        *self.errors.get_or_init(|| {
+            let (labels, response) = (&self.labels.values, &self.response.values);
+            grey_errors(labels, response, &wanted.values, half_width)
+        })
+    }
+
+    /// Counts over thresholds.
+    #[must_use]
+    pub fn scan(&self) -> &Scan<'a> {
+        &self.scan
+    }
+
+    /// The thresholds of the best IoU, `None` without part or when none prints any of it.
+    #[must_use]
+    pub fn best(&self) -> Option<Plateau> {
+        *self.best.get_or_init(|| self.scan.best_plateau())
+    }
+
+    /// The gel threshold: the given one, else the best one.
+    #[must_use]
+    pub fn gel_threshold(&self) -> Option<f64> {
+        self.threshold
+            .or_else(|| self.best().map(|best| best.middle()))
+    }
+
+    /// Part and void voxels that gel.
+    #[must_use]
+    pub fn printed(&self) -> [u64; 2] {
+        *self.above.get_or_init(|| {
+            self.gel_threshold()
+                .map_or([0, 0], |threshold| self.scan.count_above(threshold))
+        })
+    }
+
+    /// The predicted print's surface; voxels outside of the resin are not printed. Empty when nothing is printed.
+    #[must_use]
+    pub fn surface(&self) -> Surface {
+        let Some(threshold) = self.gel_threshold() else {
+            return Surface::default();
+        };
+        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
+        isosurface_of(self.grid(), threshold, fill, &self.run)
+    }
+
+    /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
+    ///
+    /// # Errors
+    /// What `take` refuses; [`Error::Cancelled`].
+    pub fn surface_pieces<E: From<Error>>(
+        &self,
+        take: impl FnMut(&Surface) -> std::result::Result<(), E>,
+    ) -> std::result::Result<(), E> {
+        let Some(threshold) = self.gel_threshold() else {
+            return Ok(());
+        };
+        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
+        isosurface_pieces(self.grid(), threshold, fill, take, &self.run)
+    }
+
+    /// Response of a row of voxels that begins at a position, nothing outside of the resin.
+    pub(super) fn printed_row(&self, first: usize, threshold: f64, row: &mut [f32]) {
+        let outside = beyond(threshold);
+        let (labels, response) = (&self.labels.values, &self.response.values);
+        let voxels = labels[first..].iter().zip(&response[first..]);
+        for (value, (&label, &response)) in row.iter_mut().zip(voxels) {
+            *value = if label == label::OUTSIDE {
+                outside
+            } else {
+                response
+            };
+        }
+    }
+
+    /// Inside fraction of a row of voxels, or 0 and 1 by label when none is known.
+    pub(super) fn target_row(&self, first: usize, row: &mut [f32]) {
+        let labels = &self.labels.values[first..];
+        let Some(inside) = self.inside else {
+            for (value, &label) in row.iter_mut().zip(labels) {
+                *value = f32::from(u8::from(label == label::PART));
+            }
+            return;
+        };
+        let voxels = labels.iter().zip(&inside.values[first..]);
+        for (value, (&label, &inside)) in row.iter_mut().zip(voxels) {
+            *value = if label == label::OUTSIDE { 0.0 } else { inside };
+        }
+    }
+
+    /// The print's surface with its signed distances to the target's; `None` when one of them is empty. Made anew at each call.
+    #[must_use]
+    pub fn deviation(&self) -> Option<Deviation> {
+        deviation(self)
+    }
+
+    /// Distances between the print's surface and the target's; `None` when one of them is empty.
+    #[must_use]
+    pub fn distance(&self) -> Option<SurfaceDistance> {
+        *self.distance.get_or_init(|| surface_distance(self))
+    }
+}
+
+/// Small prints for the tests of the metrics.
+#[cfg(test)]
+pub(super) mod samples {
+    use super::*;
+    use crate::{Measure, Metric};
+
+    /// What a metric says of a row of voxels, 0.5 mm each, without inside fraction and patterns.
+    pub(crate) fn measured(metric: &dyn Metric, labels: &[u8], response: &[f32]) -> Measure {
+        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
+        let labels = Volume {
+            grid: grid.clone(),
+            values: labels.to_vec(),
+        };
+        let response = Volume {
+            grid,
+            values: response.to_vec(),
+        };
+        metric.measure(&Print::new(&labels, &response).unwrap())
+    }
+
+    /// Whether a number is the expected one up to f32.
+    pub(crate) fn near(found: Measure, expected: f64) -> bool {
+        found.is_some_and(|found| (found - expected).abs() < 1e-6)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    fn volume<T: Clone>(values: &[T]) -> Volume<T> {
+        Volume {
+            grid: VolumeGrid::centered([1, 1, values.len()], 0.5),
+            values: values.to_vec(),
+        }
+    }
+
+    #[test]
+    fn a_given_threshold_replaces_the_best_one() {
+        let (labels, response) = (
+            volume(&[VOID, PART, PART, OUTSIDE]),
+            volume(&[0.3, 0.6, 0.9, 5.0]),
+        );
+        let print = Print::new(&labels, &response).unwrap();
+        assert_eq!(print.printed(), [2, 0]);
+        let print = print.with_threshold(0.25).unwrap();
+        assert_eq!(
+            Print::new(&labels, &response)
+                .unwrap()
+                .with_threshold(0.25)
+                .unwrap()
+                .printed(),
+            [2, 1]
+        );
+        assert_eq!(print.gel_threshold(), Some(0.25));
+        assert!(
+            Print::new(&labels, &response)
+                .unwrap()
+                .with_threshold(f64::NAN)
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn arrays_that_do_not_fit_are_refused() {
+        let (labels, response) = (volume(&[VOID, PART]), volume(&[0.3, 0.6, 0.9]));
+        assert!(matches!(
+            Print::new(&labels, &response),
+            Err(Error::Shape { .. })
+        ));
+        let short = volume(&[0.1, 0.2]);
+        assert!(
+            Print::new(&labels, &short)
+                .unwrap()
+                .with_inside(&response)
+                .is_err()
+        );
+        let mut torn = volume(&[0.1, 0.2]);
+        torn.values.pop();
+        assert!(matches!(
+            Print::new(&labels, &torn),
+            Err(Error::Shape { .. })
+        ));
+    }
+
+    #[test]
+    fn pattern_sums_count_every_pixel_of_every_light() {
+        let patterns = |values: Vec<f32>| Patterns {
+            grid: tomolith_core::grid::PatternGrid::full_turn(1, 0.0, 1, values.len(), 0.1),
+            values,
+        };
+        let (a, b) = (patterns(vec![0.0, 2.0]), patterns(vec![1.0, 0.0, 0.0]));
+        let stats = PatternStats::of([&a, &b]);
+        assert_eq!(
+            stats,
+            PatternStats {
+                pixels: 5,
+                sum: 3.0,
+                max: 2.0
+            }
+        );
+    }
+
+    #[test]
+    fn the_surface_in_pieces_holds_the_volume_that_is_measured() {
+        // An egg that reaches beyond several slabs, and a shell round it that does not gel
+        let grid = VolumeGrid::centered([64, 48, 48], 0.1);
+        let height = |i: usize| {
+            let [x, y, z] = [grid.x(i % 48), grid.y(i / 48 % 48), grid.z(i / (48 * 48))];
+            1.5 - (x.hypot(y) / 1.9).hypot(z / 2.8)
+        };
+        let response = Volume {
+            values: (0..grid.len()).map(|i| height(i) as f32).collect(),
+            grid: grid.clone(),
+        };
+        let labels = Volume {
+            values: response
+                .values
+                .iter()
+                .map(|&v| if v > 0.5 { PART } else { VOID })
+                .collect(),
+            grid: grid.clone(),
+        };
+        let print = Print::new(&labels, &response).unwrap();
+        let (mut volume, mut pieces) = (0.0, 0);
+        print
+            .surface_pieces(|piece| -> Result<()> {
+                // Signed tetrahedra from the origin add up over the pieces of a closed surface
+                volume += piece.volume_mm3();
+                pieces += 1;
+                Ok(())
+            })
+            .unwrap();
+        let [part, void] = print.printed();
+        let measured = (part + void) as f64 * grid.voxel_mm3();
+        assert!(pieces > 4 && void == 0);
+        assert!(
+            (volume / measured - 1.0).abs() < 5e-3,
+            "{volume} {measured}"
+        );
+    }
+
+    #[test]
+    fn what_lies_outside_of_the_resin_is_no_print() {
+        let (labels, response) = (volume(&[OUTSIDE, VOID, PART]), volume(&[9.0, 0.0, 1.0]));
+        let print = Print::new(&labels, &response).unwrap();
+        let surface = print.surface();
+        assert!(surface.corners.iter().all(|c| c[0] > 0.0), "{surface:?}");
+        assert_eq!(surface.triangles.len(), 8);
+    }
+}

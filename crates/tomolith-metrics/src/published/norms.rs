@@ -1,0 +1,390 @@
+//! The band error in the norms of BCLP, over any region, with any tolerance.
+//!
+//! **Equation** over the voxels of a region whose response leaves its band, V = {|M(d) − f_T| > ε},
+//!
+//! ```text
+//! E_v = |M(d_v) − f_T,v| − ε_v
+//! p → 0   (q = p)  Σ_V 1            p = 1  (q = 1)  Σ_V E          (per voxel: a voxel's volume is 1)
+//! p → ∞   (q = 1)  max_V E          p = 2  (q = 1)  (Σ_V E²)^½
+//! ```
+//!
+//! **Source** Li et al., Additive Manufacturing 94 (2024) 104447, supplement S.8, eq. SE.19. For 0 < p < ∞ the same is an
+//! objective, `bclp`.
+
+use super::super::buckets::{key, value_of};
+use rayon::prelude::*;
+use tomolith_core::field::BLOCK;
+use tomolith_core::grid::Volume;
+use tomolith_core::response::Response;
+use tomolith_core::target::label;
+
+/// Over which voxels a norm is taken: the indicator function w of S.8.
+#[derive(Clone, Copy, Debug)]
+pub enum Region<'a> {
+    /// Part and void.
+    All,
+    /// The part.
+    Part,
+    /// The void.
+    Void,
+    /// Part and void voxels where the mask is true, array order.
+    Mask(&'a [bool]),
+}
+
+/// What the response should be: f_T ± ε per voxel.
+#[derive(Clone, Copy, Debug)]
+pub struct Band<'a> {
+    target: &'a Volume<f32>,
+    labels: &'a Volume<u8>,
+    grey: bool,
+    tolerance: Tolerance<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Tolerance<'a> {
+    Uniform(f64),
+    Field(&'a [f32]),
+}
+
+impl<'a> Band<'a> {
+    /// ± `epsilon` around 1 in the part and 0 in the void, or around the target's own values when it is `grey`.
+    #[must_use]
+    pub fn around(
+        target: &'a Volume<f32>,
+        labels: &'a Volume<u8>,
+        grey: bool,
+        epsilon: f64,
+    ) -> Self {
+        Band {
+            target,
+            labels,
+            grey,
+            tolerance: Tolerance::Uniform(epsilon),
+        }
+    }
+
+    /// The same with a tolerance per voxel, array order.
+    #[must_use]
+    pub fn with_tolerance(mut self, epsilon: &'a [f32]) -> Self {
+        self.tolerance = Tolerance::Field(epsilon);
+        self
+    }
+
+    fn value(&self, i: usize) -> f64 {
+        if self.grey {
+            f64::from(self.target.values[i])
+        } else {
+            f64::from(u8::from(self.labels.values[i] == label::PART))
+        }
+    }
+
+    fn epsilon(&self, i: usize) -> f64 {
+        match self.tolerance {
+            Tolerance::Uniform(epsilon) => epsilon,
+            Tolerance::Field(field) => f64::from(field[i]),
+        }
+    }
+}
+
+/// Norms of a band error.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BandError {
+    /// Voxels of the region.
+    pub voxels: u64,
+    /// Those out of their band: p → 0.
+    pub violated: u64,
+    /// p = 1
+    pub l1: f64,
+    /// p = 2
+    pub l2: f64,
+    /// p → ∞
+    pub largest: f64,
+}
+
+impl BandError {
+    /// Counts a voxel whose response is so far beyond its band (below 0: within). Until [`joined`](Self::joined), `l2` is
+    /// the sum of squares.
+    fn add(&mut self, error: f64) {
+        self.voxels += 1;
+        if error > ROUNDING {
+            self.violated += 1;
+            self.l1 += error;
+            self.l2 += error * error;
+            self.largest = self.largest.max(error);
+        }
+    }
+
+    /// The error of all blocks.
+    fn joined<'b>(blocks: impl Iterator<Item = &'b BandError>) -> BandError {
+        let mut total = blocks.fold(BandError::default(), |a, b| BandError {
+            voxels: a.voxels + b.voxels,
+            violated: a.violated + b.violated,
+            l1: a.l1 + b.l1,
+            l2: a.l2 + b.l2,
+            largest: a.largest.max(b.largest),
+        });
+        total.l2 = total.l2.sqrt();
+        total
+    }
+}
+
+/// The band error of a dose over a region. All arrays are of the same voxels.
+///
+/// # Panics
+/// When they have different lengths.
+#[must_use]
+pub fn band_error(
+    dose: &Volume<f32>,
+    band: &Band<'_>,
+    region: Region<'_>,
+    response: &dyn Response,
+) -> BandError {
+    let labels = &band.labels.values;
+    let counts = |i: usize| match region {
+        Region::All => labels[i] == label::PART || labels[i] == label::VOID,
+        Region::Part => labels[i] == label::PART,
+        Region::Void => labels[i] == label::VOID,
+        Region::Mask(mask) => mask[i] && (labels[i] == label::PART || labels[i] == label::VOID),
+    };
+    let blocks: Vec<BandError> = dose
+        .values
+        .par_chunks(BLOCK)
+        .enumerate()
+        .map(|(b, block)| {
+            let mut sum = BandError::default();
+            for (k, &d) in block.iter().enumerate() {
+                let i = b * BLOCK + k;
+                if counts(i) {
+                    let off = (f64::from(response.value(d)) - band.value(i)).abs();
+                    sum.add(off - band.epsilon(i));
+                }
+            }
+            sum
+        })
+        .collect();
+    BandError::joined(blocks.iter())
+}
+
+/// The band errors with two uniform tolerances, `[tolerance][all, part, void]`, in one pass. The band's own tolerance does
+/// not count.
+pub(super) fn band_errors(
+    dose: &Volume<f32>,
+    band: &Band<'_>,
+    tolerances: [f64; 2],
+    response: &dyn Response,
+) -> [[BandError; 3]; 2] {
+    let labels = &band.labels.values;
+    let is_identity = response.is_identity();
+    let blocks: Vec<[[BandError; 3]; 2]> = dose
+        .values
+        .par_chunks(BLOCK)
+        .enumerate()
+        .map(|(b, block)| {
+            let mut sums = [[BandError::default(); 3]; 2];
+            for (k, &d) in block.iter().enumerate() {
+                let i = b * BLOCK + k;
+                let region = match labels[i] {
+                    label::PART => 1,
+                    label::VOID => 2,
+                    _ => continue,
+                };
+                let value = if is_identity { d } else { response.value(d) };
+                let off = (f64::from(value) - band.value(i)).abs();
+                for (sums, tolerance) in sums.iter_mut().zip(tolerances) {
+                    sums[0].add(off - tolerance);
+                    sums[region].add(off - tolerance);
+                }
+            }
+            sums
+        })
+        .collect();
+    std::array::from_fn(|tolerance| {
+        std::array::from_fn(|region| {
+            BandError::joined(blocks.iter().map(|b| &b[tolerance][region]))
+        })
+    })
+}
+
+/// Doses are f32: a response on the edge of its band is within it.
+const ROUNDING: f64 = 1e-7;
+
+/// The largest Jaccard index of {dose > t} with the part over some thresholds; voxels outside the region that counts
+/// are void.
+pub(super) fn largest_index(
+    dose: &Volume<f32>,
+    labels: &Volume<u8>,
+    thresholds: impl Iterator<Item = f64>,
+) -> f64 {
+    let thresholds: Vec<f64> = thresholds.collect();
+    let passed = Passed::new(&thresholds);
+    // Voxels whose dose lies between two thresholds, of the part and of the rest
+    let cells = dose
+        .values
+        .par_chunks(BLOCK)
+        .zip(labels.values.par_chunks(BLOCK))
+        .map(|(dose, labels)| {
+            let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
+            for (&d, &l) in dose.iter().zip(labels) {
+                cells[passed.by(d)][usize::from(l != label::PART)] += 1;
+            }
+            cells
+        })
+        .reduce(
+            || vec![[0; 2]; thresholds.len() + 1],
+            |a, b| {
+                a.iter()
+                    .zip(&b)
+                    .map(|(a, b)| [a[0] + b[0], a[1] + b[1]])
+                    .collect()
+            },
+        );
+    let part: u64 = cells.iter().map(|c| c[0]).sum();
+    let (mut above, mut best) = ([0u64; 2], 0.0f64);
+    for cell in cells[1..].iter().rev() {
+        above = [above[0] + cell[0], above[1] + cell[1]];
+        best = best.max(above[0] as f64 / (part + above[1]) as f64);
+    }
+    best
+}
+
+/// How many of some ascending thresholds a dose is above, found without a search for most doses: doses that share the top
+/// bits of their [`key`] are above about the same.
+struct Passed<'t> {
+    thresholds: &'t [f64],
+    /// Thresholds that the lowest and the highest dose with these top bits are above.
+    range: Vec<[u32; 2]>,
+}
+
+/// Low bits of a key that the table does not look at.
+const LOW_BITS: u32 = 16;
+
+impl<'t> Passed<'t> {
+    fn new(thresholds: &'t [f64]) -> Self {
+        let above = |key: u32| {
+            let dose = f64::from(value_of(key));
+            thresholds.partition_point(|&t| dose > t) as u32
+        };
+        let last = (1 << LOW_BITS) - 1;
+        Passed {
+            thresholds,
+            range: (0..=u32::MAX >> LOW_BITS)
+                .map(|top| top << LOW_BITS)
+                .map(|first| [above(first), above(first | last)])
+                .collect(),
+        }
+    }
+
+    fn by(&self, dose: f32) -> usize {
+        let [low, high] = self.range[(key(dose) >> LOW_BITS) as usize].map(|n| n as usize);
+        if low >= high {
+            return low;
+        }
+        low + self.thresholds[low..high].partition_point(|&t| f64::from(dose) > t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::grid::VolumeGrid;
+    use tomolith_core::response::{Identity, Logistic};
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    fn volume<T: Clone>(values: &[T]) -> Volume<T> {
+        Volume {
+            grid: VolumeGrid::centered([1, 1, values.len()], 0.5),
+            values: values.to_vec(),
+        }
+    }
+
+    #[test]
+    fn norms_by_hand() {
+        let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
+        let target = volume(&[1.0, 1.0, 0.0, 0.0, 1.0]);
+        let dose = volume(&[0.5, 1.25, 0.25, 0.0, 9.0]);
+        let band = Band::around(&target, &labels, false, 0.125);
+        let error = band_error(&dose, &band, Region::All, &Identity);
+        // 0.375, 0.125, 0.125 out of their bands
+        assert_eq!((error.voxels, error.violated), (4, 3));
+        assert!((error.l1 - 0.625).abs() < 1e-12);
+        assert!((error.l2 - (0.375f64.powi(2) + 2.0 * 0.125f64.powi(2)).sqrt()).abs() < 1e-12);
+        assert_eq!(error.largest, 0.375);
+        let part = band_error(&dose, &band, Region::Part, &Identity);
+        let void = band_error(&dose, &band, Region::Void, &Identity);
+        assert_eq!((part.violated, void.violated), (2, 1));
+        assert!((part.l1 + void.l1 - error.l1).abs() < 1e-12);
+        let mask = [false, true, false, true, true];
+        assert_eq!(
+            band_error(&dose, &band, Region::Mask(&mask), &Identity).l1,
+            0.125
+        );
+        // A field of tolerances: only the first voxel is out of its band
+        let field = [0.25f32, 0.25, 0.25, 0.0, 0.0];
+        let error = band_error(&dose, &band.with_tolerance(&field), Region::All, &Identity);
+        assert_eq!((error.violated, error.l1), (1, 0.25));
+    }
+
+    #[test]
+    fn grey_targets_and_responses_are_measured_in_units_of_the_response() {
+        let labels = volume(&[PART, VOID]);
+        let target = volume(&[0.7, 0.3]);
+        let response = Logistic::new(Default::default()).unwrap();
+        let dose = volume(&[response.inverse(0.7), 0.5]);
+        let band = Band::around(&target, &labels, true, 0.0);
+        let error = band_error(&dose, &band, Region::All, &response);
+        // The first is where it should be, the second responds with 0.5
+        assert!(
+            (error.l1 - 0.2).abs() < 1e-6 && (error.largest - 0.2).abs() < 1e-6,
+            "{error:?}"
+        );
+    }
+
+    #[test]
+    fn one_pass_finds_what_each_region_and_tolerance_finds_alone() {
+        let n = 3 * BLOCK / 2;
+        let labels: Vec<u8> = (0..n).map(|i| [PART, VOID, OUTSIDE][i % 3]).collect();
+        let values: Vec<f32> = (0..n).map(|i| (i * 7919 % 1009) as f32 / 1009.0).collect();
+        let (labels, dose) = (volume(&labels), volume(&values));
+        let response = Logistic::new(Default::default()).unwrap();
+        for response in [&Identity as &dyn Response, &response] {
+            let band = Band::around(&dose, &labels, false, 0.0);
+            let found = band_errors(&dose, &band, [0.125, 0.0], response);
+            for (found, epsilon) in found.iter().zip([0.125, 0.0]) {
+                let band = Band::around(&dose, &labels, false, epsilon);
+                let alone = [Region::All, Region::Part, Region::Void]
+                    .map(|region| band_error(&dose, &band, region, response));
+                assert!(alone.iter().all(|e| e.violated > 1000));
+                assert_eq!(*found, alone);
+            }
+        }
+    }
+
+    #[test]
+    fn doses_near_a_threshold_are_on_the_right_side_of_it() {
+        let thresholds: Vec<f64> = (0..100).map(|i| 1.3 * f64::from(i) / 99.0).collect();
+        let passed = Passed::new(&thresholds);
+        for threshold in &thresholds {
+            let near = *threshold as f32;
+            for dose in [near.next_down(), near, near.next_up(), -near, f32::MAX] {
+                let wanted = thresholds.iter().filter(|t| f64::from(dose) > **t).count();
+                assert_eq!(passed.by(dose), wanted, "{dose}");
+            }
+        }
+        assert_eq!(passed.by(f32::NAN), 0);
+    }
+
+    #[test]
+    fn an_index_over_given_thresholds_is_that_of_the_definition() {
+        let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
+        let dose = volume(&[0.9, 0.6, 0.7, 0.1, 0.8]);
+        let at = |t: f64| largest_index(&dose, &labels, std::iter::once(t));
+        assert_eq!(
+            [at(0.0), at(0.5), at(0.65), at(0.85), at(0.9)],
+            [0.4, 0.5, 0.25, 0.5, 0.0]
+        );
+        assert_eq!(
+            largest_index(&dose, &labels, [0.0, 0.5, 0.65, 0.85].into_iter()),
+            0.5
+        );
+    }
+}

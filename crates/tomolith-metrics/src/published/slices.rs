@@ -1,0 +1,184 @@
+//! The same numbers slice by slice: how even a print is along the axis (Pellizzon et al., figure 15).
+
+use super::{List, Measure};
+use rayon::prelude::*;
+use serde::Serialize;
+use tomolith_core::dose::Run;
+use tomolith_core::grid::Volume;
+use tomolith_core::target::label;
+
+/// Numbers of one slice perpendicular to the axis; not defined without part, or without void.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Slice {
+    /// Height of its centre, mm.
+    pub z_mm: f64,
+    /// Part voxels.
+    pub part: usize,
+    /// Void voxels.
+    pub void: usize,
+    /// min in − max out
+    pub pw: Measure,
+    /// max in − min in
+    pub ipdr: Measure,
+    /// #{out > min in}/(in + out)
+    pub ver: Measure,
+    /// `pw` of percentiles.
+    pub pw_trimmed: Measure,
+    /// `ipdr` of percentiles.
+    pub ipdr_trimmed: Measure,
+}
+
+/// Every slice, from the lowest z; `trim_percent` as in [`Options`](super::Options). All arrays are of the same voxels.
+///
+/// # Panics
+/// When they have different lengths.
+#[must_use]
+pub fn slices(dose: &Volume<f32>, labels: &Volume<u8>, trim_percent: f64) -> Vec<Slice> {
+    slices_under(dose, labels, trim_percent, &Run::new())
+}
+
+/// The same; without the slices that a run was cancelled before.
+pub(super) fn slices_under(
+    dose: &Volume<f32>,
+    labels: &Volume<u8>,
+    trim_percent: f64,
+    run: &Run,
+) -> Vec<Slice> {
+    let [_, ny, nx] = dose.grid.shape;
+    let size = (nx * ny).max(1);
+    let each = |(iz, (values, labels)): (usize, (&[f32], &[u8]))| {
+        let of = |wanted: u8| -> Vec<f32> {
+            let pairs = values.iter().zip(labels).filter(|(_, l)| **l == wanted);
+            pairs.map(|(d, _)| *d).collect()
+        };
+        let (part, void) = (of(label::PART), of(label::VOID));
+        slice(dose.grid.z(iz), part, void, trim_percent)
+    };
+    let slices = dose.values.par_chunks(size);
+    let steps = run.steps(dose.grid.shape[0]);
+    slices
+        .zip(labels.values.par_chunks(size))
+        .enumerate()
+        .filter(|_| {
+            steps.add(1);
+            !steps.is_cancelled()
+        })
+        .map(each)
+        .collect()
+}
+
+fn slice(z_mm: f64, mut part: Vec<f32>, mut void: Vec<f32>, alpha: f64) -> Slice {
+    let least = part.iter().copied().reduce(f32::min);
+    let wrong = least.map(|min| void.iter().filter(|d| **d > min).count());
+    let [low, high, out] = ends(&mut part, &mut void, 0.0);
+    let [low_trimmed, high_trimmed, out_trimmed] = ends(&mut part, &mut void, alpha);
+    let less = |a: Measure, b: Measure| Some(a? - b?);
+    Slice {
+        z_mm,
+        part: part.len(),
+        void: void.len(),
+        pw: less(low, out),
+        ipdr: less(high, low),
+        ver: wrong.map(|n| n as f64 / (part.len() + void.len()) as f64),
+        pw_trimmed: less(low_trimmed, out_trimmed),
+        ipdr_trimmed: less(high_trimmed, low_trimmed),
+    }
+}
+
+/// Percentiles α and 100 − α of the part, 100 − α of the void.
+fn ends(part: &mut [f32], void: &mut [f32], alpha: f64) -> [Measure; 3] {
+    [
+        percentile(part, alpha),
+        percentile(part, 100.0 - alpha),
+        percentile(void, 100.0 - alpha),
+    ]
+}
+
+/// Linear between order statistics; the values change places.
+fn percentile(values: &mut [f32], percent: f64) -> Measure {
+    let last = values.len().checked_sub(1)?;
+    let place = last as f64 * percent / 100.0;
+    let (i, share) = (place.floor() as usize, place.fract());
+    let (_, low, above) = values.select_nth_unstable_by(i, f32::total_cmp);
+    let low = f64::from(*low);
+    let high = above
+        .iter()
+        .copied()
+        .reduce(f32::min)
+        .map_or(low, f64::from);
+    Some(low + share * (high - low))
+}
+
+/// The worst slice of each kind.
+pub(super) fn worst(list: &mut List, slices: &[Slice]) {
+    const FIGURE: &str = "Pellizzon et al. 2025, figure 15";
+    let pw = slices.iter().filter_map(|s| s.pw).reduce(f64::min);
+    list.add(
+        "pw_worst_slice",
+        FIGURE,
+        "dose",
+        pw,
+        "smallest min in − max out of a slice",
+    );
+    let ipdr = slices.iter().filter_map(|s| s.ipdr).reduce(f64::max);
+    list.add(
+        "ipdr_worst_slice",
+        FIGURE,
+        "dose",
+        ipdr,
+        "largest max in − min in of a slice",
+    );
+    let ver = slices.iter().filter_map(|s| s.ver).reduce(f64::max);
+    list.add(
+        "ver_worst_slice",
+        FIGURE,
+        "",
+        ver,
+        "largest voxel error rate of a slice",
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::grid::VolumeGrid;
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    #[test]
+    fn every_slice_has_its_own_numbers() {
+        let grid = VolumeGrid::centered([3, 1, 4], 1.0);
+        let labels = vec![
+            PART, PART, VOID, VOID, PART, VOID, VOID, OUTSIDE, VOID, VOID, VOID, OUTSIDE,
+        ];
+        let values = vec![
+            0.75, 1.0, 0.25, 0.5, 0.5, 0.75, 0.25, 9.0, 0.0, 0.0, 0.0, 9.0,
+        ];
+        let dose = Volume {
+            grid: grid.clone(),
+            values,
+        };
+        let found = slices(
+            &dose,
+            &Volume {
+                grid,
+                values: labels,
+            },
+            25.0,
+        );
+        let numbers = |s: &Slice| (s.z_mm, s.pw, s.ipdr, s.ver);
+        assert_eq!(
+            numbers(&found[0]),
+            (-1.0, Some(0.25), Some(0.25), Some(0.0))
+        );
+        assert_eq!(
+            numbers(&found[1]),
+            (0.0, Some(-0.25), Some(0.0), Some(1.0 / 3.0))
+        );
+        assert_eq!(numbers(&found[2]), (1.0, None, None, None));
+        // A quarter of the way in from either end: 0.8125 − 0.4375 and 0.9375 − 0.8125
+        assert_eq!(
+            (found[0].pw_trimmed, found[0].ipdr_trimmed),
+            (Some(0.375), Some(0.125))
+        );
+    }
+}

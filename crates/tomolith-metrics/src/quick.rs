@@ -1,0 +1,137 @@
+//! IoU and process window of a dose in two passes, for the history of an optimisation.
+//!
+//! The IoU is the best over 1024 thresholds, evenly spread from the smallest to the largest response: never more than the
+//! best over all thresholds ([`scan`](super::scan)), and attained by a threshold. The process window is exact.
+//!
+//! **Cost** two passes over labels (1 byte) and response (4 bytes), about 2 ns a voxel on two cores; no memory to speak of.
+//!
+//! ```
+//! use tomolith_metrics::quick::quick;
+//! use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+//! let (iou, window) = quick(&[PART, PART, VOID, VOID, OUTSIDE], &[0.9, 0.7, 0.2, 0.8, 9.0]).unwrap();
+//! assert!((iou - 2.0 / 3.0).abs() < 1e-12); // between 0.2 and 0.7: both part voxels and one of the void
+//! assert!((window.unwrap() + 0.1).abs() < 1e-6); // 0.7 − 0.8
+//! ```
+
+use super::buckets::class;
+use rayon::prelude::*;
+use tomolith_core::field::BLOCK;
+
+/// Thresholds.
+const BINS: usize = 1024;
+
+/// Smallest and largest response of part and void.
+type Ranges = [[f32; 2]; 2];
+/// Part and void voxels per bin.
+type Table = Vec<[u64; 2]>;
+
+/// Best IoU, and process window where there is void; `None` without part, or when a response is no finite number.
+#[must_use]
+pub fn quick(labels: &[u8], response: &[f32]) -> Option<(f64, Option<f64>)> {
+    let [part, void] = ranges(labels, response);
+    let (low, high) = (part[0].min(void[0]), part[1].max(void[1]));
+    if part[0] > part[1] || !(low.is_finite() && high.is_finite()) {
+        return None;
+    }
+    let table = counts(labels, response, low, high);
+    let parts: u64 = table.iter().map(|bin| bin[0]).sum();
+    let mut above = [0, 0];
+    let mut best = 0.0f64;
+    for bin in table.iter().rev() {
+        above = [above[0] + bin[0], above[1] + bin[1]];
+        best = best.max(above[0] as f64 / (parts + above[1]) as f64);
+    }
+    let window = (void[0] <= void[1]).then(|| f64::from(part[0]) - f64::from(void[1]));
+    Some((best, window))
+}
+
+fn ranges(labels: &[u8], response: &[f32]) -> Ranges {
+    let empty = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
+    labels
+        .par_chunks(BLOCK)
+        .zip(response.par_chunks(BLOCK))
+        .map(|(labels, values)| {
+            let mut ranges = empty;
+            for (&label, &value) in labels.iter().zip(values) {
+                if let Some(class) = class(label) {
+                    let [low, high] = &mut ranges[class];
+                    *low = low.min(value);
+                    *high = high.max(value);
+                }
+            }
+            ranges
+        })
+        .reduce(
+            || empty,
+            |a, b| [0, 1].map(|c| [a[c][0].min(b[c][0]), a[c][1].max(b[c][1])]),
+        )
+}
+
+fn counts(labels: &[u8], response: &[f32], low: f32, high: f32) -> Table {
+    let scale = if high > low {
+        BINS as f32 / (high - low)
+    } else {
+        0.0
+    };
+    let empty = || vec![[0; 2]; BINS];
+    labels
+        .par_chunks(BLOCK)
+        .zip(response.par_chunks(BLOCK))
+        .fold(empty, |mut table, (labels, values)| {
+            for (&label, &value) in labels.iter().zip(values) {
+                if let Some(class) = class(label) {
+                    // Rising with the value, so that the bins from one up are all above a threshold
+                    let bin = ((value - low) * scale) as usize;
+                    table[bin.min(BINS - 1)][class] += 1;
+                }
+            }
+            table
+        })
+        .reduce(empty, |mut a, b| {
+            for (a, b) in a.iter_mut().zip(b) {
+                *a = [a[0] + b[0], a[1] + b[1]];
+            }
+            a
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scan::Scan;
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    #[test]
+    fn it_is_at_most_the_exact_one_and_close_to_it() {
+        for seed in 1..20u64 {
+            let n = 20_000;
+            let mut state = seed;
+            let mut dice = || {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
+                (state >> 40) as f32 / 16_777_216.0
+            };
+            let labels: Vec<u8> = (0..n)
+                .map(|_| [OUTSIDE, VOID, PART][(dice() * 3.0) as usize])
+                .collect();
+            let response: Vec<f32> = labels
+                .iter()
+                .map(|l| 0.4 * f32::from(*l) + dice())
+                .collect();
+            let scan = Scan::new(&labels, &response).unwrap();
+            let (iou, window) = quick(&labels, &response).unwrap();
+            let exact = scan.best_plateau().unwrap().iou;
+            assert!(iou <= exact && iou > exact - 2e-3, "{iou} {exact}");
+            let (part, void) = (scan.part().unwrap(), scan.void().unwrap());
+            assert_eq!(window, Some(f64::from(part.min) - f64::from(void.max)));
+        }
+    }
+
+    #[test]
+    fn without_part_or_numbers_there_is_none() {
+        assert_eq!(quick(&[VOID], &[1.0]), None);
+        assert_eq!(quick(&[PART], &[f32::INFINITY]), None);
+        assert_eq!(quick(&[PART, OUTSIDE], &[0.5, f32::NAN]), Some((1.0, None)));
+    }
+}

@@ -1,0 +1,215 @@
+//! Scattered light on coarser voxels: it is smooth, so a few random legs say more about it there.
+//!
+//! Doses between the middles of cells are interpolated linearly along x, y and z; beyond the outermost middles they stay as
+//! they are there. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose. A voxel of which a part is resin gets
+//! that part of its dose ([`Coarse::with_shares`]) where cells hold what resin would get.
+
+use crate::layout::DoseLayout;
+use rayon::prelude::*;
+use std::sync::Arc;
+use tomolith_core::grid::VolumeGrid;
+
+/// The coarse cells of a grid of voxels.
+#[derive(Clone, Debug)]
+pub(super) struct Coarse {
+    pub(super) layout: DoseLayout,
+    fine: DoseLayout,
+    /// Along x, y, z: the cell below each voxel's middle, and the weight of the next one.
+    places: [Vec<(usize, f32)>; 3],
+    /// Part of each (y, x) of voxels that gets its dose; None: all of all.
+    shares: Option<Arc<Vec<f32>>>,
+}
+
+impl Coarse {
+    /// Cells of `factor` voxels along each edge, one layer of them outside of the grid on every side.
+    pub(super) fn new(fine: &DoseLayout, factor: usize) -> Self {
+        let shape = fine.grid.shape.map(|n| n.div_ceil(factor) + 2);
+        let pitch_mm = fine.grid.pitch_mm * factor as f64;
+        let low = fine.grid.bounds_mm()[0];
+        let counts = [shape[2], shape[1], shape[0]];
+        let center_mm =
+            std::array::from_fn(|i| low[i] - pitch_mm + counts[i] as f64 * pitch_mm / 2.0);
+        let grid = VolumeGrid {
+            shape,
+            pitch_mm,
+            height_mm: pitch_mm,
+            center_mm,
+        };
+        Self::of_grid(grid, fine)
+    }
+
+    /// Any cells, at least two along each axis.
+    pub(super) fn of_grid(cells: VolumeGrid, fine: &DoseLayout) -> Self {
+        let place = |at: f64, low: f64, count: usize| {
+            let place = ((at - low) / cells.pitch_mm - 0.5).clamp(0.0, count as f64 - 1.0);
+            let below = (place as usize).min(count - 2);
+            (below, (place - below as f64) as f32)
+        };
+        let low = cells.bounds_mm()[0];
+        let [nz, ny, nx] = fine.grid.shape;
+        let places = [
+            (0..nx)
+                .map(|i| place(fine.grid.x(i), low[0], cells.shape[2]))
+                .collect(),
+            (0..ny)
+                .map(|i| place(fine.grid.y(i), low[1], cells.shape[1]))
+                .collect(),
+            (0..nz)
+                .map(|i| place(fine.grid.z(i), low[2], cells.shape[0]))
+                .collect(),
+        ];
+        Coarse {
+            layout: DoseLayout::new("dose", cells, 0),
+            fine: fine.clone(),
+            places,
+            shares: None,
+        }
+    }
+
+    /// Voxels of which so much gets dose, for each (y, x).
+    pub(super) fn with_shares(self, shares: Arc<Vec<f32>>) -> Self {
+        Coarse {
+            shares: Some(shares),
+            ..self
+        }
+    }
+
+    /// Part of the voxels (y, x) that gets dose.
+    fn share(&self, y: usize, x: usize) -> f32 {
+        let at = y * self.fine.grid.shape[2] + x;
+        self.shares.as_ref().map_or(1.0, |shares| shares[at])
+    }
+
+    /// Floats of one y of cells: `[x][z]`.
+    fn plane(&self) -> usize {
+        self.layout.grid.shape[2] * self.layout.row
+    }
+
+    /// fine += interpolated cells
+    pub(super) fn spread(&self, cells: &[f32], fine: &mut [f32]) {
+        let (plane, row) = (self.plane(), self.layout.row);
+        let [of_x, of_y, of_z] = &self.places;
+        let fine_row = self.fine.row;
+        fine[self.fine.range()]
+            .par_chunks_mut(fine_row * self.fine.grid.shape[2])
+            .zip(of_y)
+            .enumerate()
+            .for_each_init(
+                || vec![0.0; row],
+                |line, (of_voxels, (voxels, &(y, next_y)))| {
+                    let planes = [
+                        &cells[y * plane..][..plane],
+                        &cells[(y + 1) * plane..][..plane],
+                    ];
+                    let voxels = voxels.chunks_exact_mut(fine_row).zip(of_x).enumerate();
+                    for (i, (voxels, &(x, next_x))) in voxels {
+                        let share = self.share(of_voxels, i);
+                        line.fill(0.0);
+                        for (plane, wy) in planes.iter().zip([1.0 - next_y, next_y]) {
+                            for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
+                                let cells = &plane[x * row..][..row];
+                                for (sum, cell) in line.iter_mut().zip(cells) {
+                                    *sum += share * wy * wx * cell;
+                                }
+                            }
+                        }
+                        for (voxel, &(z, next)) in voxels.iter_mut().zip(of_z) {
+                            *voxel += (1.0 - next) * line[z] + next * line[z + 1];
+                        }
+                    }
+                },
+            );
+    }
+
+    /// cells = transpose of [`spread`](Self::spread) on `fine`
+    pub(super) fn gather(&self, fine: &[f32], cells: &mut [f32]) {
+        let (plane, row) = (self.plane(), self.layout.row);
+        let [of_x, of_y, of_z] = &self.places;
+        let fine_row = self.fine.row;
+        // Along z and x within every y of voxels, then along y
+        let planes: Vec<Vec<f32>> = fine[self.fine.range()]
+            .par_chunks(fine_row * self.fine.grid.shape[2])
+            .enumerate()
+            .map(|(of_voxels, voxels)| {
+                let (mut sums, mut line) = (vec![0.0; plane], vec![0.0; row]);
+                let voxels = voxels.chunks_exact(fine_row).zip(of_x).enumerate();
+                for (i, (voxels, &(x, next_x))) in voxels {
+                    let share = self.share(of_voxels, i);
+                    line.fill(0.0);
+                    for (&voxel, &(z, next)) in voxels.iter().zip(of_z) {
+                        line[z] += (1.0 - next) * voxel;
+                        line[z + 1] += next * voxel;
+                    }
+                    for (x, wx) in [(x, 1.0 - next_x), (x + 1, next_x)] {
+                        for (sum, value) in sums[x * row..][..row].iter_mut().zip(&line) {
+                            *sum += share * wx * value;
+                        }
+                    }
+                }
+                sums
+            })
+            .collect();
+        cells
+            .par_chunks_mut(plane)
+            .enumerate()
+            .for_each(|(y, cells)| {
+                cells.fill(0.0);
+                for (sums, &(below, next)) in planes.iter().zip(of_y) {
+                    let weight = match y.checked_sub(below) {
+                        Some(0) => 1.0 - next,
+                        Some(1) => next,
+                        _ => continue,
+                    };
+                    for (cell, sum) in cells.iter_mut().zip(sums) {
+                        *cell += weight * sum;
+                    }
+                }
+            });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::check::model::noise;
+
+    #[test]
+    fn a_dose_that_is_linear_in_space_is_interpolated_exactly_and_gather_is_the_transpose() {
+        let grid = VolumeGrid::centered([9, 11, 14], 0.1);
+        let fine = DoseLayout::new("dose", grid, 0);
+        let coarse = Coarse::new(&fine, 4);
+        let linear = |x: f64, y: f64, z: f64| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
+        let fill = |layout: &DoseLayout| {
+            let mut values = vec![0.0; layout.len()];
+            let [nz, ny, nx] = layout.grid.shape;
+            for iz in 0..nz {
+                for iy in 0..ny {
+                    for ix in 0..nx {
+                        let g = &layout.grid;
+                        values[layout.index(iz, iy, ix)] = linear(g.x(ix), g.y(iy), g.z(iz));
+                    }
+                }
+            }
+            values
+        };
+        let (cells, expected) = (fill(&coarse.layout), fill(&fine));
+        let mut found = vec![0.0; fine.len()];
+        coarse.spread(&cells, &mut found);
+        for (a, b) in expected.iter().zip(&found) {
+            assert!((a - b).abs() < 1e-5, "{a} {b}");
+        }
+        let (d, mut c) = (noise(1, coarse.layout.len()), noise(2, fine.len()));
+        // Padding holds no voxels
+        let holds: Vec<bool> = fill(&fine).iter().map(|&v| v != 0.0).collect();
+        c.iter_mut()
+            .zip(&holds)
+            .for_each(|(c, &holds)| *c *= f32::from(u8::from(holds)));
+        let mut forward = vec![0.0; fine.len()];
+        coarse.spread(&d, &mut forward);
+        let mut back = vec![0.0; coarse.layout.len()];
+        coarse.gather(&c, &mut back);
+        let dot =
+            |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum::<f64>();
+        assert!((dot(&forward, &c) - dot(&d, &back)).abs() < 1e-4);
+    }
+}

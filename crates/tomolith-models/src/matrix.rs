@@ -1,0 +1,691 @@
+//! The `matrix` dose model: any linear map from patterns to dose, as sparse rows.
+//!
+//! # Model
+//! dose = A x with a stored matrix A: measured, or computed by any program. Dose sums rows of A, the adjoint rows of Aᵀ
+//! (kept beside A), so both are exact transposes and do not depend on the number of threads.
+//!
+//! # Shapes
+//! Rows of the file are voxels in array order `[z, y, x]`, columns are pixels in array order `[angle, row, column]`, the
+//! lights one after the other. A matrix of `ny·nx` rows and `frames·columns` columns is *tiled over z*: row i of the
+//! patterns, counted from the lowest, lights slice i alone, all by the same matrix; there must then be as many rows as
+//! slices.
+//!
+//! # Parameters
+//! | key | unit | range | default | meaning |
+//! |---|---|---|---|---|
+//! | `file` | – | – | – | `.npz` of `scipy.sparse.save_npz`, CSR; relative to the job file |
+//!
+//! # Limits
+//! Fewer than 2³² pixels and lanes of dose. What pixels and voxels *are* is the job's word: the file holds numbers only.
+//! The evaluation cannot refine the grid, nor turn the vial within a frame.
+//!
+//! # Cost
+//! 16 bytes of memory per entry (A and Aᵀ); one multiply-add per entry and slice, limited by the memory's speed.
+//!
+//! # Example
+//! A 2D matrix serves every height:
+//! ```
+//! use tomolith_core::field::{Field, HostField};
+//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
+//! use tomolith_io::csr::Csr;
+//! use tomolith_models::{DoseModel, Run, matrix::MatrixModel};
+//! // Two pixels of one frame, three voxels: the first pixel lights voxels 0 and 1, the second voxel 2
+//! let csr = Csr::from_entries(3, 2, &[(0, 0, 0.5), (1, 0, 0.25), (2, 1, 1.0)]);
+//! let pixels = PatternGrid::full_turn(1, 0.0, 4, 2, 0.1);
+//! let model = MatrixModel::new(&csr, vec![pixels], VolumeGrid::centered([4, 1, 3], 0.1)).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.fill(2.0);
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let volume = model.outputs()[0].volume_of(dose.as_slice());
+//! assert_eq!(volume.values[..6], [1.0, 0.5, 2.0, 1.0, 0.5, 2.0]); // two slices of four
+//! ```
+
+use super::{
+    Choice, ChooseModel, DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run,
+    ZCoupling,
+};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::kind::Kind;
+use tomolith_io::csr::Csr;
+
+/// Keys of `[model.matrix]`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {
+    /// `.npz` of `scipy.sparse.save_npz`, CSR; relative to the job file.
+    pub file: PathBuf,
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "matrix",
+    summary: "A stored sparse matrix from pixels to voxels: any linear model, measured or computed.",
+    example: "[model.matrix]\nfile = \"matrix.npz\"\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Matrix(section.parse()?)),
+};
+
+/// Sums along stored rows: `out[i] += Σ value · source[offset]`, for `depth` lanes at a time.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    starts: Vec<usize>,
+    /// Where in the source field the lanes begin.
+    offsets: Vec<u32>,
+    values: Vec<f32>,
+}
+
+impl Rows {
+    pub(super) fn of(matrix: Csr, offset_of: impl Fn(u32) -> u32) -> Self {
+        let mut offsets = matrix.indices;
+        for offset in &mut offsets {
+            *offset = offset_of(*offset);
+        }
+        Rows {
+            starts: matrix.starts,
+            offsets,
+            values: matrix.values,
+        }
+    }
+
+    /// Entries of row `i` whose offsets lie in `range`; offsets grow along a row.
+    fn entries(&self, i: usize, range: &Range<usize>) -> impl Iterator<Item = (usize, f32)> {
+        let all = self.starts[i]..self.starts[i + 1];
+        let before = |end: usize| {
+            self.offsets[all.clone()].partition_point(|&offset| (offset as usize) < end)
+        };
+        let own = all.start + before(range.start)..all.start + before(range.end);
+        let offsets = self.offsets[own.clone()].iter().map(|&o| o as usize);
+        offsets.zip(self.values[own].iter().copied())
+    }
+
+    /// Adds row `i` to `out`; one lane is summed in f64.
+    pub(super) fn add(&self, i: usize, source: &[f32], range: &Range<usize>, out: &mut [f32]) {
+        if let [out] = out {
+            let terms = self
+                .entries(i, range)
+                .map(|(at, value)| f64::from(value) * f64::from(source[at]));
+            *out += terms.sum::<f64>() as f32;
+            return;
+        }
+        for (at, value) in self.entries(i, range) {
+            let source = &source[at..at + out.len()];
+            for (out, source) in out.iter_mut().zip(source) {
+                *out += value * source;
+            }
+        }
+    }
+}
+
+/// See the [module page](self).
+#[derive(Clone, Debug)]
+pub struct MatrixModel {
+    patterns: Vec<PatternLayout>,
+    outputs: Vec<DoseLayout>,
+    /// Slices that one entry serves: 1, or all of them.
+    depth: usize,
+    forward: Rows,
+    adjoint: Rows,
+    updates: u64,
+}
+
+impl MatrixModel {
+    /// The model of a matrix for these pixels (one grid per light) and voxels.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the matrix does not fit; [`Error::Unsupported`] when it is too large to be numbered.
+    pub fn new(matrix: &Csr, pixels: Vec<PatternGrid>, grid: VolumeGrid) -> Result<Self> {
+        let depth = depth(matrix, &pixels, &grid)?;
+        let mut patterns = Vec::with_capacity(pixels.len());
+        let mut offset = 0;
+        for grid in pixels {
+            let all = vec![(0, grid.rows as u32); grid.frames() * grid.columns];
+            let layout = PatternLayout::new(grid, Quantity::Energy, offset, &all);
+            offset += layout.len();
+            patterns.push(layout);
+        }
+        let output = DoseLayout::new("dose", grid, 0);
+        if u32::try_from(offset.max(output.len())).is_err() {
+            return Err(Error::Unsupported {
+                what: "this matrix".to_owned(),
+                reason: format!(
+                    "{offset} pixels and {} lanes of dose, of 2³² each at most",
+                    output.len()
+                ),
+            });
+        }
+        let places = Places {
+            patterns: &patterns,
+            output: &output,
+            depth,
+        };
+        Ok(Self::arranged(matrix, &places))
+    }
+
+    fn arranged(matrix: &Csr, places: &Places<'_>) -> Self {
+        // Rows and columns in the order of the fields, so that sums walk through memory
+        let (voxel, pixel) = (places.voxel_ranks(), places.pixel_ranks());
+        let entries: Vec<(u32, u32, f32)> = (0..matrix.rows())
+            .flat_map(|row| {
+                matrix
+                    .row(row)
+                    .map(move |(column, value)| (row, column, value))
+            })
+            .map(|(row, column, value)| (voxel[row], pixel[column as usize], value))
+            .collect();
+        let ordered = Csr::from_entries(matrix.rows(), matrix.columns, &entries);
+        let depth = places.depth as u32;
+        MatrixModel {
+            patterns: places.patterns.to_vec(),
+            outputs: vec![places.output.clone()],
+            depth: places.depth,
+            updates: places.updates(&ordered),
+            adjoint: Rows::of(ordered.transposed(), |rank| places.dose_offset(rank)),
+            forward: Rows::of(ordered, |rank| rank * depth),
+        }
+    }
+
+    /// The matrix of any linear model, by lighting its pixels: for small jobs.
+    ///
+    /// Pixels of one column that are too far apart to light the same slice are lit together.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Cancelled`].
+    pub fn from_model(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Self> {
+        let csr = matrix_of(model, run)?;
+        let pixels = model.patterns().iter().map(|p| p.grid.clone()).collect();
+        Self::new(&csr, pixels, model.outputs()[0].grid.clone())
+    }
+
+    /// Number of stored entries.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.forward.values.len()
+    }
+}
+
+/// Whether a matrix fits these pixels (one grid per light) and voxels.
+///
+/// # Errors
+/// [`Error::Shape`] when it does not.
+pub fn must_fit(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<()> {
+    depth(matrix, pixels, grid).map(drop)
+}
+
+/// Slices that one entry serves: 1, or all of them.
+fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usize> {
+    let [nz, ny, nx] = grid.shape;
+    let whole = [grid.len(), pixels.iter().map(PatternGrid::len).sum()];
+    let tile = [ny * nx, pixels.iter().map(|g| g.frames() * g.columns).sum()];
+    let found = [matrix.rows(), matrix.columns];
+    if found == tile && pixels.iter().all(|g| g.rows == nz) {
+        return Ok(nz);
+    }
+    if found == whole {
+        return Ok(1);
+    }
+    Err(Error::Shape {
+        what: format!(
+            "matrix [voxels, pixels] (or {tile:?} when there are as many rows as slices)"
+        ),
+        expected: whole.to_vec(),
+        found: found.to_vec(),
+    })
+}
+
+/// The matrix of a linear model in array order: rows `[z, y, x]`, columns `[angle, row, column]` of one light after the
+/// other. Pixels that are not active have no entries.
+///
+/// # Errors
+/// As [`MatrixModel::from_model`].
+pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
+    matrix_telling(model, run, &mut |_| {})
+}
+
+/// As [`matrix_of`]; `tell` hears, frame by frame, how much is done, 0 to 1.
+fn matrix_telling(
+    model: &dyn DoseModel<Field = HostField>,
+    run: &Run,
+    tell: &mut dyn FnMut(f64),
+) -> Result<Csr> {
+    let refused = |reason: &str| {
+        Err(Error::Unsupported {
+            what: "a matrix of this model".to_owned(),
+            reason: reason.to_owned(),
+        })
+    };
+    if !model.is_linear() {
+        return refused("its dose is not linear in the patterns");
+    }
+    let [output] = model.outputs() else {
+        return refused("it has more than one species");
+    };
+    let mut impulses = Impulses::new(model, output)?;
+    let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
+    let mut first_frame = 0;
+    let mut first_pixel = 0;
+    for layout in model.patterns() {
+        let grid = &layout.grid;
+        for frame in 0..grid.frames() {
+            tell((first_frame + frame) as f64 / frames as f64);
+            for column in 0..grid.columns {
+                impulses.light(
+                    model,
+                    layout,
+                    first_frame + frame,
+                    [frame, column],
+                    first_pixel,
+                    run,
+                )?;
+            }
+        }
+        first_frame += grid.frames();
+        first_pixel += grid.len();
+    }
+    if u32::try_from(output.grid.len().max(first_pixel)).is_err() {
+        return refused("it has more than 2³² voxels or pixels");
+    }
+    Ok(Csr::from_entries(
+        output.grid.len(),
+        first_pixel,
+        &impulses.entries,
+    ))
+}
+
+/// Writes the matrix of a linear model as SciPy's CSR `.npz`; returns its number of rows, columns and entries. `tell` hears
+/// how much is done, 0 to 1.
+///
+/// # Errors
+/// As [`matrix_of`] and [`Csr::write`].
+pub fn export(
+    model: &dyn DoseModel<Field = HostField>,
+    path: &Path,
+    run: &Run,
+    tell: &mut dyn FnMut(f64),
+) -> Result<[usize; 3]> {
+    let csr = matrix_telling(model, run, tell)?;
+    csr.write(path)?;
+    Ok([csr.rows(), csr.columns, csr.entries()])
+}
+
+/// Lights pixels and notes the voxels that answer.
+struct Impulses<'m> {
+    output: &'m DoseLayout,
+    x: HostField,
+    dose: HostField,
+    entries: Vec<(u32, u32, f32)>,
+}
+
+impl<'m> Impulses<'m> {
+    fn new(model: &dyn DoseModel<Field = HostField>, output: &'m DoseLayout) -> Result<Self> {
+        Ok(Impulses {
+            output,
+            x: model.new_patterns()?,
+            dose: model.new_dose()?,
+            entries: Vec::new(),
+        })
+    }
+
+    /// Every pixel of one column of one frame.
+    fn light(
+        &mut self,
+        model: &dyn DoseModel<Field = HostField>,
+        layout: &PatternLayout,
+        frame_of_all: usize,
+        [frame, column]: [usize; 2],
+        first_pixel: usize,
+        run: &Run,
+    ) -> Result<()> {
+        let grid = &layout.grid;
+        let pixels = layout.runs[frame * grid.columns + column];
+        // Two pixels at least this many rows apart light no slice together
+        let apart = match model.z_coupling() {
+            ZCoupling::None => self.rows_apart(grid, 0.0),
+            ZCoupling::Halo(mm) => self.rows_apart(grid, mm),
+            ZCoupling::Full => grid.rows,
+        };
+        for first in 0..apart.min(pixels.count as usize) {
+            let lit: Vec<usize> = (first..pixels.count as usize).step_by(apart).collect();
+            for &i in &lit {
+                self.x.as_mut_slice()[pixels.offset + i] = 1.0;
+            }
+            self.dose.fill(0.0);
+            model.dose_of(frame_of_all..frame_of_all + 1, &self.x, &mut self.dose, run)?;
+            for &i in &lit {
+                self.x.as_mut_slice()[pixels.offset + i] = 0.0;
+            }
+            let row_of_run = |i: usize| grid.rows - 1 - pixels.bottom as usize - i;
+            let rows: Vec<usize> = lit.into_iter().map(row_of_run).collect();
+            let index =
+                |row: usize| first_pixel + (frame * grid.rows + row) * grid.columns + column;
+            self.note(grid, &rows, index);
+        }
+        Ok(())
+    }
+
+    fn rows_apart(&self, grid: &PatternGrid, halo: f64) -> usize {
+        let pitch = grid.pitch_mm[1];
+        let reach = pitch + self.output.grid.pitch_mm + 2.0 * halo;
+        ((reach / pitch).ceil() as usize + 1).min(grid.rows)
+    }
+
+    /// Notes what is lit: a slice belongs to the nearest of the lit rows.
+    fn note(&mut self, grid: &PatternGrid, rows: &[usize], index: impl Fn(usize) -> usize) {
+        let [nz, ny, nx] = self.output.grid.shape;
+        let distance = |row: usize, iz: usize| (grid.row_z(row) - self.output.grid.z(iz)).abs();
+        let owner: Vec<Option<usize>> = (0..nz)
+            .map(|iz| {
+                let nearest =
+                    |a: &&usize, b: &&usize| distance(**a, iz).total_cmp(&distance(**b, iz));
+                rows.iter().min_by(nearest).copied()
+            })
+            .collect();
+        let dose = &self.dose.as_slice()[self.output.range()];
+        for (place, lanes) in dose.chunks(self.output.row).enumerate() {
+            for ((iz, &value), owner) in lanes.iter().enumerate().zip(&owner) {
+                if let (true, Some(row)) = (value != 0.0, *owner) {
+                    let voxel = (iz * ny + place / nx) * nx + place % nx;
+                    self.entries.push((voxel as u32, index(row) as u32, value));
+                }
+            }
+        }
+    }
+}
+
+/// Where the rows and columns of a matrix lie in the fields.
+struct Places<'a> {
+    patterns: &'a [PatternLayout],
+    output: &'a DoseLayout,
+    depth: usize,
+}
+
+impl Places<'_> {
+    /// Rank in the dose field of every row of the file.
+    fn voxel_ranks(&self) -> Vec<u32> {
+        let [nz, ny, nx] = self.output.grid.shape;
+        let slices = nz / self.depth;
+        (0..slices * ny * nx)
+            .map(|i| ((i % (ny * nx)) * slices + i / (ny * nx)) as u32)
+            .collect()
+    }
+
+    /// Rank in the pattern field of every column of the file.
+    fn pixel_ranks(&self) -> Vec<u32> {
+        let mut ranks = Vec::new();
+        for layout in self.patterns {
+            let grid = &layout.grid;
+            let rows = grid.rows / self.depth;
+            let first = ranks.len();
+            let rank = |i: usize| {
+                let (slot, row) = (i / (rows * grid.columns), i / grid.columns % rows);
+                let column = slot * grid.columns + i % grid.columns;
+                (first + column * rows + (rows - 1 - row)) as u32
+            };
+            ranks.extend((0..grid.frames() * rows * grid.columns).map(rank));
+        }
+        ranks
+    }
+
+    /// Where the lanes of a rank begin in the dose field.
+    fn dose_offset(&self, rank: u32) -> u32 {
+        let slices = (self.output.grid.shape[0] / self.depth) as u32;
+        (rank / slices) * self.output.row as u32 + rank % slices * self.depth as u32
+    }
+
+    /// Pairs of voxel and frame that have an entry.
+    fn updates(&self, ordered: &Csr) -> u64 {
+        let mut frame_of = Vec::with_capacity(ordered.columns);
+        let mut frames = 0u32;
+        for layout in self.patterns {
+            let per_frame = layout.grid.columns * layout.grid.rows / self.depth;
+            for frame in 0..layout.grid.frames() as u32 {
+                frame_of.extend(std::iter::repeat_n(frames + frame, per_frame));
+            }
+            frames += layout.grid.frames() as u32;
+        }
+        let pairs: usize = (0..ordered.rows())
+            .map(|row| {
+                let range = ordered.starts[row]..ordered.starts[row + 1];
+                let own = &ordered.indices[range];
+                own.chunk_by(|&a, &b| frame_of[a as usize] == frame_of[b as usize])
+                    .count()
+            })
+            .sum();
+        (pairs * self.depth) as u64
+    }
+}
+
+/// Pattern elements that one task of the adjoint makes.
+const CHUNK: usize = 1024;
+
+impl LinearOperator for MatrixModel {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(HostField::zeros(
+            self.patterns.iter().map(PatternLayout::len).sum(),
+        ))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(HostField::zeros(self.outputs[0].len()))
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let range = self.elements_of(frames);
+        let layout = &self.outputs[0];
+        let items = layout.grid.shape[0] / self.depth;
+        let x = x.as_slice();
+        dose.as_mut_slice()[layout.range()]
+            .par_chunks_mut(layout.row)
+            .enumerate()
+            .for_each(|(place, lanes)| {
+                if run.is_cancelled() {
+                    return;
+                }
+                for (i, out) in lanes.chunks_mut(self.depth).take(items).enumerate() {
+                    self.forward.add(place * items + i, x, &range, out);
+                }
+            });
+        cancelled(run)
+    }
+
+    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        let (cotangent, all) = (cotangent.as_slice(), 0..usize::MAX);
+        let ranks = CHUNK.div_ceil(self.depth);
+        grad.as_mut_slice()
+            .par_chunks_mut(ranks * self.depth)
+            .enumerate()
+            .for_each(|(chunk, grad)| {
+                if run.is_cancelled() {
+                    return;
+                }
+                grad.fill(0.0);
+                for (i, out) in grad.chunks_mut(self.depth).enumerate() {
+                    self.adjoint.add(chunk * ranks + i, cotangent, &all, out);
+                }
+            });
+        cancelled(run)
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        if self.depth > 1 {
+            ZCoupling::None
+        } else {
+            ZCoupling::Full
+        }
+    }
+
+    fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    fn describe(&self) -> String {
+        let tiled = if self.depth > 1 { ", tiled over z" } else { "" };
+        format!("matrix ({} entries{tiled})", self.entries())
+    }
+}
+
+impl MatrixModel {
+    /// Elements of the pattern field that belong to frames.
+    fn elements_of(&self, frames: Range<usize>) -> Range<usize> {
+        let offset = |frame: usize| {
+            let mut first = 0;
+            for layout in &self.patterns {
+                let count = layout.grid.frames();
+                if frame < first + count {
+                    return layout.elements_of(frame - first..count).start;
+                }
+                first += count;
+            }
+            self.patterns.iter().map(PatternLayout::len).sum()
+        };
+        offset(frames.start)..offset(frames.end)
+    }
+}
+
+fn cancelled(run: &Run) -> Result<()> {
+    if run.is_cancelled() {
+        Err(Error::Cancelled)
+    } else {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parallel::{Light, Parallel};
+    use tomolith_core::check;
+    use tomolith_optics::resin::Resin;
+    use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
+
+    /// ‖a − b‖ / ‖b‖
+    fn difference(a: &[f32], b: &[f32]) -> f64 {
+        let square = |v: f64| v * v;
+        let error: f64 = a.iter().zip(b).map(|(a, b)| square(f64::from(a - b))).sum();
+        let size: f64 = b.iter().map(|&b| square(f64::from(b))).sum();
+        (error / size).sqrt()
+    }
+
+    fn must_equal(matrix: &MatrixModel, model: &dyn DoseModel<Field = HostField>) {
+        let run = Run::new();
+        let mut patterns: Vec<_> = Vec::new();
+        let (mut x, mut y) = (
+            model.new_patterns().unwrap(),
+            LinearOperator::new_patterns(matrix).unwrap(),
+        );
+        for (i, (own, other)) in LinearOperator::patterns(matrix)
+            .iter()
+            .zip(model.patterns())
+            .enumerate()
+        {
+            let mut images = tomolith_core::grid::Patterns::dark(own.grid.clone());
+            images.values = check::model::noise(3 + i as u64, images.values.len());
+            other.fill_field(&images, x.as_mut_slice());
+            own.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
+            patterns.push(images);
+        }
+        let (mut a, mut b) = (
+            model.new_dose().unwrap(),
+            LinearOperator::new_dose(matrix).unwrap(),
+        );
+        model.dose(&x, &mut a, &run).unwrap();
+        matrix.dose(&y, &mut b, &run).unwrap();
+        assert!(difference(b.as_slice(), a.as_slice()) < 1e-6);
+        let cotangent = a.clone();
+        model
+            .pullback(&x.clone(), &cotangent, &mut x, &run)
+            .unwrap();
+        matrix.adjoint(&cotangent, &mut y, &run).unwrap();
+        for (own, other) in LinearOperator::patterns(matrix)
+            .iter()
+            .zip(model.patterns())
+        {
+            let (a, b) = (
+                other.patterns_of(x.as_slice()),
+                own.patterns_of(y.as_slice()),
+            );
+            assert!(difference(&b.values, &a.values) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn the_matrix_of_a_model_is_the_model() {
+        let vial = Cylinder {
+            inner_radius_mm: 2.0,
+            outer_radius_mm: 2.2,
+            refractive_index: 1.58,
+        };
+        // Pixels finer than voxels in the one light and coarser in the other, so that rows share slices and slices rows
+        let light = |frames, rows, columns, pitch| {
+            Light::new(
+                PatternGrid::full_turn(frames, 0.1, rows, columns, pitch),
+                Resin::absorbing(1.48, 0.2),
+            )
+        };
+        let lights = vec![light(3, 9, 20, 0.17), light(2, 3, 9, 0.5)];
+        let model = Parallel::new(&vial, lights, VolumeGrid::centered([5, 9, 8], 0.3)).unwrap();
+        let matrix = MatrixModel::from_model(&model, &Run::new()).unwrap();
+        must_equal(&matrix, &model);
+        check::model::model(&matrix, 5).unwrap();
+        assert!(LinearOperator::updates(&matrix) <= LinearOperator::updates(&model));
+    }
+
+    #[test]
+    fn a_matrix_of_one_slice_serves_all() {
+        let vial = IndexMatched { radius_mm: 2.0 };
+        let light = |rows| {
+            Light::new(
+                PatternGrid::full_turn(4, 0.1, rows, 18, 0.2),
+                Resin::absorbing(1.48, 0.2),
+            )
+        };
+        let model = |nz| {
+            let grid = VolumeGrid::centered([nz, 11, 13], 0.2);
+            Parallel::new(&vial, vec![light(nz)], grid).unwrap()
+        };
+        let csr = matrix_of(&model(1), &Run::new()).unwrap();
+        let whole = model(19);
+        let pixels = vec![light(19).pixels];
+        let matrix = MatrixModel::new(
+            &csr,
+            pixels,
+            LinearOperator::outputs(&whole)[0].grid.clone(),
+        )
+        .unwrap();
+        assert_eq!(matrix.depth, 19);
+        must_equal(&matrix, &whole);
+        check::model::model(&matrix, 5).unwrap();
+    }
+
+    #[test]
+    fn a_matrix_of_another_shape_is_refused() {
+        let csr = Csr::from_entries(6, 2, &[(0, 0, 1.0)]);
+        let pixels = PatternGrid::full_turn(1, 0.0, 3, 2, 0.1);
+        let grid = VolumeGrid::centered([2, 2, 3], 0.1); // 6 voxels a slice, but three rows for two slices
+        let error = MatrixModel::new(&csr, vec![pixels], grid).unwrap_err();
+        assert!(matches!(error, Error::Shape { ref expected, .. } if expected == &[12, 6]));
+    }
+}

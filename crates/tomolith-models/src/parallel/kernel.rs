@@ -1,0 +1,371 @@
+//! The inner loop: `out[z] += Σ weight · source[slot][z]` over a block of z lanes.
+//!
+//! Dose and adjoint both end here. A block of up to 16 × 16 lanes is held in registers while the sources
+//! stream by; per entry and 16 lanes that is one load and one fused multiply-add. The path is chosen at run time
+//! (AVX-512, AVX2 + FMA, NEON, plain); `TOMOLITH_ISA` = `avx512`, `avx2`, `neon` or `scalar` forces one.
+#![expect(
+    unsafe_code,
+    reason = "kernel file: registers and run-time dispatch need intrinsics"
+)]
+
+use std::sync::OnceLock;
+use tomolith_core::field::LANES;
+
+/// Vectors of 16 lanes that a block has at most.
+pub(crate) const MAX_BLOCK: usize = 16;
+
+/// Weighted rows of lanes: `slots[i]` counts `weights[i]` times.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Entries<'a> {
+    pub(crate) slots: &'a [u32],
+    pub(crate) weights: &'a [f32],
+}
+
+impl Entries<'_> {
+    fn iter(&self) -> impl Iterator<Item = (usize, f32)> {
+        self.slots
+            .iter()
+            .zip(self.weights)
+            .map(|(&slot, &weight)| (slot as usize, weight))
+    }
+}
+
+/// Rows of lanes: `row` vectors of 16 floats each, of which a block `first..first + count` is used.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    pub(crate) row: usize,
+    pub(crate) first: usize,
+    pub(crate) count: usize,
+}
+
+/// An instruction set that this program has a path for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Isa {
+    /// 16 floats a register, x86-64.
+    Avx512,
+    /// 8 floats a register with fused multiply-add, x86-64.
+    Avx2,
+    /// 4 floats a register, 64-bit Arm.
+    Neon,
+    /// What every machine has.
+    Scalar,
+}
+
+impl Isa {
+    /// The paths this machine can run, best first.
+    #[must_use]
+    pub fn available() -> Vec<Isa> {
+        let mut found = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            if std::arch::is_x86_feature_detected!("avx512f") {
+                found.push(Isa::Avx512);
+            }
+            if std::arch::is_x86_feature_detected!("avx2")
+                && std::arch::is_x86_feature_detected!("fma")
+            {
+                found.push(Isa::Avx2);
+            }
+        }
+        #[cfg(target_arch = "aarch64")]
+        found.push(Isa::Neon);
+        found.push(Isa::Scalar);
+        found
+    }
+
+    /// The path in use: the best one, or the one that `TOMOLITH_ISA` names.
+    #[must_use]
+    pub fn in_use() -> Isa {
+        static CHOICE: OnceLock<Isa> = OnceLock::new();
+        *CHOICE.get_or_init(|| {
+            let available = Isa::available();
+            let asked = std::env::var("TOMOLITH_ISA").unwrap_or_default();
+            let named = available.iter().find(|isa| isa.name() == asked);
+            *named.unwrap_or(&available[0])
+        })
+    }
+
+    /// Its name, as in `TOMOLITH_ISA`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Isa::Avx512 => "avx512",
+            Isa::Avx2 => "avx2",
+            Isa::Neon => "neon",
+            Isa::Scalar => "scalar",
+        }
+    }
+}
+
+/// out += Σ weight · source[slot], over the lanes of the block. `out` holds the block's lanes only; `source` whole rows.
+///
+/// # Panics
+/// When a slot lies outside `source` or `out` is too short: the check is one comparison per entry.
+pub(crate) fn accumulate(
+    isa: Isa,
+    out: &mut [f32],
+    source: &[f32],
+    entries: Entries,
+    block: Block,
+) {
+    let Block { row, first, count } = block;
+    assert!(count <= MAX_BLOCK && first + count <= row && out.len() >= count * LANES);
+    let rows = source.len() / (row * LANES);
+    let highest = match isa {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX-512F was detected (Isa values other than Scalar come from `available`).
+        Isa::Avx512 => unsafe { x86::highest(entries.slots) },
+        _ => highest(entries.slots),
+    };
+    assert!(
+        (highest as usize) < rows || entries.slots.is_empty(),
+        "slot outside the source"
+    );
+    match isa {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX-512F was detected, as above; slots and block lie inside the slices, as just asserted.
+        Isa::Avx512 => unsafe { x86::avx512(out, source, entries, block) },
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: as above, AVX2 and FMA.
+        Isa::Avx2 => unsafe { x86::avx2(out, source, entries, block) },
+        #[cfg(target_arch = "aarch64")]
+        // SAFETY: NEON is part of the architecture; bounds as above.
+        Isa::Neon => unsafe { arm::neon(out, source, entries, block) },
+        _ => scalar(out, source, entries, block),
+    }
+}
+
+/// The highest slot, 0 when there is none.
+#[inline]
+fn highest(slots: &[u32]) -> u32 {
+    slots.iter().fold(0, |m, &slot| m.max(slot))
+}
+
+/// The plain twin.
+fn scalar(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
+    let lanes = block.count * LANES;
+    for (slot, weight) in entries.iter() {
+        let from = (slot * block.row + block.first) * LANES;
+        for (o, s) in out[..lanes].iter_mut().zip(&source[from..from + lanes]) {
+            *o += weight * s;
+        }
+    }
+}
+
+/// Calls `$f::<N>` with N = `$n`, for 1 ≤ n ≤ 16.
+macro_rules! with_count {
+    ($n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
+        match $n { $($k => call!($f, $k, $args),)* _ => {} }
+    };
+}
+macro_rules! call {
+    ($f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Block, Entries, LANES};
+    use std::arch::x86_64::*;
+
+    /// [`highest`](super::highest), sixteen at a time: the common instruction set has no maximum of integers.
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn highest(slots: &[u32]) -> u32 {
+        super::highest(slots)
+    }
+
+    /// # Safety
+    /// AVX-512F; slots inside `source`, the block inside rows and `out`.
+    #[target_feature(enable = "avx512f")]
+    pub(super) unsafe fn avx512(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
+        let Block { row, first, count } = block;
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let base = source.as_ptr().add(first * LANES);
+            let to = out.as_mut_ptr();
+            with_count!(count, wide, (to, base, row * LANES, entries), [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16]);
+        }
+    }
+
+    /// # Safety
+    /// As [`avx512`].
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn wide<const N: usize>(
+        to: *mut f32,
+        base: *const f32,
+        stride: usize,
+        entries: Entries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
+            for (slot, weight) in entries.iter() {
+                let weight = _mm512_set1_ps(weight);
+                let from = base.add(slot * stride);
+                for (v, sum) in sums.iter_mut().enumerate() {
+                    *sum = _mm512_fmadd_ps(weight, _mm512_loadu_ps(from.add(v * 16)), *sum);
+                }
+            }
+            for (v, sum) in sums.iter().enumerate() {
+                _mm512_storeu_ps(to.add(v * 16), *sum);
+            }
+        }
+    }
+
+    /// # Safety
+    /// AVX2 and FMA; slots inside `source`, the block inside rows and `out`.
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) unsafe fn avx2(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
+        let Block { row, first, count } = block;
+        // Six vectors of 16 lanes fill twelve of the sixteen registers
+        for begin in (0..count).step_by(6) {
+            let n = (count - begin).min(6);
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = source.as_ptr().add((first + begin) * LANES);
+                let to = out.as_mut_ptr().add(begin * LANES);
+                with_count!(n, half, (to, base, row * LANES, entries), [1 2 3 4 5 6]);
+            }
+        }
+    }
+
+    /// # Safety
+    /// As [`avx2`].
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    unsafe fn half<const N: usize>(
+        to: *mut f32,
+        base: *const f32,
+        stride: usize,
+        entries: Entries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let mut sums: [[__m256; 2]; N] =
+                std::array::from_fn(|v| [0, 8].map(|i| _mm256_loadu_ps(to.add(v * 16 + i))));
+            for (slot, weight) in entries.iter() {
+                let weight = _mm256_set1_ps(weight);
+                let from = base.add(slot * stride);
+                for (v, sum) in sums.iter_mut().enumerate() {
+                    for (i, sum) in sum.iter_mut().enumerate() {
+                        *sum = _mm256_fmadd_ps(
+                            weight,
+                            _mm256_loadu_ps(from.add(v * 16 + i * 8)),
+                            *sum,
+                        );
+                    }
+                }
+            }
+            for (v, sum) in sums.iter().enumerate() {
+                _mm256_storeu_ps(to.add(v * 16), sum[0]);
+                _mm256_storeu_ps(to.add(v * 16 + 8), sum[1]);
+            }
+        }
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+mod arm {
+    use super::{Block, Entries, LANES};
+    use std::arch::aarch64::*;
+
+    /// # Safety
+    /// Slots inside `source`, the block inside rows and `out`.
+    pub(super) unsafe fn neon(out: &mut [f32], source: &[f32], entries: Entries, block: Block) {
+        let Block { row, first, count } = block;
+        for begin in (0..count).step_by(6) {
+            let n = (count - begin).min(6);
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = source.as_ptr().add((first + begin) * LANES);
+                let to = out.as_mut_ptr().add(begin * LANES);
+                with_count!(n, quads, (to, base, row * LANES, entries), [1 2 3 4 5 6]);
+            }
+        }
+    }
+
+    /// # Safety
+    /// As [`neon`].
+    #[inline]
+    unsafe fn quads<const N: usize>(
+        to: *mut f32,
+        base: *const f32,
+        stride: usize,
+        entries: Entries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let mut sums: [[float32x4_t; 4]; N] =
+                std::array::from_fn(|v| [0, 4, 8, 12].map(|i| vld1q_f32(to.add(v * 16 + i))));
+            for (slot, weight) in entries.iter() {
+                let weight = vdupq_n_f32(weight);
+                let from = base.add(slot * stride);
+                for (v, sum) in sums.iter_mut().enumerate() {
+                    for (i, sum) in sum.iter_mut().enumerate() {
+                        *sum = vfmaq_f32(*sum, weight, vld1q_f32(from.add(v * 16 + i * 4)));
+                    }
+                }
+            }
+            for (v, sum) in sums.iter().enumerate() {
+                for (i, sum) in sum.iter().enumerate() {
+                    vst1q_f32(to.add(v * 16 + i * 4), *sum);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_path_equals_the_plain_twin() {
+        let row = 20;
+        let source: Vec<f32> = (0..row * LANES * 5)
+            .map(|i| ((i * 7919) % 1000) as f32 / 999.0 - 0.4)
+            .collect();
+        let slots: Vec<u32> = (0..9).map(|i| (i * 3) % 5).collect();
+        let weights: Vec<f32> = (0..9).map(|i| 0.1 * i as f32 - 0.3).collect();
+        let entries = Entries {
+            slots: &slots,
+            weights: &weights,
+        };
+        for isa in Isa::available() {
+            for count in 1..=MAX_BLOCK {
+                let block = Block {
+                    row,
+                    first: 20 - count.max(4),
+                    count,
+                };
+                let mut plain = vec![0.25f32; count * LANES];
+                let mut fast = plain.clone();
+                scalar(&mut plain, &source, entries, block);
+                accumulate(isa, &mut fast, &source, entries, block);
+                for (p, f) in plain.iter().zip(&fast) {
+                    assert!((p - f).abs() <= 1e-6, "{isa:?} {count}: {p} {f}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "slot outside")]
+    fn a_slot_outside_the_source_is_refused() {
+        let entries = Entries {
+            slots: &[1],
+            weights: &[1.0],
+        };
+        accumulate(
+            Isa::in_use(),
+            &mut [0.0; 16],
+            &[0.0; 16],
+            entries,
+            Block {
+                row: 1,
+                first: 0,
+                count: 1,
+            },
+        );
+    }
+}

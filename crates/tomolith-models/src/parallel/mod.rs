@@ -1,0 +1,688 @@
+//! The `parallel` dose model: collimated light through geometry that does not change along z.
+//!
+//! # Model
+//! Light of pixel column u enters the vial, is refracted and weakened at its walls ([`Tracer`](tomolith_optics::trace::Tracer)), and runs along straight
+//! lines through resin that absorbs it. The geometry of one slice serves all heights, so the inner loop walks along z.
+//!
+//! # Equation
+//! With pattern values x (mJ/mm²), voxel volume V, column u and height z of a point r as seen by frame k:
+//!
+//! ```text
+//! forward   dose(v) = Σ_k (μ_a/V) ∫_V x_k(u_k(r), z) · T_k · |du/dt| · e^(−μ_t·s_k(r)) dV
+//! adjoint   grad(k, column, row) = Σ_v (∂dose(v)/∂x_k(column, row)) · c(v)
+//! ```
+//! T: transmittance of the walls; |du/dt|: what refraction focuses or spreads; s: way through resin. In pure Radon mode
+//! the factors μ_a and e^(−μ_t s) are 1. All rays that reach a point count (several branches beyond n_s·R_o/n_r, two
+//! legs in a double tube).
+//!
+//! # Discretisation
+//! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
+//! exact; where rows of pixels are fewer than slices of voxels, the kernel runs along the rows (`heights.rs`). A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
+//! voxel falls with the square of the pitch. The published kernels of pure Radon, `"line"`, `"linear"` and `"strip"`, are
+//! other enumerators of the same (column, voxel, weight): see [`radon`].
+//!
+//! # Source
+//! Design: Nicolet et al. 2024, §3 (volumetric rendering equation without scattering); kernel: De Man & Basu 2004.
+//!
+//! # Shapes
+//! Patterns and dose as in [`layout`](crate::layout).
+//!
+//! # Limits
+//! Collimated light, walls and absorption that do not change along z, light reflected at a wall is lost. Absorption may
+//! change across the plane ([`AbsorptionMap`]) where light is straight; a bath may absorb before the vial
+//! ([`Bath`]).
+//!
+//! # Cost
+//! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
+//! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames
+//! share these: see `views.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats).
+//!
+//! # Example
+//! Uniform light of 1 mJ/mm² from four sides through an index-matched cylinder makes, at the axis, four times
+//! μ·e^(−μR):
+//! ```
+//! use tomolith_core::field::{Field, HostField};
+//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
+//! use tomolith_models::{DoseModel, Run, parallel::{Light, Parallel}};
+//! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let pixels = PatternGrid::full_turn(4, 0.0, 4, 40, 0.1);
+//! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
+//! let grid = VolumeGrid::centered([4, 31, 31], 0.1);
+//! let model = Parallel::new(&IndexMatched { radius_mm: 2.0 }, vec![light], grid).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.fill(1.0);
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let volume = model.outputs()[0].volume_of(dose.as_slice());
+//! let expected = 4.0 * 0.1 * (-0.1f64 * 2.0).exp();
+//! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
+//! ```
+
+pub(crate) mod chains;
+mod comb;
+mod filled;
+mod gather;
+mod heights;
+pub mod kernel;
+mod mapped;
+mod plan;
+mod plane;
+pub mod radon;
+mod rake;
+mod strips;
+mod tiles;
+mod views;
+mod walls;
+
+use crate::selection::Selection;
+use crate::{
+    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, Steps, ZCoupling,
+};
+use chains::GUARD;
+use filled::{Filled, NeededEntries};
+use gather::Gatherer;
+use heights::Spread;
+use kernel::Isa;
+use plan::{KernelPath, LightPlan};
+pub use radon::Kernel;
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use tiles::{BLOCK, TILE, Tile, TileEntries};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField, LANES};
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+use tomolith_optics::absorption_map::AbsorptionMap;
+use tomolith_optics::interface::Polarisation;
+use tomolith_optics::resin::Resin;
+use tomolith_optics::trace::Bath;
+use tomolith_optics::vial::Vial;
+
+/// Keys of `[model.parallel]`.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// How the light of a pixel column is shared among voxels; the last three for an index-matched vial and
+    /// `resin.pure_radon` only.
+    pub kernel: Kernel,
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "parallel",
+    summary: "Collimated light through a vial that does not change along z: refraction, absorption, pure Radon.",
+    example: "[model.parallel]\nkernel = \"distance-driven\"\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Parallel(section.parse()?)),
+};
+
+/// One light: its pixels and what the resin does at its wavelength.
+#[derive(Clone, Debug)]
+pub struct Light {
+    /// Frames, rows, columns.
+    pub pixels: PatternGrid,
+    /// The resin at this wavelength.
+    pub resin: Resin,
+    /// Vacuum wavelength, nm: what waves diffract by.
+    pub wavelength_nm: f64,
+    /// Index of what surrounds the vial.
+    pub surrounding_index: f64,
+    /// Absorption that changes across the plane; None: the resin's plain numbers everywhere.
+    pub map: Option<Arc<AbsorptionMap>>,
+    /// What weakens light before the vial.
+    pub bath: Option<Bath>,
+    /// Polarisation at the projector.
+    pub polarisation: Polarisation,
+    /// How a column's light is shared among voxels.
+    pub kernel: Kernel,
+    /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
+    pub sub_angles: usize,
+    /// Rows that may be lit, per (frame, column): `(bottom, count)` counted from the lowest row. None: all.
+    pub active: Option<Vec<(u32, u32)>>,
+    /// Which pixels the [planner](crate::planner) makes unknowns; it sets `active`.
+    pub selection: Selection,
+}
+
+impl Light {
+    /// Unpolarised light of 405 nm in air, standing still, all pixels active.
+    #[must_use]
+    pub fn new(pixels: PatternGrid, resin: Resin) -> Self {
+        Light {
+            pixels,
+            resin,
+            wavelength_nm: 405.0,
+            surrounding_index: 1.0,
+            map: None,
+            bath: None,
+            polarisation: Polarisation::Unpolarised,
+            kernel: Kernel::DistanceDriven,
+            sub_angles: 1,
+            active: None,
+            selection: Selection::default(),
+        }
+    }
+
+    /// Refuses a light without pixels, or a resin in which nothing absorbs.
+    pub(crate) fn check(&self) -> Result<()> {
+        if self.pixels.is_empty() {
+            return Err(Error::config(
+                "light",
+                format!("{:?} frames, rows, columns", self.pixels.shape()),
+                "at least one pixel",
+            ));
+        }
+        let resin = &self.resin;
+        let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
+        if !(resin.pure_radon || absorbs) {
+            return Err(Error::config(
+                "resin.absorption_per_mm",
+                format!("found {}", exact(resin.absorption_per_mm)),
+                "a finite number > 0 (or `pure_radon = true`)",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Where its active pixels lie in a field, from `offset` on.
+    pub(crate) fn layout(&self, offset: usize) -> PatternLayout {
+        let all = vec![(0, self.pixels.rows as u32); self.pixels.frames() * self.pixels.columns];
+        let active = self.active.as_deref().unwrap_or(&all);
+        PatternLayout::new(self.pixels.clone(), Quantity::Energy, offset, active)
+    }
+}
+
+/// See the [module page](self).
+pub struct Parallel {
+    lights: Vec<LightPlan>,
+    patterns: Vec<PatternLayout>,
+    outputs: Vec<DoseLayout>,
+    tiles: Vec<Tile>,
+    path: KernelPath,
+    /// Lanes of pixels, kept between calls.
+    scratch: Mutex<Vec<HostField>>,
+    updates: OnceLock<u64>,
+}
+
+/// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
+const GROUP: usize = 8;
+
+/// Floats of dose that stay in a second-level cache of 2 MB beside the columns that light them.
+const CACHED: usize = 320 << 10;
+
+impl Parallel {
+    /// The model of a vial, its lights and the voxels where dose is wanted.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is nothing to light or nothing that absorbs.
+    pub fn new(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid) -> Result<Self> {
+        Self::under(vial, lights, grid, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Cancelled`].
+    pub fn under(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid, run: &Run) -> Result<Self> {
+        if grid.is_empty() {
+            return Err(Error::config(
+                "grid",
+                format!("shape {:?} [z, y, x]", grid.shape),
+                "at least one voxel",
+            ));
+        }
+        let [_, ny, nx] = grid.shape;
+        let tiles = Tile::cover(nx, ny);
+        let (mut plans, mut patterns) = (Vec::new(), Vec::new());
+        let (mut offset, mut first_frame) = (0, 0);
+        for light in lights {
+            light.check()?;
+            check_kernel(&light, vial)?;
+            must_be_even(&light, vial)?;
+            let layout = light.layout(offset);
+            plans.push(LightPlan::new(
+                vial,
+                &light,
+                &layout,
+                &grid,
+                &tiles,
+                first_frame,
+                run,
+            ));
+            run.check()?;
+            offset += layout.len();
+            first_frame += light.pixels.frames();
+            patterns.push(layout);
+        }
+        Ok(Parallel {
+            lights: plans,
+            patterns,
+            outputs: vec![DoseLayout::new("dose", grid, 0)],
+            tiles,
+            path: KernelPath::of(Isa::in_use()),
+            scratch: Mutex::new(Vec::new()),
+            updates: OnceLock::new(),
+        })
+    }
+
+    /// Uses a given instruction set; for tests and benches.
+    #[must_use]
+    pub fn with_isa(mut self, isa: Isa) -> Self {
+        self.path = KernelPath::of(isa);
+        self
+    }
+
+    /// Whether there is a single slice, whose rows have no lanes.
+    fn is_plane(&self) -> bool {
+        self.outputs[0].row == 1
+    }
+
+    fn borrow_scratch(&self, len: usize) -> HostField {
+        let mut pool = self.scratch.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = pool.iter().position(|f| f.len() == len);
+        found.map_or_else(|| HostField::zeros(len), |i| pool.swap_remove(i))
+    }
+
+    fn return_scratch(&self, field: HostField) {
+        self.scratch
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(field);
+    }
+
+    /// dose += light of these views of one light, from these sides.
+    fn add_light(
+        &self,
+        light: usize,
+        (views, sides): (Range<usize>, Range<usize>),
+        x: &[f32],
+        dose: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        if self.is_plane() {
+            return self.add_light_of_plane(light, (views, sides), x, dose, run);
+        }
+        let plan = &self.lights[light];
+        let row = plan.levels.row;
+        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
+        plan.expand(
+            &self.patterns[light],
+            (views.clone(), sides),
+            x,
+            &mut lanes.as_mut_slice()[GUARD * row..],
+            row,
+        );
+        let source = lanes.as_slice();
+        let slots = &source[GUARD * row..][..plan.lit.len() * row];
+        let lit = Lit {
+            plan,
+            views,
+            source,
+            filled: Filled::of(slots, row / LANES, plan.levels.used),
+        };
+        let steps = run.steps(self.tiles.len() * plan.groups(lit.views.clone()).count());
+        let neighbours = neighbours(row);
+        let DoseLayout { row, grid, .. } = &self.outputs[0];
+        tile_rows(&self.tiles, dose, *row, grid.shape[2])
+            .par_chunks_mut(neighbours)
+            .enumerate()
+            .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
+                let first = i * neighbours;
+                match &plan.levels.spread {
+                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
+                    Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
+                }
+            });
+        drop(lit);
+        self.return_scratch(lanes);
+        if run.is_cancelled() {
+            Err(Error::Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Adds to the tiles from `first` on, which are rows of lanes.
+    fn gather(
+        &self,
+        lit: &Lit,
+        first: usize,
+        tiles: &mut [Vec<&mut [f32]>],
+        gatherer: &mut Gatherer,
+        steps: &Steps<'_>,
+    ) {
+        let row = lit.plan.levels.row / LANES;
+        for group in lit.plan.groups(lit.views.clone()) {
+            for (index, rows) in (first..).zip(tiles.iter_mut()) {
+                if steps.is_cancelled() {
+                    return;
+                }
+                steps.add(1);
+                let tile = (index, &self.tiles[index]);
+                gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
+                for block in 0..lit.filled.blocks.len() {
+                    gatherer.add_block(self.path, &lit.filled, block, lit.source, rows);
+                }
+            }
+        }
+    }
+
+    /// The same where tiles are rows of slices and lanes rows of pixels.
+    fn gather_rows(
+        &self,
+        lit: &Lit,
+        first: usize,
+        (tiles, spread): (&mut [Vec<&mut [f32]>], &Spread),
+        desk: &mut Desk,
+        steps: &Steps<'_>,
+    ) {
+        let Desk {
+            gatherer,
+            lanes,
+            buffer,
+        } = desk;
+        let row = lit.plan.levels.row;
+        let own = &self.tiles[first..first + tiles.len()];
+        let len = own.iter().map(|t| t.size[0] * t.size[1] * row).sum();
+        if lanes.len() < len {
+            *lanes = HostField::zeros(len);
+        }
+        let mut rest = &mut lanes.as_mut_slice()[..len];
+        rest.fill(0.0);
+        let mut of_lanes = Vec::with_capacity(own.len());
+        for tile in own {
+            let (of_tile, others) = rest.split_at_mut(tile.size[0] * tile.size[1] * row);
+            of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
+            rest = others;
+        }
+        self.gather(lit, first, &mut of_lanes, gatherer, steps);
+        for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
+            spread.add_to(slices, lanes, buffer);
+        }
+    }
+
+    /// grad = Aᵀ c for one light.
+    fn adjoint_light(
+        &self,
+        light: usize,
+        cotangent: &[f32],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        if self.is_plane() {
+            return self.adjoint_light_of_plane(light, cotangent, grad, run);
+        }
+        let plan = &self.lights[light];
+        let row = plan.levels.row;
+        let nx = self.outputs[0].grid.shape[2];
+        let of_rows = plan.levels.spread.as_ref().map(|spread| {
+            let columns = cotangent.len() / self.outputs[0].row;
+            let mut of_rows = self.borrow_scratch(columns * row);
+            spread.collect(cotangent, &mut of_rows);
+            of_rows
+        });
+        let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
+        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
+        let views = plan.of_view.len();
+        // Few long chunks read the dose less often; the result does not depend on their length
+        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let neighbours = neighbours(row);
+        let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
+        let used = GUARD * row..(plan.lit.len() + GUARD) * row;
+        lanes.as_mut_slice()[used.clone()]
+            .par_chunks_mut(chunk * plan.columns * row)
+            .enumerate()
+            .for_each_init(
+                Default::default,
+                |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
+                    lanes.fill(0.0);
+                    let first = i * chunk;
+                    for (i, tiles) in self.tiles.chunks(neighbours).enumerate() {
+                        for group in plan.groups(first..(first + chunk).min(views)) {
+                            let per_view = plan.columns * row;
+                            let own = &mut lanes
+                                [(group.start - first) * per_view..(group.end - first) * per_view];
+                            for (index, tile) in (i * neighbours..).zip(tiles) {
+                                if run.is_cancelled() {
+                                    return;
+                                }
+                                plan.collect_tile(
+                                    self.path,
+                                    group.clone(),
+                                    (index, tile, nx),
+                                    (cotangent, &filled, &mut *own),
+                                    entries,
+                                );
+                            }
+                        }
+                    }
+                },
+            );
+        plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
+        self.return_scratch(lanes);
+        if let Some(of_rows) = of_rows {
+            self.return_scratch(of_rows);
+        }
+        if run.is_cancelled() {
+            Err(Error::Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// Light of some views, brought to the lanes of the kernel.
+struct Lit<'a> {
+    plan: &'a LightPlan,
+    views: Range<usize>,
+    source: &'a [f32],
+    filled: Filled,
+}
+
+/// What a thread needs to add light to tiles.
+#[derive(Default)]
+struct Desk {
+    gatherer: Gatherer,
+    /// Tiles as rows of pixels, and what spreading one of them needs.
+    lanes: HostField,
+    buffer: Vec<f32>,
+}
+
+/// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as must
+/// their dose, `row` floats a voxel column. Results do not depend on it.
+fn neighbours(row: usize) -> usize {
+    (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
+}
+
+/// Refuses a kernel of pure Radon where light bends or is weakened.
+fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
+    let name = light.kernel.name();
+    let refused = |found: String| {
+        Err(Error::config(
+            "model.parallel.kernel",
+            found,
+            "\"distance-driven\" (\"line\", \"linear\" and \"strip\" want an index-matched vial and resin.pure_radon = true)",
+        ))
+    };
+    if light.kernel == Kernel::DistanceDriven {
+        return Ok(());
+    }
+    if !is_straight(vial, light) {
+        return refused(format!(
+            "{name:?} is defined for straight light, and this vial refracts"
+        ));
+    }
+    if light.bath.is_some() {
+        return refused(format!(
+            "{name:?} is a kernel of pure Radon, and this bath absorbs"
+        ));
+    }
+    if !light.resin.pure_radon {
+        return refused(format!(
+            "{name:?} is a kernel of pure Radon, and this resin absorbs"
+        ));
+    }
+    Ok(())
+}
+
+/// Why a light is beyond this model because its resin differs from place to place; None when it is not.
+#[must_use]
+pub fn beyond(light: &Light, vial: &dyn Vial) -> Option<&'static str> {
+    if light.resin.gradient.is_some() {
+        return Some("the resin's index changes from place to place");
+    }
+    let map = light.map.as_ref()?;
+    if !map.is_flat() {
+        Some("the absorption changes along z")
+    } else if !is_straight(vial, light) {
+        Some("the absorption changes across the plane, and this vial refracts")
+    } else {
+        None
+    }
+}
+
+/// Refuses a resin that differs from place to place where light bends, or where nothing absorbs.
+fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
+    let refused = |what: &str, reason: &str| {
+        Err(Error::Unsupported {
+            what: what.to_owned(),
+            reason: reason.to_owned(),
+        })
+    };
+    let what = if light.resin.gradient.is_some() {
+        "resin.gradient"
+    } else {
+        "resin.map"
+    };
+    match (beyond(light, vial), &light.map) {
+        (Some(reason), _) => refused(what, reason),
+        (None, None) => Ok(()),
+        (None, Some(_)) if light.resin.pure_radon => {
+            refused(what, "with resin.pure_radon nothing absorbs")
+        }
+        (None, Some(_)) if light.kernel != Kernel::DistanceDriven => {
+            refused(what, "the kernels of pure Radon know no absorption")
+        }
+        (None, Some(_)) => Ok(()),
+    }
+}
+
+/// Whether light passes the vial as if it were not there: one round wall between equal indices.
+pub(crate) fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
+    let index = light.resin.refractive_index;
+    let outside = vial.surrounding_index(light.surrounding_index, index);
+    vial.walls().len() == 1 && vial.is_round() && (outside - index).abs() < 1e-12
+}
+
+/// The dose, cut into tiles: for each tile its rows of voxels.
+fn tile_rows<'a>(
+    tiles: &[Tile],
+    dose: &'a mut [f32],
+    row: usize,
+    nx: usize,
+) -> Vec<Vec<&'a mut [f32]>> {
+    let across = nx.div_ceil(TILE);
+    let mut at = vec![0; tiles.len()];
+    for (i, tile) in tiles.iter().enumerate() {
+        at[tile.start[1] / TILE * across + tile.start[0] / TILE] = i;
+    }
+    let mut rows: Vec<Vec<&mut [f32]>> = tiles.iter().map(|_| Vec::with_capacity(TILE)).collect();
+    for (y, line) in dose.chunks_mut(nx * row).enumerate() {
+        let first = (y / TILE) * across;
+        for (&i, piece) in at[first..].iter().zip(line.chunks_mut(TILE * row)) {
+            rows[i].push(piece);
+        }
+    }
+    rows
+}
+
+impl LinearOperator for Parallel {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(HostField::zeros(
+            self.patterns.iter().map(PatternLayout::len).sum(),
+        ))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(HostField::zeros(self.outputs[0].len()))
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, plan) in self.lights.iter().enumerate() {
+            let count = plan.views.frames;
+            let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
+            let own = local(frames.start)..local(frames.end);
+            let parts = plan.views.of_frames(own);
+            let share = 1.0 / (self.lights.len() * parts.len()) as f64;
+            for part in parts {
+                let run = run.part(share);
+                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), &run)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        for light in 0..self.lights.len() {
+            self.adjoint_light(light, cotangent.as_slice(), grad.as_mut_slice(), run)?;
+        }
+        Ok(())
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::None
+    }
+
+    fn updates(&self) -> u64 {
+        *self.updates.get_or_init(|| self.count_updates())
+    }
+
+    fn describe(&self) -> String {
+        format!(
+            "parallel ({} kernel, {} path)",
+            self.lights[0].kernel.name(),
+            self.path.isa.name()
+        )
+    }
+}
+
+impl Parallel {
+    /// Pairs of voxel and frame (and sub-angle) of which at least one active pixel lights the voxel.
+    fn count_updates(&self) -> u64 {
+        let nz = self.outputs[0].grid.shape[0];
+        self.lights
+            .iter()
+            .map(|plan| {
+                let tiles = self.tiles.par_iter().enumerate();
+                tiles
+                    .map_init(TileEntries::default, |entries, (index, tile)| {
+                        (0..plan.of_view.len())
+                            .map(|view| plan.updates_in(view, index, tile, nz, entries))
+                            .sum::<u64>()
+                    })
+                    .sum::<u64>()
+            })
+            .sum()
+    }
+}
+#[cfg(test)]
+mod tests;

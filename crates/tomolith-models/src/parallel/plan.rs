@@ -1,0 +1,405 @@
+//! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
+
+use super::chains::{Avx512, Chain};
+use super::comb::Comb;
+use super::filled::{Filled, NeededEntries};
+use super::heights::{Heights, Intervals, Levels};
+use super::kernel::{Block, Isa, accumulate};
+use super::mapped::Mapped;
+use super::radon::{self, Kernel};
+use super::rake::Rake;
+use super::strips::{self, Beam};
+use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::views::Views;
+use super::walls::Walls;
+use super::{GROUP, Light, is_straight};
+use crate::{PatternLayout, Run};
+use rayon::prelude::*;
+use std::ops::Range;
+use tomolith_core::field::LANES;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::trace::Tracer;
+use tomolith_optics::vial::Vial;
+
+/// Which kernels run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KernelPath {
+    pub(super) isa: Isa,
+    /// Chains as vectors, where the machine can.
+    pub(super) wide: Option<Avx512>,
+}
+
+impl KernelPath {
+    pub(super) fn of(isa: Isa) -> Self {
+        KernelPath {
+            isa,
+            wide: Avx512::detect().filter(|_| isa == Isa::Avx512),
+        }
+    }
+}
+
+/// What is known of one light before any pattern.
+pub(super) struct LightPlan {
+    pub(super) beams: Vec<Beam>,
+    pub(super) views: Views,
+    /// Beams of each view.
+    pub(super) of_view: Vec<Range<usize>>,
+    /// Beams that are combs, for a single slice.
+    pub(super) combs: Vec<Option<Comb>>,
+    /// Beams that are rakes, for a single slice.
+    pub(super) rakes: Vec<Option<Rake>>,
+    /// How tiles and beams meet: `[tile][beam]`.
+    pub(super) meetings: Vec<Meeting>,
+    pub(super) levels: Levels,
+    deposit: Deposit,
+    walls: Walls,
+    pub(super) kernel: Kernel,
+    mapped: Option<Mapped>,
+    /// Vectors of lanes that an active pixel of (view, column) lights, half-open.
+    pub(super) lit: Vec<(u16, u16)>,
+    /// Vectors of slices that one of (frame, column) lights.
+    lit_by_frame: Vec<(u16, u16)>,
+    pub(super) columns: usize,
+    pub(super) first_frame: usize,
+}
+
+impl LightPlan {
+    pub(super) fn new(
+        vial: &dyn Vial,
+        light: &Light,
+        layout: &PatternLayout,
+        grid: &VolumeGrid,
+        tiles: &[Tile],
+        first_frame: usize,
+        run: &Run,
+    ) -> Self {
+        let tracer = Tracer::new(
+            vial,
+            light.resin,
+            light.surrounding_index,
+            light.polarisation,
+        )
+        .in_bath(light.bath);
+        let resin = light.resin;
+        let deposit = Deposit {
+            attenuation: resin.attenuation_per_mm,
+            active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
+            pure_radon: resin.pure_radon,
+        };
+        let sub_angles = light.sub_angles.max(1);
+        let views = Views::of(vial, light);
+        let pixels = views.pixels(&light.pixels);
+        let beams = if light.kernel == Kernel::DistanceDriven {
+            strips::beams(
+                &tracer,
+                vial.is_round(),
+                &pixels,
+                sub_angles,
+                grid,
+                &deposit,
+            )
+        } else {
+            let radius = vial.resin_wall().inscribed_radius();
+            radon::beams(light.kernel, radius, &pixels, sub_angles, grid)
+        };
+        let mut of_view = vec![0..0; views.count()];
+        for (i, beam) in beams.iter().enumerate() {
+            let range = &mut of_view[beam.frame as usize];
+            *range = if range.start == range.end {
+                i..i + 1
+            } else {
+                range.start..i + 1
+            };
+        }
+        let walls = Walls::new(vial, grid);
+        let mapped = light
+            .map
+            .as_ref()
+            .map(|map| Mapped::new(map, resin, (grid, &walls), &beams));
+        let is_even = mapped.is_none();
+        let is_comb = grid.shape[0] == 1
+            && is_even
+            && light.kernel == Kernel::DistanceDriven
+            && is_straight(vial, light);
+        let combs: Vec<Option<Comb>> = beams
+            .par_iter()
+            .map(|beam| {
+                let comb = || Comb::new(beam, &pixels, grid, &deposit);
+                is_comb.then(comb).flatten()
+            })
+            .collect();
+        let is_rake = grid.shape[0] == 1 && light.kernel == Kernel::Line;
+        let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
+        let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
+        let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
+        let meeting = |tile, ((beam, comb), bounds): ((&Beam, &Option<Comb>), &Vec<Bounds>)| {
+            let meeting = tiles::meeting(beam, bounds, comb.as_ref(), &walls, tile);
+            let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
+            Meeting {
+                chain: meeting.chain && is_even,
+                rake: is_rake && Rake::holds(strips, tile, beam.major),
+                ..meeting
+            }
+        };
+        let steps = run.steps(tiles.len());
+        let meetings = tiles
+            .par_iter()
+            .filter(|_| {
+                steps.add(1);
+                !steps.is_cancelled()
+            })
+            .flat_map_iter(|tile| {
+                beams
+                    .iter()
+                    .zip(&combs)
+                    .zip(&bounds)
+                    .map(move |beam| meeting(tile, beam))
+            })
+            .collect();
+        let wide = KernelPath::of(Isa::in_use()).wide;
+        let (rows, slices) = (Intervals::of_rows(&pixels), Intervals::of_slices(grid));
+        let heights = Heights::new(&rows, &slices, wide);
+        let levels = Levels::new(&rows, &slices, &heights, wide);
+        let lit_by = |heights: &Heights| -> Vec<(u16, u16)> {
+            let vectors = |&run| {
+                let (first, end) = heights.lanes_of(run);
+                ((first / LANES) as u16, end.div_ceil(LANES) as u16)
+            };
+            layout.runs.iter().map(vectors).collect()
+        };
+        let lanes_by_frame = lit_by(&levels.heights);
+        let lit = (0..views.count() * pixels.columns)
+            .map(|slot| {
+                let of_side = |side| lanes_by_frame[views.pixel_column(slot, side)];
+                let lit = views.sides().map(of_side).filter(|lit| lit.1 > lit.0);
+                lit.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+                    .unwrap_or_default()
+            })
+            .collect();
+        LightPlan {
+            beams,
+            views,
+            of_view,
+            combs,
+            rakes,
+            meetings,
+            levels,
+            deposit,
+            walls,
+            kernel: light.kernel,
+            mapped,
+            lit,
+            lit_by_frame: lit_by(&heights),
+            columns: light.pixels.columns,
+            first_frame,
+        }
+    }
+
+    /// Views in groups.
+    pub(super) fn groups(&self, views: Range<usize>) -> impl Iterator<Item = Range<usize>> + use<> {
+        let end = views.end;
+        views
+            .step_by(GROUP)
+            .map(move |first| first..(first + GROUP).min(end))
+    }
+
+    fn is_lit(&self, slot: usize) -> bool {
+        self.lit[slot].1 > self.lit[slot].0
+    }
+
+    pub(super) fn is_lit_in(&self, slot: usize, block: Block) -> bool {
+        let (first, end) = self.lit[slot];
+        (first as usize) < block.first + block.count && (end as usize) > block.first
+    }
+
+    /// Rows of pixels → lanes, of some views seen from some sides.
+    pub(super) fn expand(
+        &self,
+        layout: &PatternLayout,
+        (views, sides): (Range<usize>, Range<usize>),
+        x: &[f32],
+        lanes: &mut [f32],
+        row: usize,
+    ) {
+        let per_view = self.columns * row;
+        lanes[views.start * per_view..views.end * per_view]
+            .par_chunks_mut(per_view)
+            .zip(views)
+            .for_each_init(
+                || vec![0.0; self.levels.heights.buffer()],
+                |buffer, (lanes, view)| {
+                    for (column, lanes) in lanes.chunks_mut(row).enumerate() {
+                        lanes.fill(0.0);
+                        for side in sides.clone() {
+                            let slot = view * self.columns + column;
+                            let run = layout.runs[self.views.pixel_column(slot, side)];
+                            if run.count > 0 {
+                                let values = &x[run.offset..][..run.count as usize];
+                                self.levels.heights.add_expanded(values, run, lanes, buffer);
+                            }
+                        }
+                    }
+                },
+            );
+    }
+
+    /// Lanes → rows of pixels, of all frames. `grad` is the whole field.
+    pub(super) fn collect(
+        &self,
+        layout: &PatternLayout,
+        lanes: &[f32],
+        grad: &mut [f32],
+        row: usize,
+    ) {
+        let mut pieces = Vec::with_capacity(self.views.frames);
+        let mut rest = &mut grad[layout.range()];
+        for runs in layout.runs.chunks(self.columns) {
+            let len = runs.iter().map(|r| r.count as usize).sum();
+            let (piece, tail) = rest.split_at_mut(len);
+            pieces.push(piece);
+            rest = tail;
+        }
+        pieces
+            .into_par_iter()
+            .zip(layout.runs.par_chunks(self.columns))
+            .enumerate()
+            .for_each_init(
+                || {
+                    [
+                        vec![0.0; self.levels.heights.buffer()],
+                        vec![0.0; self.levels.heights.buffer()],
+                    ]
+                },
+                |[buffer, rows], (frame, (mut piece, runs))| {
+                    for (column, run) in runs.iter().enumerate() {
+                        let (values, tail) = piece.split_at_mut(run.count as usize);
+                        if run.count > 0 {
+                            let lanes = &lanes[self.views.slot(frame, column) * row..][..row];
+                            self.levels
+                                .heights
+                                .collect(lanes, *run, values, buffer, rows);
+                        }
+                        piece = tail;
+                    }
+                },
+            );
+    }
+
+    /// Adds to the lanes of a group of views what the cotangent of one tile gives.
+    pub(super) fn collect_tile(
+        &self,
+        path: KernelPath,
+        views: Range<usize>,
+        (index, tile, nx): (usize, &Tile, usize),
+        (cotangent, filled, lanes): (&[f32], &Filled, &mut [f32]),
+        (found, needed): &mut (TileEntries, NeededEntries),
+    ) {
+        let of_tile = filled.of_tile(tile, nx);
+        if of_tile.is_empty() {
+            return;
+        }
+        found.clear();
+        let place = Slots::within_plane(tile, nx);
+        for view in views.clone() {
+            let before = found.runs.len();
+            for i in self.of_view[view].clone() {
+                let meeting = self.meetings[index * self.beams.len() + i];
+                let local = Local::new(tile, self.beams[i].major, place);
+                let wanted = of_tile.wanted(self.beams[i].major);
+                self.enumerate(path, i, meeting, &Local { wanted, ..local }, found);
+            }
+            let columns_before = ((view - views.start) * self.columns) as u32;
+            for run in &mut found.runs[before..] {
+                run.column += columns_before;
+            }
+        }
+        found.sort_by_place();
+        needed.load(found, filled);
+        let first_slot = views.start * self.columns;
+        let some = |(block, _): &(usize, &Block)| of_tile.any_in(*block);
+        for (i_block, &block) in filled.blocks.iter().enumerate().filter(some) {
+            for &i in &found.by_place {
+                let column = found.runs[i as usize].column as usize;
+                if !self.is_lit_in(first_slot + column, block) {
+                    continue;
+                }
+                if let Some(entries) = needed.of(found, i as usize, (filled, i_block)) {
+                    let from = (column * block.row + block.first) * LANES;
+                    let out = &mut lanes[from..from + block.count * LANES];
+                    accumulate(path.isa, out, cotangent, entries, block);
+                }
+            }
+        }
+    }
+
+    /// Everything that a beam lights in a tile.
+    pub(super) fn enumerate(
+        &self,
+        path: KernelPath,
+        beam: usize,
+        meeting: Meeting,
+        local: &Local,
+        found: &mut TileEntries,
+    ) {
+        let index = beam;
+        let beam = &self.beams[index];
+        let (first, end) = (meeting.first as usize, meeting.end as usize);
+        let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
+        if let Some(wide) = path.wide.filter(|_| meeting.chain) {
+            return wide.add_chain(&Chain::new(beam, first, end), local, keep, found);
+        }
+        if let Some(mapped) = &self.mapped {
+            return mapped.enumerate((index, beam), first..end, local, keep, found);
+        }
+        let strips = &beam.strips[first..end];
+        match self.kernel {
+            Kernel::DistanceDriven => {
+                let rooms = self.walls.rooms(local, beam.major);
+                found.add(strips, (local, &rooms), &self.deposit, keep);
+            }
+            kernel => found.add_radon(kernel, strips, local, keep),
+        }
+    }
+
+    /// Pairs of frame and voxel of a tile, for the frames of a view, of which an active pixel lights the voxel.
+    pub(super) fn updates_in(
+        &self,
+        view: usize,
+        index: usize,
+        tile: &Tile,
+        nz: usize,
+        entries: &mut TileEntries,
+    ) -> u64 {
+        let mut total = 0;
+        for i in self.of_view[view].clone() {
+            entries.clear();
+            let meeting = self.meetings[index * self.beams.len() + i];
+            self.enumerate(
+                KernelPath::of(Isa::in_use()),
+                i,
+                meeting,
+                &Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE),
+                entries,
+            );
+            for side in self.views.sides() {
+                let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
+                for run in &entries.runs {
+                    let slot = view * self.columns + run.column as usize;
+                    let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
+                    if lit.1 > lit.0 {
+                        for &voxel in entries.of(run).slots {
+                            let seen = &mut lanes[voxel as usize];
+                            *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
+                        }
+                    }
+                }
+                total += lanes
+                    .iter()
+                    .filter(|l| l.1 > l.0)
+                    .map(|l| (l.1 as usize * LANES).min(nz) as u64 - (l.0 as usize * LANES) as u64)
+                    .sum::<u64>();
+            }
+        }
+        total
+    }
+}

@@ -1,0 +1,315 @@
+//! A single slice: lanes over voxels and strips in place of z.
+//!
+//! Dose works tile by tile, all frames for one tile; the adjoint frame by frame, all tiles for a few frames. Straight
+//! evenly spaced strips are [`comb`](super::comb)s, the rays of the kernel `line` [`rake`](super::rake)s, other chains vectors over
+//! strips, and what is left (tiles that a resin wall cuts, the kernels `linear` and `strip`) single entries of the common enumerator.
+
+use super::chains::{Avx512, Chain, Taps, WINDOW};
+use super::comb::{Comb, Integrals, Square};
+use super::plan::LightPlan;
+use super::rake::MOST;
+use super::strips::Major;
+use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::{Parallel, tile_rows};
+use crate::Run;
+use rayon::prelude::*;
+use std::ops::Range;
+use tomolith_core::error::{Error, Result};
+
+/// What one task of the dose needs.
+#[derive(Default)]
+struct Bench {
+    taps: Taps,
+    entries: TileEntries,
+}
+
+/// Which of two squares has its lanes across the rows of this axis.
+fn square_of(major: Major) -> usize {
+    usize::from(major == Major::X)
+}
+
+impl LightPlan {
+    /// Beams of some views: they lie one after the other.
+    fn beams_of(&self, views: Range<usize>) -> Range<usize> {
+        let mut lit = self.of_view[views].iter().filter(|own| !own.is_empty());
+        let first = lit.next();
+        let last = lit.next_back().or(first);
+        first.zip(last).map_or(0..0, |(a, b)| a.start..b.end)
+    }
+
+    fn meeting(&self, index: usize, beam: usize) -> Meeting {
+        self.meetings[index * self.beams.len() + beam]
+    }
+
+    /// Pixel values of a frame.
+    fn frame<'v>(&self, values: &'v [f32], beam: usize) -> &'v [f32] {
+        let first = self.beams[beam].frame as usize * self.columns;
+        &values[first..first + self.columns]
+    }
+}
+
+impl Parallel {
+    /// dose += light of these views of one light, from these sides, for a single slice.
+    pub(super) fn add_light_of_plane(
+        &self,
+        light: usize,
+        (views, sides): (Range<usize>, Range<usize>),
+        x: &[f32],
+        dose: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let plan = &self.lights[light];
+        let mut pixels = self.borrow_scratch(plan.lit.len());
+        let layout = &self.patterns[light];
+        plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice(), 1);
+        let values = pixels.as_slice();
+        let beams = plan.beams_of(views);
+        let stride = Comb::stride(plan.columns);
+        let mut sources = self.borrow_scratch(beams.len() * stride);
+        sources
+            .as_mut_slice()
+            .par_chunks_mut(stride)
+            .zip(beams.clone())
+            .for_each(|(source, beam)| {
+                if let Some(comb) = &plan.combs[beam] {
+                    comb.fill(plan.frame(values, beam), source);
+                }
+            });
+        let all = sources.as_slice();
+        let nx = self.outputs[0].grid.shape[2];
+        tile_rows(&self.tiles, dose, 1, nx)
+            .into_par_iter()
+            .zip(self.tiles.par_iter().enumerate())
+            .for_each_init(Bench::default, |bench, (mut rows, (index, tile))| {
+                // Dose of the tile: lanes along x, and along y
+                let mut along: [Square; 2] = [[0.0; TILE * TILE]; 2];
+                for beam in beams.clone() {
+                    if run.is_cancelled() {
+                        return;
+                    }
+                    let meeting = plan.meeting(index, beam);
+                    let square = &mut along[square_of(plan.beams[beam].major)];
+                    if let (true, Some(comb)) = (meeting.comb, &plan.combs[beam]) {
+                        let source = &all[(beam - beams.start) * stride..][..stride];
+                        comb.add_dose(self.path.isa, tile, plan.beams[beam].major, source, square);
+                    } else if let (true, Some(rake)) = (meeting.rake, &plan.rakes[beam]) {
+                        let strips = meeting.first as usize..meeting.end as usize;
+                        let rays = rake.rays(strips.clone(), tile, plan.beams[beam].major);
+                        let values = plan.frame(values, beam);
+                        let mut of_rays = [0.0; MOST];
+                        for (to, column) in of_rays.iter_mut().zip(rake.columns(strips)) {
+                            *to = rake.per_row() * values[column];
+                        }
+                        rays.add_dose(self.path.isa, &of_rays, square);
+                    } else if let Some(wide) = self.path.wide.filter(|_| meeting.chain) {
+                        let values = plan.frame(values, beam);
+                        bench.add_chain(wide, plan, (beam, meeting), tile, values, square);
+                    } else if meeting.end > meeting.first {
+                        let values = plan.frame(values, beam);
+                        let square = &mut along[square_of(Major::Y)];
+                        bench.add_loose(self, plan, (beam, meeting), tile, values, square);
+                    }
+                }
+                for (y, row) in rows.iter_mut().enumerate() {
+                    for (x, dose) in row.iter_mut().enumerate() {
+                        *dose += along[0][y * TILE + x] + along[1][x * TILE + y];
+                    }
+                }
+            });
+        self.return_scratch(sources);
+        self.return_scratch(pixels);
+        if run.is_cancelled() {
+            Err(Error::Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// grad = Aᵀ c for one light, for a single slice.
+    pub(super) fn adjoint_light_of_plane(
+        &self,
+        light: usize,
+        cotangent: &[f32],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let plan = &self.lights[light];
+        let views = plan.of_view.len();
+        let mut pixels = self.borrow_scratch(plan.lit.len());
+        // Few long chunks read the cotangent less often; the result does not depend on their length
+        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
+        pixels
+            .as_mut_slice()
+            .par_chunks_mut(chunk * plan.columns)
+            .enumerate()
+            .for_each_init(Gathering::default, |gathering, (i, pixels)| {
+                pixels.fill(0.0);
+                let first = i * chunk;
+                gathering.begin(plan, first..(first + chunk).min(views));
+                for (index, tile) in self.tiles.iter().enumerate() {
+                    if run.is_cancelled() {
+                        return;
+                    }
+                    gathering.add_tile(self, plan, (index, tile), cotangent, pixels);
+                }
+                gathering.end(plan, pixels);
+            });
+        plan.collect(&self.patterns[light], pixels.as_slice(), grad, 1);
+        self.return_scratch(pixels);
+        if run.is_cancelled() {
+            Err(Error::Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl Bench {
+    fn add_chain(
+        &mut self,
+        wide: Avx512,
+        plan: &LightPlan,
+        (beam, meeting): (usize, Meeting),
+        tile: &Tile,
+        values: &[f32],
+        square: &mut Square,
+    ) {
+        let beam = &plan.beams[beam];
+        let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
+        let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+        wide.find_taps(&mut self.taps, &chain, &local, false, (0, 1));
+        let mut window = [0.0; WINDOW];
+        for (to, column) in window.iter_mut().zip(chain.columns_of_pixels()) {
+            *to = values[column];
+        }
+        wide.add_taps(&self.taps, local.rows, &window, square);
+    }
+
+    /// Entries one by one; `square` has its lanes along x.
+    fn add_loose(
+        &mut self,
+        model: &Parallel,
+        plan: &LightPlan,
+        (beam, meeting): (usize, Meeting),
+        tile: &Tile,
+        values: &[f32],
+        square: &mut Square,
+    ) {
+        self.entries.clear();
+        let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
+        plan.enumerate(model.path, beam, meeting, &local, &mut self.entries);
+        for run in &self.entries.runs {
+            let value = values[run.column as usize];
+            let of_run = self.entries.of(run);
+            for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
+                square[voxel as usize] += weight * value;
+            }
+        }
+    }
+}
+
+/// What one task of the adjoint needs: some frames, tile after tile.
+#[derive(Default)]
+struct Gathering {
+    frames: Range<usize>,
+    beams: Range<usize>,
+    /// Strips of the beams that are combs.
+    sources: Vec<f32>,
+    /// Cotangent of the tile: lanes along x, and along y.
+    integrals: [Integrals; 2],
+    entries: TileEntries,
+}
+
+impl Gathering {
+    fn begin(&mut self, plan: &LightPlan, frames: Range<usize>) {
+        self.beams = plan.beams_of(frames.clone());
+        self.frames = frames;
+        self.sources.clear();
+        self.sources
+            .resize(self.beams.len() * Comb::stride(plan.columns), 0.0);
+    }
+
+    /// Reads the cotangent of a tile; false when it is zero.
+    fn load(&mut self, tile: &Tile, nx: usize, cotangent: &[f32]) -> bool {
+        let [across, down] = &mut self.integrals;
+        across.value.fill(0.0);
+        down.value.fill(0.0);
+        let mut is_lit = false;
+        for y in 0..tile.size[1] {
+            let first = (tile.start[1] + y) * nx + tile.start[0];
+            for (x, &c) in cotangent[first..first + tile.size[0]].iter().enumerate() {
+                across.value[y * TILE + x] = c;
+                down.value[x * TILE + y] = c;
+                is_lit |= c != 0.0;
+            }
+        }
+        across.integrate();
+        down.integrate();
+        is_lit
+    }
+
+    fn add_tile(
+        &mut self,
+        model: &Parallel,
+        plan: &LightPlan,
+        (index, tile): (usize, &Tile),
+        cotangent: &[f32],
+        pixels: &mut [f32],
+    ) {
+        if !self.load(tile, model.outputs[0].grid.shape[2], cotangent) {
+            return;
+        }
+        let stride = Comb::stride(plan.columns);
+        for i in self.beams.clone() {
+            let (beam, meeting) = (&plan.beams[i], plan.meeting(index, i));
+            let integrals = &self.integrals[square_of(beam.major)];
+            if let (true, Some(comb)) = (meeting.comb, &plan.combs[i]) {
+                let source = &mut self.sources[(i - self.beams.start) * stride..][..stride];
+                comb.add_adjoint(model.path.isa, tile, beam.major, integrals, source);
+                continue;
+            }
+            if meeting.end == meeting.first {
+                continue;
+            }
+            let first = (beam.frame as usize - self.frames.start) * plan.columns;
+            let pixels = &mut pixels[first..first + plan.columns];
+            if let (true, Some(rake)) = (meeting.rake, &plan.rakes[i]) {
+                let strips = meeting.first as usize..meeting.end as usize;
+                let rays = rake.rays(strips.clone(), tile, beam.major);
+                let sums = rays.adjoint(model.path.isa, &integrals.value);
+                for (column, sum) in rake.columns(strips).zip(sums) {
+                    pixels[column] += rake.per_row() * sum;
+                }
+            } else if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
+                let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
+                let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+                let sums = wide.chain_adjoint(&chain, &local, integrals);
+                for (column, sum) in chain.columns_of_pixels().zip(sums) {
+                    pixels[column] += sum;
+                }
+            } else {
+                self.entries.clear();
+                let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+                plan.enumerate(model.path, i, meeting, &local, &mut self.entries);
+                let values = &self.integrals[square_of(Major::Y)].value;
+                for run in &self.entries.runs {
+                    let of_run = self.entries.of(run);
+                    let terms = of_run.slots.iter().zip(of_run.weights);
+                    pixels[run.column as usize] += terms
+                        .map(|(&voxel, &weight)| weight * values[voxel as usize])
+                        .sum::<f32>();
+                }
+            }
+        }
+    }
+
+    fn end(&self, plan: &LightPlan, pixels: &mut [f32]) {
+        let stride = Comb::stride(plan.columns);
+        for (source, beam) in self.sources.chunks(stride).zip(self.beams.clone()) {
+            if let Some(comb) = &plan.combs[beam] {
+                let first = (plan.beams[beam].frame as usize - self.frames.start) * plan.columns;
+                comb.collect(source, &mut pixels[first..first + plan.columns]);
+            }
+        }
+    }
+}

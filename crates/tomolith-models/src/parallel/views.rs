@@ -1,0 +1,106 @@
+//! Views: frames that see the plane along the same lines.
+//!
+//! In pure Radon, light through an index-matched vial is the same along a line whichever way it runs. A frame and the one
+//! from the opposite side (azimuth + π) then light the same voxels with the same weights, their columns reversed, if these lie
+//! evenly about the axis. They are one *view*: the dose of both is that of the sum of their pixels, and one adjoint serves both. Geometry, lanes and kernels
+//! know views only; what a beam calls its frame is its view. Everywhere else a view is a frame.
+
+use super::{Light, is_straight};
+use std::f64::consts::{PI, TAU};
+use std::ops::Range;
+use tomolith_core::grid::PatternGrid;
+use tomolith_optics::vial::Vial;
+
+/// How the frames of one light are views.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Views {
+    pub(super) frames: usize,
+    columns: usize,
+    /// Whether frame k + frames/2 is the opposite of frame k, for all k.
+    paired: bool,
+}
+
+/// Directions nearer than this, rad, are one.
+const SAME: f64 = 1e-9;
+
+impl Views {
+    pub(super) fn of(vial: &dyn Vial, light: &Light) -> Self {
+        let azimuths = &light.pixels.azimuths;
+        let (first, second) = azimuths.split_at(azimuths.len() / 2);
+        let is_opposite = |(a, b): (&f64, &f64)| {
+            let turn = (b - a).rem_euclid(TAU);
+            (turn - PI).abs() < SAME
+        };
+        let about_axis = light.pixels.offset_mm[0] == 0.0;
+        let reversible = about_axis
+            && light.resin.pure_radon
+            && light.bath.is_none()
+            && is_straight(vial, light);
+        Views {
+            frames: azimuths.len(),
+            columns: light.pixels.columns,
+            paired: reversible
+                && first.len() == second.len()
+                && first.iter().zip(second).all(is_opposite),
+        }
+    }
+
+    /// Number of views.
+    pub(super) fn count(&self) -> usize {
+        if self.paired {
+            self.frames / 2
+        } else {
+            self.frames
+        }
+    }
+
+    /// The pixels of the frames that stand for the views.
+    pub(super) fn pixels(&self, all: &PatternGrid) -> PatternGrid {
+        let mut own = all.clone();
+        own.azimuths.truncate(self.count());
+        own
+    }
+
+    /// Slot (view and column) that a pixel column of a frame lights.
+    pub(super) fn slot(&self, frame: usize, column: usize) -> usize {
+        let (view, side) = (frame % self.count(), frame / self.count());
+        let column = if side == 0 {
+            column
+        } else {
+            self.columns - 1 - column
+        };
+        view * self.columns + column
+    }
+
+    /// A range of frames as ranges of views, each with the sides from which it is seen.
+    pub(super) fn of_frames(&self, frames: Range<usize>) -> Vec<(Range<usize>, Range<usize>)> {
+        let count = self.count();
+        if self.paired && frames == (0..self.frames) {
+            return vec![(0..count, 0..2)];
+        }
+        let sides = self.frames / count.max(1);
+        (0..sides)
+            .map(|side| {
+                let local = |f: usize| f.saturating_sub(side * count).min(count);
+                (local(frames.start)..local(frames.end), side..side + 1)
+            })
+            .filter(|(views, _)| !views.is_empty())
+            .collect()
+    }
+
+    /// The pixel column (counted through all frames) that lights a slot from one side.
+    pub(super) fn pixel_column(&self, slot: usize, side: usize) -> usize {
+        let (view, column) = (slot / self.columns, slot % self.columns);
+        let column = if side == 0 {
+            column
+        } else {
+            self.columns - 1 - column
+        };
+        (view + side * self.count()) * self.columns + column
+    }
+
+    /// Sides from which every view is seen.
+    pub(super) fn sides(&self) -> Range<usize> {
+        0..1 + usize::from(self.paired)
+    }
+}

@@ -1,0 +1,683 @@
+//! The `rays` dose model: light of any direction through any vial, as rays and exact line integrals.
+//!
+//! # Model
+//! Every pixel sends a fixed set of rays: points of its area and of the projector's aperture. Each is traced through walls
+//! and obstacles ([`SpaceTracer`]); what it leaves in a voxel is the integral of Beer–Lambert over the way through it. Vials,
+//! tilted axes, cones and obstacles differ only in the tracer; dose and adjoint are two visitors of the same walk.
+//!
+//! # Equation
+//! With n rays per pixel of area A, legs of power P (per emitted power) that enter the resin at 0:
+//!
+//! ```text
+//! forward   dose(v) = Σ_pixels x · A/(n·V) Σ_rays Σ_legs P · (μ_a/μ_t) · (e^(−μ_t·s_in) − e^(−μ_t·s_out))
+//! adjoint   grad(pixel) = Σ_v (∂dose(v)/∂x(pixel)) · c(v)
+//! ```
+//! s_in, s_out: way in the resin at which the leg enters and leaves voxel v. In pure Radon mode μ_a (1 − …)/μ_t is s_out − s_in.
+//!
+//! # Source
+//! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `walk.rs`.
+//!
+//! # Parameters
+//! | key | range | default | meaning |
+//! |---|---|---|---|
+//! | `rays_per_pixel` | 1 to 4096 | 4; 16 where cells made the planner choose `rays` | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
+//! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
+//! | `reflections` | bool | false | whether light reflected at walls is followed |
+//! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
+//!
+//! # Limits
+//! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
+//!
+//! # Cost
+//! About 1.7 voxels per ray and voxel plane; level light through what is the same at all heights: a ray per column (`sheets.rs`). Where a round vial turns about its own axis, rays are traced
+//! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
+//! what all pixels leave is at most 2.1 GB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
+//!
+//! # Example
+//! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
+//! ```
+//! use tomolith_core::field::{Field, HostField};
+//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
+//! use tomolith_models::{DoseModel, Run, parallel::Light, rays::{Optics, Params, Rays}};
+//! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);
+//! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
+//! let grid = VolumeGrid::centered([4, 50, 50], 0.1);
+//! let vial = IndexMatched { radius_mm: 2.0 };
+//! let model = Rays::new(&vial, vec![light], &[Optics::collimated(0.1)], &Params::default(), grid).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.fill(1.0);
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let absorbed: f32 = dose.as_slice().iter().sum::<f32>() * 0.1f32.powi(3); // mJ
+//! let sent = 3.0 * 0.1 * 0.1; // three frames of one pixel of 1 mJ/mm²
+//! assert!((absorbed / sent - (1.0 - (-0.4f32).exp())).abs() < 1e-4); // the rays at ±0.025 mm run 4 mm less 6e-4
+//! ```
+
+pub mod accumulation;
+mod haze;
+pub mod kept;
+mod lit;
+mod segment;
+mod sheets;
+pub mod solid;
+mod source;
+mod walk;
+pub(crate) mod weighted;
+
+use crate::parallel::{Kernel, Light};
+use crate::{Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling};
+use accumulation::Accumulation;
+use haze::Haze;
+use kept::{Kept, Walks};
+use schemars::JsonSchema;
+use segment::{Lattice, Segment};
+use serde::{Deserialize, Serialize};
+use sheets::{KeptSheets, Sheet};
+use solid::Solid;
+use source::Source;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{HostField, LANES};
+use tomolith_core::grid::VolumeGrid;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+use tomolith_optics::account::Account;
+use tomolith_optics::motion::Motion;
+use tomolith_optics::obstacle::{Material, Obstacle};
+use tomolith_optics::phase::Scattering;
+use tomolith_optics::projector::Projector;
+use tomolith_optics::projector::collimated::Collimated;
+use tomolith_optics::space::{Leg, Limits, SpaceTracer};
+use tomolith_optics::vial::Vial;
+use walk::Gait;
+
+/// Keys of `[model.rays]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Rays of a pixel in a frame, 1 to 4096.
+    pub rays_per_pixel: usize,
+    /// How energy is accumulated along a ray: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
+    pub accumulation: Accumulation,
+    /// Whether light reflected at walls is followed.
+    pub reflections: bool,
+    /// Reflected rays below this part of the emitted power are dropped, 0 to 0.1.
+    pub least_power: f64,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            rays_per_pixel: 4,
+            accumulation: Accumulation::Integral,
+            reflections: false,
+            least_power: Limits::default().least_power,
+        }
+    }
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "rays",
+    summary: "Rays of any direction through any vial: cones, tilted axes, meshes, obstacles, reflections.",
+    example: "[model.rays]\nrays_per_pixel = 4\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let params: Params = section.parse()?;
+        let range = |key: &str, found: String, accepted: &str| {
+            Err(Error::config(
+                format!("{}.{key}", section.path),
+                found,
+                accepted,
+            ))
+        };
+        if !(1..=4096).contains(&params.rays_per_pixel) {
+            let found = format!("found {}", params.rays_per_pixel);
+            return range("rays_per_pixel", found, "1 to 4096");
+        }
+        if !(0.0..=0.1).contains(&params.least_power) {
+            let found = format!("found {}", exact(params.least_power));
+            return range("least_power", found, "0 to 0.1");
+        }
+        Ok(Choice::Rays(params))
+    },
+};
+
+/// What stands between a light's pixels and the vial.
+#[derive(Clone, Debug)]
+pub struct Optics {
+    /// Which rays a pixel sends.
+    pub projector: Arc<dyn Projector>,
+    /// How the vial moves before it.
+    pub motion: Motion,
+    /// What stands in the light.
+    pub obstacles: Vec<Obstacle>,
+    /// What scatters in the resin, at this light's wavelength.
+    pub scattering: Option<Scattering>,
+}
+
+impl Optics {
+    /// Parallel light on a vial that only turns.
+    #[must_use]
+    pub fn collimated(pixel_pitch_mm: f64) -> Self {
+        Optics {
+            projector: Arc::new(Collimated {
+                pixel_pitch_mm: [pixel_pitch_mm; 2],
+            }),
+            motion: Motion::default(),
+            obstacles: Vec::new(),
+            scattering: None,
+        }
+    }
+
+    /// Whether its light is normal to the axis, and nothing in it changes that.
+    fn is_level(&self) -> bool {
+        self.projector.is_collimated() && self.motion.tilt_rad == 0.0 && self.obstacles.is_empty()
+    }
+
+    /// Why its light is not collimated, normal to the axis of a vial that turns about it; None when it is.
+    #[must_use]
+    pub fn beyond_level(&self) -> Option<&'static str> {
+        if !self.projector.is_collimated() {
+            Some("light is not collimated")
+        } else if self.motion.tilt_rad != 0.0 {
+            Some("light is not normal to the axis")
+        } else if !self.motion.is_symmetric() {
+            Some("the vial does not turn about its own axis")
+        } else {
+            None
+        }
+    }
+
+    /// Whether light goes on in random directions anywhere.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        let diffuse = |body: &Obstacle| matches!(body.material, Material::Diffuse { .. });
+        self.scattering.is_some() || self.obstacles.iter().any(diffuse)
+    }
+}
+
+/// Whether light that nothing scatters stays in the slice that it comes in, and goes the same way in all slices.
+fn are_level(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bool {
+    let is_flat = |light: &Light| light.map.as_ref().is_none_or(|map| map.is_flat());
+    vial.is_invariant() && optics.iter().all(Optics::is_level) && lights.iter().all(is_flat)
+}
+
+/// How a pixel's light is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Emission {
+    pub(super) rays_per_pixel: usize,
+    pub(super) accumulation: Accumulation,
+    pub(super) limits: Limits,
+    /// None: straight light only.
+    pub(super) scattered: Option<Scattered>,
+}
+
+/// How scattered light is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scattered {
+    /// Which paths.
+    pub(super) seed: u64,
+    /// Voxels along an edge of the cells on which it is summed.
+    pub(super) smooth: usize,
+    /// Whether what cells smear out is given back.
+    pub(super) is_sharp: bool,
+    /// Iterations of an optimisation after which other paths are drawn; 0: never.
+    pub(super) renew: usize,
+}
+
+/// See the [module page](self).
+pub struct Rays {
+    sources: Vec<Source>,
+    patterns: Vec<PatternLayout>,
+    outputs: Vec<DoseLayout>,
+    lattice: Lattice,
+    /// Where scattered light is summed.
+    haze: Option<Haze>,
+    /// What cuts voxels into cells.
+    solid: Option<Arc<Solid>>,
+    gait: Gait,
+    /// Whether light stays in the slice that it comes in, the same way in all slices.
+    is_level: bool,
+    /// Whether such light is followed for all rows of a column at once.
+    by_rows: bool,
+    accumulation: Accumulation,
+    /// Iterations after which other paths are drawn; 0: never.
+    renew: usize,
+    updates: OnceLock<u64>,
+    /// Whether walks are kept where they are few.
+    keeps: bool,
+    /// They, once it is known.
+    kept: OnceLock<Option<Kept>>,
+    kept_sheets: OnceLock<Option<KeptSheets>>,
+}
+
+impl Rays {
+    /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is nothing to light or nothing that absorbs; [`Error::Unsupported`] for a map where nothing
+    /// absorbs, a kernel of pure Radon or a resin that scatters.
+    pub fn new(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        optics: &[Optics],
+        params: &Params,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if optics.iter().any(Optics::scatters) {
+            return Err(Error::Unsupported {
+                what: "model.rays".into(),
+                reason: "light is scattered; use [model.scatter], or leave [model] out".into(),
+            });
+        }
+        let emission = Emission {
+            rays_per_pixel: params.rays_per_pixel,
+            accumulation: params.accumulation,
+            limits: Limits {
+                reflections: params.reflections,
+                least_power: params.least_power,
+                ..Limits::default()
+            },
+            scattered: None,
+        };
+        Self::build(vial, &lights, optics, &emission, grid)
+    }
+
+    /// The model of straight light, or of light and what is scattered out of it.
+    pub(super) fn build(
+        vial: &dyn Vial,
+        lights: &[Light],
+        optics: &[Optics],
+        emission: &Emission,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        if grid.is_empty() {
+            return Err(Error::config(
+                "grid",
+                format!("shape {:?} [z, y, x]", grid.shape),
+                "at least one voxel",
+            ));
+        }
+        let outputs = vec![DoseLayout::new("dose", grid, 0)];
+        let (mut sources, mut patterns) = (Vec::new(), Vec::new());
+        let mut offset = 0;
+        for (light, optics) in lights.iter().zip(optics) {
+            light.check()?;
+            refuse(light, optics)?;
+            let of_map = light.map.as_ref().map_or(0.0, |map| map.most_per_mm());
+            let most = light.resin.attenuation_per_mm.max(of_map);
+            if let Some(found) = emission.accumulation.trouble(most) {
+                return Err(Error::config(
+                    "model.rays.accumulation",
+                    found,
+                    "\"integral\", or a majorant of at least the attenuation",
+                ));
+            }
+            let tracer = SpaceTracer::new(
+                vial,
+                light.resin,
+                light.surrounding_index,
+                light.polarisation,
+                emission.limits,
+            )
+            .in_bath(light.bath)
+            .in_map(light.map.clone())
+            .in_scattering(optics.scattering.clone())
+            .with_obstacles(optics.obstacles.clone());
+            let is_round = vial.is_round() && optics.obstacles.is_empty() && light.map.is_none();
+            let layout = light.layout(offset);
+            offset += layout.len();
+            sources.push(Source::new(
+                light,
+                Arc::clone(&optics.projector),
+                optics.motion,
+                emission,
+                tracer,
+                is_round,
+            ));
+            patterns.push(layout);
+        }
+        if u32::try_from(offset).is_err() || i32::try_from(outputs[0].len()).is_err() {
+            return Err(Error::Unsupported {
+                what: "model.rays".into(),
+                reason: format!(
+                    "{offset} pixels and {} voxels; at most 2^32 active pixels and 2^31 voxels",
+                    outputs[0].grid.len()
+                ),
+            });
+        }
+        let of_scattered =
+            |scattered: Scattered| Haze::new(vial, lights, optics, &outputs[0], &scattered);
+        let haze = emission.scattered.map(of_scattered);
+        Ok(Rays {
+            lattice: Lattice::new(&outputs[0]),
+            haze,
+            solid: None,
+            is_level: are_level(vial, lights, optics) && emission.scattered.is_none(),
+            by_rows: true,
+            sources,
+            patterns,
+            outputs,
+            gait: Gait::best(),
+            accumulation: emission.accumulation,
+            renew: emission.scattered.map_or(0, |scattered| scattered.renew),
+            updates: OnceLock::new(),
+            keeps: false,
+            kept: OnceLock::new(),
+            kept_sheets: OnceLock::new(),
+        })
+    }
+
+    /// Keeps what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
+    /// light is scattered. Worth it where a dose is asked for more than once or twice.
+    #[must_use]
+    pub fn keeping(mut self) -> Self {
+        self.keeps = self.haze.is_none();
+        self
+    }
+
+    /// The walks that are kept; None where none are.
+    fn kept(&self, run: &Run) -> Result<Option<&Kept>> {
+        if self.keeps && !self.has_sheets() && self.kept.get().is_none() {
+            // Whoever comes first; all would find the same
+            let _ = self.kept.set(Kept::of(self, kept::MOST, run)?);
+        }
+        Ok(self.kept.get().and_then(Option::as_ref))
+    }
+
+    /// The sheets that are kept, of all lights; None where none are.
+    fn kept_sheets(&self, run: &Run) -> Result<Option<&KeptSheets>> {
+        if self.keeps && self.has_sheets() && self.kept_sheets.get().is_none() {
+            let most = kept::MOST * kept::BYTES / sheets::BYTES;
+            let _ = self.kept_sheets.set(KeptSheets::of(self, most, run)?);
+        }
+        Ok(self.kept_sheets.get().and_then(Option::as_ref))
+    }
+
+    /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
+    ///
+    /// # Panics
+    /// When the solid was made for another grid.
+    #[must_use]
+    pub fn with_cells(mut self, solid: Arc<Solid>) -> Self {
+        let layout = DoseLayout::new("dose", self.outputs[0].grid.clone(), 0);
+        assert!(solid.fits(&layout.grid), "a solid on another grid");
+        self.outputs[0] = layout.with_cells(Arc::clone(solid.cells()));
+        self.solid = Some(solid);
+        self
+    }
+
+    /// Uses the plain kernel, and follows every ray by itself; for tests and benches.
+    #[must_use]
+    pub fn plain(mut self) -> Self {
+        self.gait = Gait::Plain;
+        self.by_rows = false;
+        self
+    }
+
+    /// Whether rays are followed for all rows of a column at once.
+    fn has_sheets(&self) -> bool {
+        self.is_level
+            && self.by_rows
+            && self.solid.is_none()
+            && self.accumulation == Accumulation::Integral
+            && self.outputs[0].row.is_multiple_of(LANES)
+    }
+
+    /// What [`keeping`](Self::keeping) stores for such optics, if it stores anything.
+    pub(super) fn walks(
+        (vial, lights, optics): (&dyn Vial, &[Light], &[Optics]),
+        params: &Params,
+        (grid, has_cells): (&VolumeGrid, bool),
+    ) -> Walks {
+        let in_rows = are_level(vial, lights, optics)
+            && !has_cells
+            && params.accumulation == Accumulation::Integral
+            && grid.shape[0] > 1;
+        if !in_rows {
+            return Walks::SINGLE;
+        }
+        let (mut columns, mut pixels, mut rays) = (0, 0, 0);
+        for light in lights {
+            let layout = light.layout(0);
+            columns += layout.runs.iter().filter(|run| run.count > 0).count();
+            pixels += layout.len();
+            rays = rays.max(params.rays_per_pixel * light.sub_angles.max(1));
+        }
+        let per_update =
+            columns as f64 / pixels.max(1) as f64 * sheets::BYTES as f64 / kept::BYTES as f64;
+        Walks {
+            per_pixel: per_update * rays as f64,
+            per_update,
+        }
+    }
+
+    /// Where the power of a frame of a light goes, mean over its pixels.
+    #[must_use]
+    pub fn account(&self, light: usize, frame: usize) -> Account {
+        self.sources[light].account(frame)
+    }
+
+    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean account of its rays.
+    #[must_use]
+    pub fn trace(
+        &self,
+        light: usize,
+        frame: usize,
+        column: usize,
+        row: usize,
+    ) -> (Vec<Leg>, Account) {
+        self.sources[light].trace_pixel(frame, column, row)
+    }
+}
+
+/// What this model has no formula for.
+fn refuse(light: &Light, optics: &Optics) -> Result<()> {
+    let unsupported = |what: &str, reason: &str| {
+        Err(Error::Unsupported {
+            what: what.into(),
+            reason: reason.into(),
+        })
+    };
+    if light.map.is_some() && light.resin.pure_radon {
+        return unsupported("resin.map", "in pure Radon nothing absorbs");
+    }
+    if let (Some(map), Some(scattering)) = (&light.map, &optics.scattering) {
+        map.must_hold(scattering.per_mm)?;
+    }
+    if light.kernel != Kernel::DistanceDriven {
+        return unsupported("model.parallel.kernel", "rays have a kernel of their own");
+    }
+    Ok(())
+}
+
+impl LinearOperator for Rays {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(HostField::zeros(
+            self.patterns.iter().map(PatternLayout::len).sum(),
+        ))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(HostField::zeros(self.outputs[0].len()))
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let x = x.as_slice();
+        let dose = dose.as_mut_slice();
+        // Energies outside and inside of the solid, where there is one
+        let voxels = self.outputs[0].voxels();
+        let mut split = self
+            .solid
+            .as_ref()
+            .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
+        let kept = self.kept(run)?;
+        for (light, own) in self.own_frames(&frames) {
+            if let Some(kept) = kept {
+                let pixels = self.patterns[light].elements_of(own);
+                match &mut split {
+                    None => kept.add(0, x, &pixels, &mut dose[..voxels]),
+                    Some([outside, inside]) => {
+                        kept.add(0, x, &pixels, outside);
+                        kept.add(voxels, x, &pixels, inside);
+                    }
+                }
+                continue;
+            }
+            if self.has_sheets() {
+                let dose = &mut dose[..voxels];
+                self.for_each_sheets(
+                    (light, own),
+                    |pixel| x[pixel] != 0.0,
+                    run,
+                    |sheets| {
+                        sheets::add(sheets, &self.outputs[0], x, dose);
+                    },
+                )?;
+                continue;
+            }
+            let mut cells = self.haze.as_ref().map(Haze::cells);
+            let is_lit = |pixel: usize| x[pixel] != 0.0;
+            self.for_each_chunk((light, own), is_lit, run, |lit| {
+                match &mut split {
+                    None => self.add(&self.lattice, &lit.straight, x, dose),
+                    Some([outside, inside]) => {
+                        self.add(&self.lattice, &lit.straight, x, outside);
+                        self.add(&self.lattice, &lit.inside, x, inside);
+                    }
+                }
+                if let (Some(haze), Some(cells)) = (&self.haze, &mut cells) {
+                    self.add(&haze.lattice, &lit.scattered, x, cells);
+                }
+            })?;
+            if let (Some(haze), Some(cells)) = (&self.haze, &cells) {
+                haze.add(light, cells, self.solid.as_deref(), dose);
+            }
+        }
+        if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
+            solid.cells().add([outside, inside], dose);
+        }
+        Ok(())
+    }
+
+    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
+        grad.fill(0.0);
+        let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
+        if let Some(kept) = self.kept(run)? {
+            match &split {
+                None => kept.collect(c, grad),
+                Some(sides) => kept.collect(&sides.concat(), grad),
+            }
+            return Ok(());
+        }
+        for (light, own) in self.all_frames() {
+            if self.has_sheets() {
+                self.for_each_sheets(
+                    (light, own),
+                    |_| true,
+                    run,
+                    |sheets| {
+                        sheets::collect(sheets, &self.outputs[0], c, grad);
+                    },
+                )?;
+                continue;
+            }
+            let haze = self.haze.as_ref();
+            let haze = haze.map(|haze| (haze, haze.collect(light, c, self.solid.as_deref())));
+            self.for_each_chunk(
+                (light, own),
+                |_| true,
+                run,
+                |lit| {
+                    match &split {
+                        None => self.collect(&self.lattice, &lit.straight, c, grad),
+                        Some([outside, inside]) => {
+                            self.collect(&self.lattice, &lit.straight, outside, grad);
+                            self.collect(&self.lattice, &lit.inside, inside, grad);
+                        }
+                    }
+                    if let Some((haze, cells)) = &haze {
+                        self.collect(&haze.lattice, &lit.scattered, cells, grad);
+                    }
+                },
+            )?;
+        }
+        Ok(())
+    }
+
+    fn renew(&self, iteration: usize) -> bool {
+        let Some(every) = NonZeroUsize::new(self.renew) else {
+            return false;
+        };
+        let round = (iteration.saturating_sub(1) / every) as u64;
+        let renewed: Vec<bool> = self.sources.iter().map(|s| s.renew(round)).collect();
+        renewed.contains(&true)
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.renew > 0
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        if self.is_level {
+            ZCoupling::None
+        } else {
+            ZCoupling::Full
+        }
+    }
+
+    /// Voxels that all segments pass: planes of each axis they cross, summed.
+    fn updates(&self) -> u64 {
+        if let Ok(Some(kept)) = self.kept(&Run::new()) {
+            return kept.updates();
+        }
+        *self.updates.get_or_init(|| {
+            let mut total = 0.0;
+            for (light, layout) in self.patterns.iter().enumerate() {
+                for pairs in self.chunks(light, 0..layout.grid.frames()) {
+                    if self.has_sheets() {
+                        let sheets = self.sheets(light, pairs, |_| true);
+                        total += sheets.iter().map(Sheet::updates).sum::<f64>();
+                        continue;
+                    }
+                    let lit = self.bundles(light, pairs, |_| true);
+                    let bundles = lit.straight.iter().chain(&lit.inside).chain(&lit.scattered);
+                    total += bundles.flatten().map(Segment::passed).sum::<f64>();
+                }
+            }
+            total as u64
+        })
+    }
+
+    fn describe(&self) -> String {
+        let rays = self.sources.first().map_or(0, Source::rays);
+        let cells = self.solid.as_ref().map_or(String::new(), |solid| {
+            format!(", {} voxels cut by the surface", solid.cells().len())
+        });
+        format!("rays, {rays} per pixel and frame, exact line integrals{cells}")
+    }
+}
+
+#[cfg(test)]
+mod tests;

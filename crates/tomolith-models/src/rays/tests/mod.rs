@@ -1,0 +1,730 @@
+use super::*;
+use crate::DoseModel;
+use crate::parallel::Parallel;
+use tomolith_core::check;
+use tomolith_core::field::Field;
+use tomolith_core::grid::{PatternGrid, Patterns, Volume};
+use tomolith_core::kind::Section;
+use tomolith_io::mesh::samples::{ball, cuboid};
+use tomolith_optics::absorption_map::AbsorptionMap;
+use tomolith_optics::gradient::Gradient;
+use tomolith_optics::obstacle::Material;
+use tomolith_optics::projector::diverging::Diverging;
+use tomolith_optics::projector::telecentric::Telecentric;
+use tomolith_optics::resin::Resin;
+use tomolith_optics::surface::{Net, Surface};
+use tomolith_optics::vial::cylinder::Cylinder;
+use tomolith_optics::vial::double_tube::DoubleTube;
+use tomolith_optics::vial::ended::{End, Ended};
+use tomolith_optics::vial::index_matched::IndexMatched;
+use tomolith_optics::vial::square::Square;
+use tomolith_target::phantom::Phantom;
+use tomolith_target::{MeshShape, Placement, Repair, Shape};
+
+mod cells;
+mod scattered;
+
+const GLASS: Cylinder = Cylinder {
+    inner_radius_mm: 1.6,
+    outer_radius_mm: 1.8,
+    refractive_index: 1.54,
+};
+
+fn vials() -> Vec<Box<dyn Vial>> {
+    vec![
+        Box::new(IndexMatched { radius_mm: 1.7 }),
+        Box::new(GLASS),
+        Box::new(Square {
+            inner_width_mm: 3.0,
+            outer_width_mm: 3.4,
+            refractive_index: 1.5,
+        }),
+        Box::new(DoubleTube {
+            radii_mm: [1.9, 1.7, 0.5, 0.4],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.52,
+            core_refractive_index: 1.33,
+        }),
+    ]
+}
+
+/// Vials with a plate below and a free surface above.
+fn ended() -> Vec<Box<dyn Vial>> {
+    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    vials()
+        .into_iter()
+        .map(|vial| {
+            let plate = if vial.walls().len() > 1 { 0.2 } else { 0.0 };
+            let ended = Ended::new(vial, end(-0.5, plate), end(0.7, 0.0)).unwrap();
+            Box::new(ended) as Box<dyn Vial>
+        })
+        .collect()
+}
+
+fn optics() -> Vec<(&'static str, Optics)> {
+    let plain = Optics::collimated(0.2);
+    let leaning = Motion {
+        tilt_rad: 0.12,
+        ..Motion::default()
+    };
+    let aside = Motion {
+        offset_mm: [0.1, -0.05],
+        axis_runout_mm: 0.03,
+        axis_runout_rad: 0.4,
+        ..Motion::default()
+    };
+    let cone = Telecentric {
+        pixel_pitch_mm: [0.2; 2],
+        aperture_radius_mm: 2.0,
+        working_distance_mm: 20.0,
+        focus_mm: 0.1,
+    };
+    let body = Surface::Net(Arc::new(
+        Net::new(&cuboid([0.1, 0.6, -0.4], [0.4, 0.8, 0.3]), "mesh").unwrap(),
+    ));
+    let with = |material| Optics {
+        obstacles: vec![Obstacle {
+            surface: body.clone(),
+            material,
+        }],
+        ..plain.clone()
+    };
+    vec![
+        ("collimated", plain.clone()),
+        (
+            "tilted",
+            Optics {
+                motion: leaning,
+                ..plain.clone()
+            },
+        ),
+        (
+            "off axis",
+            Optics {
+                motion: aside,
+                ..plain.clone()
+            },
+        ),
+        (
+            "telecentric",
+            Optics {
+                projector: Arc::new(cone),
+                ..plain.clone()
+            },
+        ),
+        (
+            "diverging, tilted",
+            Optics {
+                projector: Arc::new(Diverging::new([0.2; 2], 12.0)),
+                motion: leaning,
+                ..plain.clone()
+            },
+        ),
+        ("black body", with(Material::Black)),
+        (
+            "clear body",
+            with(Material::Dielectric {
+                refractive_index: 1.6,
+            }),
+        ),
+        ("mirror", with(Material::Mirror)),
+    ]
+}
+
+fn light(frames: usize, rows: usize, columns: usize, pitch_mm: f64) -> Light {
+    let mut light = Light::new(
+        PatternGrid::full_turn(frames, 0.2, rows, columns, pitch_mm),
+        Resin::absorbing(1.48, 0.3),
+    );
+    light.surrounding_index = 1.0;
+    light
+}
+
+fn rays(vial: &dyn Vial, light: Light, optics: &Optics, params: &Params, grid: VolumeGrid) -> Rays {
+    Rays::new(
+        vial,
+        vec![light],
+        std::slice::from_ref(optics),
+        params,
+        grid,
+    )
+    .unwrap()
+}
+
+fn dose(model: &dyn DoseModel<Field = HostField>, x: &HostField) -> Volume<f32> {
+    let mut dose = model.new_dose().unwrap();
+    model.dose(x, &mut dose, &Run::new()).unwrap();
+    model.outputs()[0].volume_of(dose.as_slice())
+}
+
+/// The dose of even patterns.
+fn lit(model: &Rays) -> Volume<f32> {
+    let mut x = LinearOperator::new_patterns(model).unwrap();
+    x.fill(1.0);
+    dose(model, &x)
+}
+
+#[test]
+fn every_vial_with_every_optics_is_an_exact_pair() {
+    for vial in vials().into_iter().chain(ended()) {
+        for (name, optics) in optics() {
+            for reflections in [false, true] {
+                let params = Params {
+                    rays_per_pixel: 3,
+                    reflections,
+                    least_power: 0.02,
+                    ..Params::default()
+                };
+                let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+                let model = rays(vial.as_ref(), light(5, 7, 11, 0.2), &optics, &params, grid);
+                let found = check::model::model(&model, 3)
+                    .unwrap_or_else(|e| panic!("{vial:?} {name} {reflections}: {e}"));
+                assert!(found.adjoint_error < 1e-6, "{vial:?} {name}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_resin_that_differs_from_place_to_place_is_an_exact_pair() {
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let values: Vec<f32> = (0..60).map(|i| 0.1 + 0.05 * (i * 7 % 13) as f32).collect();
+    let map = AbsorptionMap::new([3, 4, 5], 0.5, values.clone(), values).unwrap();
+    for vial in [Box::new(GLASS) as Box<dyn Vial>]
+        .into_iter()
+        .chain(ended())
+    {
+        for (name, optics) in optics() {
+            let mut light = light(5, 7, 11, 0.2);
+            light.map = Some(Arc::new(map.clone()));
+            light.resin.gradient = Some(Gradient {
+                quadratic_per_mm2: -0.05,
+                quartic_per_mm4: 0.0,
+                step_mm: 0.1,
+            });
+            let model = rays(
+                vial.as_ref(),
+                light,
+                &optics,
+                &Params::default(),
+                grid.clone(),
+            );
+            let found =
+                check::model::model(&model, 3).unwrap_or_else(|e| panic!("{vial:?} {name}: {e}"));
+            assert!(found.adjoint_error < 1e-6, "{vial:?} {name}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
+    let vial = IndexMatched { radius_mm: 1.7 };
+    let grid = VolumeGrid::centered([4, 16, 16], 0.15);
+    let of = |map: Option<AbsorptionMap>| {
+        let mut light = light(6, 6, 24, 0.13);
+        light.map = map.map(Arc::new);
+        let params = Params {
+            rays_per_pixel: 1024,
+            ..Params::default()
+        };
+        let optics = Optics::collimated(0.13);
+        let parallel = Parallel::new(&vial, vec![light.clone()], grid.clone()).unwrap();
+        let mut x = DoseModel::new_patterns(&parallel).unwrap();
+        let values: Vec<f32> = (0..x.len()).map(|i| 1.0 + (i as f32 * 0.1).sin()).collect();
+        x.copy_from_host(&values);
+        let rays = rays(&vial, light, &optics, &params, grid.clone());
+        [dose(&parallel, &x), dose(&rays, &x)]
+    };
+    let difference = |a: &Volume<f32>, b: &Volume<f32>| {
+        let pairs = || a.values.iter().zip(&b.values);
+        let squares: f64 = pairs().map(|(a, b)| f64::from(a - b).powi(2)).sum();
+        (squares / pairs().map(|(a, _)| f64::from(*a).powi(2)).sum::<f64>()).sqrt()
+    };
+    let map = |value: &dyn Fn(usize) -> f32| {
+        let values: Vec<f32> = (0..16 * 16).map(value).collect();
+        AbsorptionMap::new([1, 16, 16], 0.15, values.clone(), values).unwrap()
+    };
+    let patches = map(&|i| if (i / 4 + i / 64) % 2 == 0 { 0.1 } else { 0.7 });
+    let [parallel, rays] = of(Some(patches));
+    let [_, plain] = of(None);
+    let (apart, changed) = (difference(&parallel, &rays), difference(&plain, &rays));
+    // Without a map the two models are 0.015 apart at this pitch
+    assert!(apart < 0.02 && changed > 0.3, "{apart} {changed}");
+    let [_, even] = of(Some(map(&|_| 0.3)));
+    assert!(difference(&plain, &even) < 1e-5);
+}
+
+/// Every cell of every ray by an independent walk in f64: sorted crossings of all planes.
+fn brute_force(model: &Rays, x: &[f32]) -> Vec<f64> {
+    brute_force_where(model, x, |_, _| true)
+}
+
+/// The same of those pieces of legs whose middle (mm along the leg) counts; legs are cut where they cross the ball, too.
+fn brute_force_where(model: &Rays, x: &[f32], counts: impl Fn(&Leg, f64) -> bool) -> Vec<f64> {
+    let layout = &model.outputs[0];
+    let grid = &layout.grid;
+    let low = grid.bounds_mm()[0];
+    let mut dose = vec![0.0; grid.len()];
+    let patterns = &model.patterns[0];
+    let (columns, h) = (patterns.grid.columns, grid.pitch_mm);
+    let area = patterns.grid.pixel_mm2() / model.sources[0].rays() as f64;
+    for (pair, run) in patterns.runs.iter().enumerate() {
+        for i in 0..run.count as usize {
+            let value = f64::from(x[run.offset + i]);
+            let row = run.bottom as usize + i;
+            model.sources[0].for_each_leg(pair / columns, pair % columns, row, |leg| {
+                let mut cuts = vec![0.0, leg.length];
+                for axis in 0..3 {
+                    let planes = [grid.shape[2], grid.shape[1], grid.shape[0]][axis];
+                    for plane in 0..=planes {
+                        let at = low[axis] + plane as f64 * h;
+                        let t = (at - leg.ray.from[axis]) / leg.ray.direction[axis];
+                        if t > 0.0 && t < leg.length {
+                            cuts.push(t);
+                        }
+                    }
+                }
+                let ball = chord(leg.ray.from, leg.ray.direction);
+                let within = ball.into_iter().flatten();
+                cuts.extend(within.filter(|t| (0.0..leg.length).contains(t)));
+                cuts.sort_by(f64::total_cmp);
+                for cut in cuts.windows(2) {
+                    let at = (cut[0] + cut[1]) / 2.0;
+                    let middle = leg.ray.at(at);
+                    let cell: [f64; 3] =
+                        std::array::from_fn(|i| ((middle[i] - low[i]) / h).floor());
+                    let inside = (0..3).all(|i| {
+                        let n = [grid.shape[2], grid.shape[1], grid.shape[0]][i];
+                        (0.0..n as f64).contains(&cell[i])
+                    });
+                    if inside && counts(&leg, at) {
+                        let left = |t: f64| (-leg.uptake.attenuation_per_mm * t).exp();
+                        let [x, y, z] = cell.map(|c| c as usize);
+                        dose[grid.index(z, y, x)] +=
+                            value * area * leg.power * leg.uptake.active_per_mm
+                                / leg.uptake.attenuation_per_mm
+                                * (left(cut[0]) - left(cut[1]))
+                                / h.powi(3);
+                    }
+                }
+            });
+        }
+    }
+    dose
+}
+
+#[test]
+fn both_kernels_equal_a_brute_force_walk_in_f64() {
+    let grid = VolumeGrid {
+        center_mm: [0.03, -0.02, 0.05],
+        ..VolumeGrid::centered([19, 23, 37], 0.1)
+    };
+    for attenuation in [0.3, 9.0] {
+        for (name, optics) in optics() {
+            let mut light = light(7, 5, 9, 0.23);
+            light.resin.attenuation_per_mm = attenuation;
+            let params = Params::default();
+            for is_plain in [false, true] {
+                let mut model = rays(&GLASS, light.clone(), &optics, &params, grid.clone());
+                if is_plain {
+                    model = model.plain();
+                }
+                let mut x = LinearOperator::new_patterns(&model).unwrap();
+                let values = check::model::noise(1, x.len());
+                x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
+                let (exact, found) = (brute_force(&model, x.as_slice()), dose(&model, &x));
+                let largest = exact.iter().copied().fold(0.0, f64::max);
+                for (a, b) in exact.iter().zip(&found.values) {
+                    let error = (a - f64::from(*b)).abs() / largest;
+                    assert!(error < 2e-5, "{name}, plain {is_plain}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn with_many_rays_it_is_what_parallel_says() {
+    // What is left is the error of `parallel` itself at this pitch: see docs/validation.md
+    let bounds = [0.015, 0.015, 0.015, 0.06];
+    let square = ([0.13, 0.13], [0.0, 0.0]);
+    // Pixels that are not square, beside the axis
+    let flat = ([0.13, 0.09], [0.21, -0.1]);
+    let mut cases: Vec<_> = vials()
+        .into_iter()
+        .zip(bounds)
+        .map(|c| (c, square))
+        .collect();
+    cases.extend(vials().into_iter().zip([0.02; 2]).map(|c| (c, flat)));
+    for ((vial, left), (pitch_mm, offset_mm)) in cases {
+        let mut light = light(6, 8, 24, 0.13);
+        (light.pixels.pitch_mm, light.pixels.offset_mm) = (pitch_mm, offset_mm);
+        let grid = VolumeGrid::centered([6, 16, 16], 0.15);
+        let parallel = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+        let mut x = DoseModel::new_patterns(&parallel).unwrap();
+        let values: Vec<f32> = (0..x.len()).map(|i| 1.0 + (i as f32 * 0.1).sin()).collect();
+        x.copy_from_host(&values);
+        let expected = dose(&parallel, &x);
+        let difference = |count: usize| {
+            let params = Params {
+                rays_per_pixel: count,
+                ..Params::default()
+            };
+            let optics = Optics::collimated(0.13);
+            let model = rays(vial.as_ref(), light.clone(), &optics, &params, grid.clone());
+            let found = dose(&model, &x);
+            let square = |f: &dyn Fn(f64, f64) -> f64| {
+                let pairs = expected.values.iter().zip(&found.values);
+                pairs
+                    .map(|(&a, &b)| f(a.into(), b.into()).powi(2))
+                    .sum::<f64>()
+            };
+            (square(&|a, b| a - b) / square(&|a, _| a)).sqrt()
+        };
+        let (few, many) = (difference(4), difference(1024));
+        assert!(many < left && few < left + 0.06, "{vial:?}: {few} {many}");
+    }
+}
+
+#[test]
+fn what_is_absorbed_is_what_the_account_says() {
+    let grid = VolumeGrid::centered([40, 40, 40], 0.1);
+    for (name, optics) in optics() {
+        let light = light(1, 3, 3, 0.2);
+        let model = rays(&GLASS, light, &optics, &Params::default(), grid.clone());
+        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        x.fill(1.0);
+        let sent = 9.0 * 0.2 * 0.2;
+        let absorbed: f64 = dose(&model, &x)
+            .values
+            .iter()
+            .map(|&v| f64::from(v))
+            .sum::<f64>()
+            * 1e-3;
+        let account = model.account(0, 0);
+        assert!((account.total() - 1.0).abs() < 1e-9, "{name}: {account:?}");
+        assert!(
+            (absorbed / sent - account.absorbed).abs() < 1e-4,
+            "{name}: {} {account:?}",
+            absorbed / sent
+        );
+    }
+}
+
+#[test]
+fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
+    // Light of one frame from above, in an index-matched medium of no absorption: its centroid leans by the tilt
+    let tilt: f64 = 0.25;
+    let motion = Motion {
+        tilt_rad: tilt,
+        ..Motion::default()
+    };
+    let optics = Optics {
+        motion,
+        ..Optics::collimated(0.1)
+    };
+    let mut light = light(1, 1, 1, 0.1);
+    light.pixels.azimuths = vec![0.0];
+    light.resin = Resin::pure_radon(1.5);
+    let grid = VolumeGrid::centered([80, 11, 41], 0.05);
+    let params = Params {
+        rays_per_pixel: 1024,
+        ..Params::default()
+    };
+    let model = rays(
+        &IndexMatched { radius_mm: 5.0 },
+        light,
+        &optics,
+        &params,
+        grid.clone(),
+    );
+    let mut x = LinearOperator::new_patterns(&model).unwrap();
+    x.fill(1.0);
+    let dose = dose(&model, &x);
+    let height = |ix: usize| {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for iz in 0..80 {
+            for iy in 0..11 {
+                let value = f64::from(*dose.at(iz, iy, ix));
+                sum += value * grid.z(iz);
+                weight += value;
+            }
+        }
+        (sum / weight, weight)
+    };
+    for ix in [3, 20, 37] {
+        let (z, weight) = height(ix);
+        assert!((z - grid.x(ix) * tilt.tan()).abs() < 1e-3, "{ix}: {z}");
+        // A slice of the beam: area over cos(tilt), per voxel area
+        assert!((weight * 0.05 * 0.05 * tilt.cos() / 0.01 - 1.0).abs() < 1e-4);
+    }
+}
+
+/// A ball beside the middle, and a mesh of it.
+fn solids(grid: &VolumeGrid) -> [Arc<Solid>; 2] {
+    let placement = Placement {
+        offset_mm: BALL,
+        ..Placement::default()
+    };
+    let section = Section::new(
+        "target.phantom",
+        serde_json::json!({"sphere": {"size_mm": 1.0}}),
+    );
+    let form: Arc<dyn Shape> = Arc::new(Phantom::build(&section, &placement, "target").unwrap());
+    let net = MeshShape::new(
+        ball([0.0; 3], 0.5, 3),
+        &placement,
+        std::path::Path::new("ball"),
+        "target",
+        Repair::Safe,
+    );
+    let net: Arc<dyn Shape> = Arc::new(net.unwrap());
+    [form, net].map(|shape| Arc::new(Solid::new(&shape, grid).unwrap()))
+}
+
+const BALL: [f64; 3] = [0.12, -0.07, 0.04];
+
+#[test]
+fn walks_that_are_kept_are_those_that_are_walked() {
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let [ball, _] = solids(&grid);
+    for (name, optics) in optics() {
+        for solid in [None, Some(&ball)] {
+            let build = || {
+                let (light, params) = (light(5, 7, 11, 0.2), Params::default());
+                let model = rays(&GLASS, light, &optics, &params, grid.clone());
+                match solid {
+                    Some(solid) => model.with_cells(Arc::clone(solid)),
+                    None => model,
+                }
+            };
+            let (walked, kept) = (build(), build().keeping());
+            check::model::model(&kept, 3).unwrap();
+            assert!(walked.kept(&Run::new()).unwrap().is_none());
+            let (run, has_sheets) = (Run::new(), walked.has_sheets());
+            assert_eq!(kept.kept(&run).unwrap().is_none(), has_sheets, "{name}");
+            let sheets = kept.kept_sheets(&run).unwrap();
+            assert_eq!(sheets.is_some(), has_sheets, "{name}");
+            let mut x = LinearOperator::new_patterns(&kept).unwrap();
+            x.copy_from_host(&check::model::noise(1, x.len()));
+            // Some of the frames only, on top of what is there
+            let some = |model: &Rays| {
+                let mut dose = LinearOperator::new_dose(model).unwrap();
+                dose.fill(0.5);
+                model.add_forward(1..4, &x, &mut dose, &Run::new()).unwrap();
+                dose.as_slice().to_vec()
+            };
+            let back = |model: &Rays| {
+                let mut c = LinearOperator::new_dose(model).unwrap();
+                c.copy_from_host(&check::model::noise(2, c.len()));
+                let mut grad = LinearOperator::new_patterns(model).unwrap();
+                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                grad.as_slice().to_vec()
+            };
+            for [a, b] in [[some(&walked), some(&kept)], [back(&walked), back(&kept)]] {
+                let largest = a.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (a, b) in a.iter().zip(&b) {
+                    assert!((a - b).abs() < 1e-5 * largest, "{name}: {a} {b}");
+                }
+            }
+            assert!(kept::Kept::of(&walked, 100, &run).unwrap().is_none());
+            assert!(KeptSheets::of(&walked, 100, &run).unwrap().is_none());
+        }
+    }
+}
+
+#[test]
+fn rows_that_are_followed_together_leave_what_single_rays_leave() {
+    // Twenty slices, two vectors of lanes; the pixels reach beyond the grid. No height is that of a face, where rounding decides
+    let grid = VolumeGrid {
+        center_mm: [0.03, -0.02, 0.413],
+        ..VolumeGrid::centered([20, 17, 18], 0.1)
+    };
+    let mut light = light(5, 18, 11, 0.16);
+    light.sub_angles = 2;
+    light.pixels.frame_arc = 0.3;
+    light.active = Some(
+        (0..55)
+            .map(|i| (i % 4, [18, 9, 2, 14][i as usize % 4] - i % 4))
+            .collect(),
+    );
+    let patches = (0..20)
+        .map(|i| 0.1 + 0.05 * (i * 7 % 13) as f32)
+        .collect::<Vec<_>>();
+    let map = AbsorptionMap::new([1, 4, 5], 0.5, patches.clone(), patches).unwrap();
+    let mapped = Light {
+        map: Some(Arc::new(map)),
+        ..light.clone()
+    };
+    let aside = optics().remove(2).1;
+    for vial in vials() {
+        for (light, reflections) in [(&light, true), (&mapped, false)] {
+            let params = Params {
+                rays_per_pixel: 3,
+                reflections,
+                ..Params::default()
+            };
+            let build = || rays(vial.as_ref(), light.clone(), &aside, &params, grid.clone());
+            let (together, single) = (build(), build().plain());
+            assert!(together.has_sheets() && !single.has_sheets());
+            let found = check::model::model(&together, 3).unwrap();
+            assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            let mut x = LinearOperator::new_patterns(&single).unwrap();
+            x.copy_from_host(&check::model::noise(1, x.len()));
+            let mut c = LinearOperator::new_dose(&single).unwrap();
+            c.copy_from_host(&check::model::noise(2, c.len()));
+            let both = [&together, &single].map(|model| {
+                let mut grad = LinearOperator::new_patterns(model).unwrap();
+                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                (dose(model, &x).values, grad.as_slice().to_vec())
+            });
+            let [(a, of_a), (b, of_b)] = &both;
+            for (a, b) in [(a, b), (of_a, of_b)] {
+                let largest = a.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (a, b) in a.iter().zip(b) {
+                    assert!((a - b).abs() < 2e-6 * largest, "{vial:?}: {a} {b}");
+                }
+            }
+            let [a, b] = [&together, &single].map(|m| LinearOperator::updates(m) as f64);
+            assert!((a / b - 1.0).abs() < 1e-4, "{vial:?}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn light_that_may_leave_its_slice_couples_slices() {
+    let grid = VolumeGrid::centered([8; 3], 0.2);
+    for (name, optics) in optics() {
+        let model = rays(
+            &GLASS,
+            light(3, 5, 9, 0.2),
+            &optics,
+            &Params::default(),
+            grid.clone(),
+        );
+        let is_apart = matches!(LinearOperator::z_coupling(&model), ZCoupling::None);
+        assert_eq!(
+            is_apart,
+            ["collimated", "off axis"].contains(&name),
+            "{name}"
+        );
+    }
+    // The walls of a mesh may lean, ends may bend light
+    for vial in ended() {
+        let optics = Optics::collimated(0.2);
+        let light = light(3, 5, 9, 0.2);
+        let model = rays(
+            vial.as_ref(),
+            light,
+            &optics,
+            &Params::default(),
+            grid.clone(),
+        );
+        assert!(matches!(
+            LinearOperator::z_coupling(&model),
+            ZCoupling::Full
+        ));
+    }
+}
+
+/// Where a ray enters and leaves the ball, by its equation.
+fn chord(from: [f64; 3], direction: [f64; 3]) -> Option<[f64; 2]> {
+    let p: [f64; 3] = std::array::from_fn(|i| from[i] - BALL[i]);
+    let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
+    let (half, rest) = (dot(p, direction), dot(p, p) - 0.25);
+    let root = (half * half - rest).sqrt();
+    root.is_finite().then_some([-half - root, -half + root])
+}
+
+#[test]
+fn slices_that_fall_between_rows_are_lit_evenly() {
+    // A row of 0.1 mm has 16 rays: at four heights they would give a slice of 0.0716 mm two or three, which is 30 % off
+    let grid = VolumeGrid::centered([20, 20, 20], 0.0716);
+    let mut light = light(40, 24, 32, 0.1);
+    light.resin = Resin::pure_radon(1.48);
+    let vial = IndexMatched { radius_mm: 1.7 };
+    let params = Params {
+        rays_per_pixel: 16,
+        ..Params::default()
+    };
+    let model = rays(&vial, light, &Optics::collimated(0.1), &params, grid);
+    let even = lit(&model);
+    for (z, slice) in even.values.chunks_exact(400).enumerate() {
+        let mean = slice.iter().sum::<f32>() / 400.0 / 40.0;
+        assert!((mean - 1.0).abs() < 0.01, "slice {z}: {mean}");
+    }
+}
+
+#[test]
+fn an_image_beside_the_axis_is_a_part_of_a_larger_one_for_every_optics() {
+    // 7 columns and 5 rows, two columns to the right and one row up: the last of 11 columns, the highest of 7 rows
+    let large = PatternGrid {
+        pitch_mm: [0.2, 0.26],
+        ..PatternGrid::full_turn(3, 0.2, 7, 11, 0.2)
+    };
+    let small = PatternGrid {
+        rows: 5,
+        columns: 7,
+        offset_mm: [0.4, 0.26],
+        ..large.clone()
+    };
+    let grid = VolumeGrid::centered([9, 14, 13], 0.2);
+    let params = Params::default();
+    let values: Vec<f32> = (0..small.len())
+        .map(|i| 1.0 + (i as f32 * 0.7).sin())
+        .collect();
+    let given = Patterns {
+        values,
+        grid: small.clone(),
+    };
+    let mut within = Patterns::dark(large);
+    for (i, &value) in given.values.iter().enumerate() {
+        let (frame, row, column) = (i / 35, i / 7 % 5, i % 7);
+        within.values[(frame * 7 + row) * 11 + column + 4] = value;
+    }
+    for vial in vials() {
+        for (name, optics) in optics() {
+            let [a, b] = [&given, &within].map(|patterns| {
+                let light = Light {
+                    pixels: patterns.grid.clone(),
+                    ..light(1, 1, 1, 0.2)
+                };
+                let model = rays(vial.as_ref(), light, &optics, &params, grid.clone());
+                let mut x = LinearOperator::new_patterns(&model).unwrap();
+                model.patterns[0].fill_field(patterns, x.as_mut_slice());
+                if patterns.grid == small {
+                    check::model::model(&model, 3).unwrap();
+                }
+                dose(&model, &x)
+            });
+            let most = a.values.iter().copied().fold(0.0, f32::max);
+            for (a, b) in a.values.iter().zip(&b.values) {
+                assert!(
+                    most > 0.0 && (a - b).abs() < 2e-6 * most,
+                    "{vial:?} {name}: {a} {b}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn pixels_that_are_not_square_leave_the_energy_of_their_area() {
+    let grid = VolumeGrid::centered([40, 40, 40], 0.1);
+    for (name, optics) in optics() {
+        let mut light = light(1, 3, 3, 0.2);
+        light.pixels.pitch_mm = [0.3, 0.12];
+        light.pixels.offset_mm = [-0.2, 0.1];
+        let model = rays(&GLASS, light, &optics, &Params::default(), grid.clone());
+        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        x.fill(1.0);
+        let dose = dose(&model, &x);
+        let absorbed: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
+        let (sent, account) = (9.0 * 0.3 * 0.12, model.account(0, 0));
+        assert!(
+            (absorbed / sent - account.absorbed).abs() < 1e-4,
+            "{name}: {} {account:?}",
+            absorbed / sent
+        );
+    }
+}

@@ -1,0 +1,356 @@
+//! Which pixels are unknowns: those that may be lit, and can help. All others stay dark.
+//!
+//! *Can help.* The adjoint of an indicator is positive exactly for the pixels that bring light to a voxel that is to be printed,
+//! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
+//! `least_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
+//!
+//! *May be lit.* [`PixelMask`]s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
+//!
+//! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
+//! them that are not are held dark ([`Dimmed`](super::dimmed::Dimmed)): they have no effect and no derivative.
+
+use super::layout::{PatternLayout, PixelRun};
+use super::parallel::Light;
+use super::{DoseModel, Run};
+use rayon::prelude::*;
+use std::sync::Arc;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::{PatternGrid, PixelMask, Volume};
+
+/// Which pixels of a light may be unknowns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Selection {
+    /// A pixel may be lit where all of them allow it.
+    pub masks: Vec<Arc<PixelMask>>,
+    /// Share of the best pixel's light that a pixel must bring to the part, 0 to below 1.
+    pub least_contribution: f64,
+}
+
+impl Selection {
+    /// Whether it leaves anything dark.
+    #[must_use]
+    pub fn is_any(&self) -> bool {
+        !self.masks.is_empty() || self.least_contribution > 0.0
+    }
+
+    /// Whether a pixel `[frame, row, column]` may be lit.
+    #[must_use]
+    pub fn allows(&self, at: [usize; 3]) -> bool {
+        self.masks.iter().all(|mask| mask.allows(at))
+    }
+
+    /// Lowest and highest corner [u, z] of what may be lit in all frames alike, mm.
+    #[must_use]
+    pub fn field_mm(&self, pixels: &PatternGrid) -> [[f64; 2]; 2] {
+        let whole = pixels.field_mm();
+        let still = self.masks.iter().filter(|mask| mask.is_still());
+        let fields = still.map(|mask| mask.field_mm(pixels));
+        fields.fold(whole, |[low, high], field| {
+            [
+                std::array::from_fn(|i| low[i].max(field[0][i])),
+                std::array::from_fn(|i| high[i].min(field[1][i])),
+            ]
+        })
+    }
+
+    /// The same with every mask changed.
+    #[must_use]
+    pub fn mapped(&self, change: impl Fn(&PixelMask) -> PixelMask) -> Self {
+        Selection {
+            masks: self.masks.iter().map(|m| Arc::new(change(m))).collect(),
+            ..self.clone()
+        }
+    }
+}
+
+/// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
+/// inside cells are wanted.
+///
+/// # Errors
+/// [`Error::Cancelled`], [`Error::Shape`].
+pub fn contributions(
+    model: &dyn DoseModel<Field = HostField>,
+    wanted: &Volume<u8>,
+    run: &Run,
+) -> Result<HostField> {
+    let layout = &model.outputs()[0];
+    if wanted.grid.shape != layout.grid.shape {
+        return Err(Error::Shape {
+            what: "wanted voxels".into(),
+            expected: layout.grid.shape.to_vec(),
+            found: wanted.grid.shape.to_vec(),
+        });
+    }
+    let mut mask: Vec<f32> = layout
+        .field_of(wanted)
+        .iter()
+        .map(|&w| f32::from(w != 0))
+        .collect();
+    if let Some(cells) = &layout.cells {
+        cells.fill([0.0, 1.0], &mut mask);
+    }
+    let mut seen = model.new_patterns()?;
+    let dark = seen.zeros_like();
+    model.pullback(&dark, &HostField::from_slice(&mask), &mut seen, run)?;
+    Ok(seen)
+}
+
+/// Which pixels of these fields are chosen, given what each brings; None: all bring something.
+#[must_use]
+pub fn chosen(
+    patterns: &[PatternLayout],
+    selections: &[Selection],
+    contributions: Option<&[f32]>,
+) -> Vec<bool> {
+    let mut chosen = Vec::with_capacity(patterns.iter().map(PatternLayout::len).sum());
+    let brought = |i: usize| contributions.map_or(1.0, |all| all[i]);
+    for (layout, selection) in patterns.iter().zip(selections) {
+        let (rows, columns) = (layout.grid.rows, layout.grid.columns);
+        let of_run = |(slot, run): (usize, &PixelRun)| {
+            let (bottom, first) = (run.bottom as usize, run.offset);
+            (0..run.count as usize).map(move |i| {
+                let at = [slot / columns, rows - 1 - bottom - i, slot % columns];
+                brought(first + i) > 0.0 && selection.allows(at)
+            })
+        };
+        chosen.par_extend(layout.runs.par_iter().enumerate().flat_map_iter(of_run));
+        // Of the pixels that may be lit the best one is the measure
+        let own = layout.range();
+        let light = chosen[own.clone()].par_iter().zip(own.clone());
+        let best = light
+            .map(|(&chosen, i)| if chosen { brought(i) } else { 0.0 })
+            .reduce(|| 0.0, f32::max);
+        let least = (f64::from(best) * selection.least_contribution) as f32;
+        if least > 0.0 {
+            let light = chosen[own.clone()].par_iter_mut().zip(own);
+            light.for_each(|(chosen, i)| *chosen &= brought(i) >= least);
+        }
+    }
+    chosen
+}
+
+/// For each light the rows `(bottom, count)` of each (frame, column), from the lowest to the highest that is chosen.
+#[must_use]
+pub fn rows_of(patterns: &[PatternLayout], chosen: &[bool]) -> Vec<Vec<(u32, u32)>> {
+    let rows = |run: &PixelRun| {
+        let own = &chosen[run.offset..][..run.count as usize];
+        let first = own.iter().position(|&c| c);
+        let last = own.iter().rposition(|&c| c);
+        first
+            .zip(last)
+            .map_or((0, 0), |(a, b)| (run.bottom + a as u32, (b - a + 1) as u32))
+    };
+    patterns
+        .iter()
+        .map(|layout| layout.runs.iter().map(rows).collect())
+        .collect()
+}
+
+/// Where the active pixels of lights lie in a field.
+pub(super) fn layouts(lights: &[Light]) -> Vec<PatternLayout> {
+    let mut offset = 0;
+    let layout = |light: &Light| {
+        let layout = light.layout(offset);
+        offset += layout.len();
+        layout
+    };
+    lights.iter().map(layout).collect()
+}
+
+/// Makes the active rows of lights those of the chosen pixels; the pixels between them that stay dark all the same, in the order
+/// of the field of these rows, where a selection asks for it.
+pub(super) fn narrow(
+    lights: &mut [Light],
+    patterns: &[PatternLayout],
+    contributions: Option<&[f32]>,
+) -> Vec<bool> {
+    let selections: Vec<Selection> = lights.iter().map(|l| l.selection.clone()).collect();
+    let chosen = chosen(patterns, &selections, contributions);
+    let rows = rows_of(patterns, &chosen);
+    let mut dark = Vec::new();
+    for ((light, layout), rows) in lights.iter_mut().zip(patterns).zip(rows) {
+        let is_any = light.selection.is_any();
+        for (run, &(bottom, count)) in layout.runs.iter().zip(&rows).filter(|(_, r)| r.1 > 0) {
+            let first = run.offset + (bottom - run.bottom) as usize;
+            let own = &chosen[first..first + count as usize];
+            dark.extend(own.iter().map(|&chosen| is_any && !chosen));
+        }
+        light.active = Some(rows);
+    }
+    if dark.contains(&true) {
+        dark
+    } else {
+        Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::matrix;
+    use crate::parallel::Parallel;
+    use crate::rays::{self, Optics};
+    use crate::{Choice, planner};
+    use crate::{orders, scatter};
+    use tomolith_core::grid::VolumeGrid;
+    use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
+    use tomolith_optics::resin::Resin;
+    use tomolith_optics::vial::index_matched::IndexMatched;
+
+    const VIAL: IndexMatched = IndexMatched { radius_mm: 2.0 };
+
+    fn light() -> Light {
+        let pixels = PatternGrid::full_turn(5, 0.1, 12, 16, 0.1);
+        Light::new(pixels, Resin::absorbing(1.48, 0.2))
+    }
+
+    /// Three rows at the bottom, and one pixel near the middle, may not be lit.
+    fn mask() -> Arc<PixelMask> {
+        Arc::new(PixelMask::new([1, 12, 16], |_, row, column| {
+            row < 9 && [row, column] != [6, 8]
+        }))
+    }
+
+    fn part(grid: &VolumeGrid) -> Volume<u8> {
+        let mut part = Volume::filled(grid.clone(), 0u8);
+        for iz in 1..6 {
+            part.values[grid.index(iz, 4, 4)] = 1;
+            part.values[grid.index(iz, 5, 4)] = 1;
+        }
+        part
+    }
+
+    #[test]
+    fn the_unknowns_of_every_model_are_those_that_may_be_lit_and_reach_the_part() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let part = part(&grid);
+        for (choice, scatters) in [
+            (Choice::Parallel(crate::parallel::Params::default()), false),
+            (Choice::Rays(rays::Params::default()), false),
+            (Choice::Scatter(scatter::Params::default()), true),
+            (Choice::Orders(orders::Params::default()), true),
+        ] {
+            let mut optics = [Optics::collimated(0.1)];
+            let mut light = light();
+            if scatters {
+                light.resin.attenuation_per_mm = 0.5;
+                optics[0].scattering = Some(Scattering {
+                    per_mm: 0.3,
+                    phase: Arc::new(Rayleigh {}),
+                });
+            }
+            let setup = planner::Setup {
+                vial: &VIAL,
+                optics: &optics,
+                solid: None,
+                asked_often: true,
+                dose_factor: 1.0,
+                orders_off: None,
+            };
+            let planned = |light: Light| {
+                let (lights, grid) = (vec![light], grid.clone());
+                planner::plan(&choice, setup, lights, grid, Some(&part), &Run::new()).unwrap()
+            };
+            let plain = planned(light.clone());
+            light.selection.masks = vec![mask()];
+            let masked = planned(light.clone());
+            // The gradient of an even dose is what was there, and 0 where no pixel may be lit
+            let gradient = |plan: &planner::Plan| {
+                let model = plan.model.as_ref();
+                let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
+                c.fill(1.0);
+                let at = x.zeros_like();
+                model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
+                model.patterns()[0].patterns_of(x.as_slice())
+            };
+            let (before, after) = (gradient(&plain), gradient(&masked));
+            let mut lost = 0;
+            for (i, (&b, &a)) in before.values.iter().zip(&after.values).enumerate() {
+                let (row, column) = (i / 16 % 12, i % 16);
+                let expected = if mask().allows([0, row, column]) {
+                    b
+                } else {
+                    0.0
+                };
+                assert!(
+                    (a - expected).abs() <= 1e-6 * b.abs(),
+                    "{choice:?} {row} {column}"
+                );
+                lost += usize::from(b != a);
+            }
+            assert!(lost > 5, "{choice:?}: {lost}");
+            assert!(masked.model.patterns()[0].len() < plain.model.patterns()[0].len());
+            // Light of a pixel that may not be lit has no effect
+            let mut x = masked.model.new_patterns().unwrap();
+            x.fill(1.0);
+            assert_eq!(masked.dark.len(), x.len());
+            let mut kept = x.clone();
+            super::super::dimmed::darken(&mut kept, &masked.dark);
+            assert_ne!(kept.as_slice(), x.as_slice());
+            let dose = |x: &HostField| {
+                let mut dose = masked.model.new_dose().unwrap();
+                masked.model.dose(x, &mut dose, &Run::new()).unwrap();
+                dose.as_slice().to_vec()
+            };
+            assert_eq!(dose(&x), dose(&kept));
+        }
+    }
+
+    #[test]
+    fn pixels_of_a_stored_matrix_that_may_not_be_lit_stay_dark() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("matrix.npz");
+        matrix::export(&all, &file, &Run::new(), &mut |_| {}).unwrap();
+        let optics = [Optics::collimated(0.1)];
+        let setup = planner::Setup {
+            vial: &VIAL,
+            optics: &optics,
+            solid: None,
+            asked_often: true,
+            dose_factor: 1.0,
+            orders_off: None,
+        };
+        let mut light = light();
+        light.selection.masks = vec![mask()];
+        let choice = Choice::Matrix(matrix::Params { file });
+        let plan = planner::plan(&choice, setup, vec![light], grid, None, &Run::new()).unwrap();
+        let mut x = plan.model.new_patterns().unwrap();
+        let mut c = plan.model.new_dose().unwrap();
+        c.fill(1.0);
+        let at = x.zeros_like();
+        plan.model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
+        let gradient = plan.model.patterns()[0].patterns_of(x.as_slice());
+        let mut lit = 0;
+        for (i, &value) in gradient.values.iter().enumerate() {
+            let may = mask().allows([0, i / 16 % 12, i % 16]);
+            assert!(may || value == 0.0);
+            lit += usize::from(value > 0.0);
+        }
+        assert!(lit > 200, "{lit}");
+    }
+
+    #[test]
+    fn pixels_that_bring_less_than_their_share_of_the_best_one_stay_dark() {
+        let grid = VolumeGrid::centered([8, 8, 8], 0.15);
+        let part = part(&grid);
+        let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
+        let brought = contributions(&all, &part, &Run::new()).unwrap();
+        let best = brought.as_slice().iter().copied().fold(0.0, f32::max);
+        let mut lit = Vec::new();
+        for least in [0.0, 0.3, 0.999] {
+            let mut light = light();
+            light.selection.least_contribution = least;
+            let selections = [light.selection.clone()];
+            let chosen = chosen(all.patterns(), &selections, Some(brought.as_slice()));
+            for (&chosen, &brought) in chosen.iter().zip(brought.as_slice()) {
+                let enough = brought > 0.0 && f64::from(brought) >= least * f64::from(best);
+                assert_eq!(chosen, enough);
+            }
+            lit.push(chosen.iter().filter(|c| **c).count());
+        }
+        assert!(lit[0] > lit[1] && lit[1] > lit[2] && lit[2] > 0, "{lit:?}");
+    }
+}

@@ -1,0 +1,376 @@
+//! Dose and pullback of one light.
+
+use super::coherent::Coherent;
+use super::memory::frames_together;
+use super::number::Number;
+use super::resample::Resample;
+use super::spectrum::{Scratch, Windows};
+use super::turn::{Sorted, TILE, TileEntries, Turn};
+use crate::{PatternLayout, Run};
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+use std::ops::Range;
+use std::sync::Mutex;
+use tomolith_core::error::{Error, Result};
+
+/// Lanes of a row that are gathered at a time.
+const LANES_AT_ONCE: usize = 256;
+
+/// How light goes from the plane of its pixels to the samples.
+pub(super) trait Way<T: Number>: Send + Sync {
+    /// Whether the light is linear in the pixels.
+    const IS_LINEAR: bool;
+    /// Its transforms.
+    fn windows(&self) -> &Windows<T>;
+    /// samples += light of the image whose spectrum lies in the scratch; rows of samples are `row` numbers apart
+    fn shine(&self, scratch: &mut Scratch<T>, samples: &mut [T], row: usize);
+    /// The derivative's transpose at that image: pixels, column by column, handed to `take`.
+    fn send_back(
+        &self,
+        samples: &[T],
+        row: usize,
+        scratch: &mut Scratch<T>,
+        take: &mut dyn FnMut(usize, &[Complex<T>]),
+    );
+    /// Multiplications and additions of the Fourier transforms of one frame's dose and pullback.
+    fn operations(&self) -> f64;
+}
+
+/// Light and voxels of one light.
+pub(super) struct WaveLight<T: Number, W: Way<T>> {
+    pub(super) way: W,
+    pub(super) turn: Turn,
+    /// Voxels along x and y.
+    pub(super) plane: [usize; 2],
+    /// Numbers from one row of voxels to the next.
+    pub(super) row: usize,
+    /// Frames of this light among those of all.
+    pub(super) first_frame: usize,
+    resample: Resample<T>,
+    pool: Mutex<Vec<Scratch<T>>>,
+}
+
+impl<T: Number, W: Way<T>> WaveLight<T, W> {
+    pub(super) fn new(
+        (way, turn): (W, Turn),
+        plane: [usize; 2],
+        row: usize,
+        first_frame: usize,
+    ) -> Self {
+        let windows = way.windows();
+        let resample = Resample::new(&windows.sampling, windows.computed(), windows.last);
+        WaveLight {
+            way,
+            turn,
+            resample,
+            plane,
+            row,
+            first_frame,
+            pool: Mutex::new(Vec::new()),
+        }
+    }
+
+    /// Which of this light's frames are among these of all lights.
+    pub(super) fn own(&self, frames: &Range<usize>, layout: &PatternLayout) -> Range<usize> {
+        let count = layout.grid.frames();
+        let local = |f: usize| f.saturating_sub(self.first_frame).min(count);
+        local(frames.start)..local(frames.end)
+    }
+
+    /// Samples of one frame that voxels are interpolated from: rows of them.
+    fn rows(&self) -> usize {
+        self.way.windows().sampling.along.last().count * self.way.windows().last.count
+    }
+
+    /// The same in numbers.
+    fn samples(&self) -> usize {
+        self.rows() * self.row
+    }
+
+    /// Numbers of one frame's samples that are computed.
+    fn computed(&self) -> usize {
+        self.way.windows().sampling.along.computed.count * self.way.windows().width() * self.row
+    }
+
+    /// Bytes of the scratches that were needed so far.
+    #[cfg(test)]
+    pub(super) fn kept_bytes(&self) -> usize {
+        let pool = self.pool.lock().unwrap();
+        pool.iter().map(Scratch::bytes).sum()
+    }
+
+    fn with_scratch<R>(&self, work: impl FnOnce(&mut Scratch<T>) -> R) -> R {
+        let lock = || {
+            self.pool
+                .lock()
+                .unwrap_or_else(std::sync::PoisonError::into_inner)
+        };
+        let found = lock().pop();
+        let mut scratch = found.unwrap_or_else(|| self.way.windows().scratch());
+        let result = work(&mut scratch);
+        lock().push(scratch);
+        result
+    }
+
+    /// The spectrum of a frame.
+    fn load(&self, layout: &PatternLayout, frame: usize, x: &[T], scratch: &mut Scratch<T>) {
+        let columns = layout.grid.columns;
+        let runs = layout.runs[frame * columns..][..columns].iter();
+        let columns = runs.map(|run| {
+            let values = &x[run.offset..][..run.count as usize];
+            (run.bottom as usize, values)
+        });
+        self.way.windows().transform(scratch, columns);
+    }
+
+    /// Light of a frame, added to all samples.
+    fn light(&self, layout: &PatternLayout, frame: usize, x: &[T], samples: &mut [T]) {
+        self.with_scratch(|scratch| {
+            self.load(layout, frame, x, scratch);
+            if self.resample.is_idle() {
+                return self.way.shine(scratch, samples, self.row);
+            }
+            let mut computed = self.cleared(scratch, 1);
+            self.way.shine(scratch, &mut computed, self.row);
+            (self.resample).forth(&computed, samples, &mut scratch.between, self.row);
+            scratch.computed = computed;
+        });
+    }
+
+    /// The array of computed samples of a scratch, `times` of them, all 0.
+    fn cleared(&self, scratch: &mut Scratch<T>, times: usize) -> Vec<T> {
+        let mut computed = std::mem::take(&mut scratch.computed);
+        computed.clear();
+        computed.resize(times * self.computed(), T::zero());
+        computed
+    }
+
+    /// dose += light of some frames
+    pub(super) fn add_dose(
+        &self,
+        layout: &PatternLayout,
+        frames: Range<usize>,
+        x: &[T],
+        dose: &mut [T],
+        run: &Run,
+    ) -> Result<()> {
+        let lit: Vec<usize> = frames.filter(|&f| is_lit(layout, f, x)).collect();
+        let light = |frame: usize, samples: &mut [T]| self.light(layout, frame, x, samples);
+        self.add([dose], &lit, light, run)
+    }
+
+    /// doses += what `light(frame, samples)` leaves at the samples of frames: those of each dose one after the other
+    fn add<const N: usize>(
+        &self,
+        mut doses: [&mut [T]; N],
+        frames: &[usize],
+        light: impl Fn(usize, &mut [T]) + Sync,
+        run: &Run,
+    ) -> Result<()> {
+        let size = self.samples();
+        let bytes = N * size * std::mem::size_of::<T>();
+        let together = frames_together(bytes, rayon::current_num_threads());
+        let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
+        for frames in frames.chunks(together) {
+            if run.is_cancelled() {
+                return Err(Error::Cancelled);
+            }
+            samples
+                .par_chunks_mut(N * size)
+                .zip(frames)
+                .for_each(|(samples, &frame)| {
+                    samples.fill(T::zero());
+                    light(frame, samples);
+                });
+            for (which, dose) in doses.iter_mut().enumerate() {
+                self.turn_onto(frames, (which, N), &samples, dose);
+            }
+        }
+        Ok(())
+    }
+
+    /// dose += samples of frames, of which this dose's is one of several
+    fn turn_onto(
+        &self,
+        frames: &[usize],
+        (which, of): (usize, usize),
+        samples: &[T],
+        dose: &mut [T],
+    ) {
+        let [nx, ny] = self.plane;
+        let of_dose = self.rows();
+        let band = TILE * nx * self.row;
+        dose.par_chunks_mut(band).enumerate().for_each_init(
+            TileEntries::default,
+            |entries, (tile, rows)| {
+                let ys = tile * TILE..((tile + 1) * TILE).min(ny);
+                for x in (0..nx).step_by(TILE) {
+                    let xs = x..(x + TILE).min(nx);
+                    for (i, &frame) in frames.iter().enumerate() {
+                        let place = (frame, (i * of + which) * of_dose);
+                        let area = (xs.clone(), ys.clone());
+                        let sampling = &self.way.windows().sampling;
+                        self.turn.enumerate(place, area, sampling, entries);
+                        self.gather(entries, ys.start, samples, rows);
+                    }
+                }
+            },
+        );
+    }
+
+    /// rows += what the entries of a tile bring; `rows` begin at voxel row `y`.
+    fn gather(&self, entries: &TileEntries<T>, y: usize, samples: &[T], rows: &mut [T]) {
+        for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
+            let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
+            for (i, &column) in entries.voxels.iter().enumerate() {
+                let own = entries.starts[i] as usize..entries.starts[i + 1] as usize;
+                let at = (column as usize - y * self.plane[0]) * self.row + first;
+                let listed = (&entries.slots[own.clone()], &entries.weights[own]);
+                T::add_rows(&mut rows[at..], samples, listed, (self.row, first, lanes));
+            }
+        }
+    }
+
+    /// What the voxels of a cotangent ask of the samples of a frame: the transpose of the gathering.
+    fn ask(&self, frame: usize, cotangent: &[T], samples: &mut [T]) {
+        let [nx, ny] = self.plane;
+        let (mut entries, mut sorted) = (TileEntries::default(), Sorted::default());
+        samples.fill(T::zero());
+        for y in (0..ny).step_by(TILE) {
+            for x in (0..nx).step_by(TILE) {
+                let area = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
+                let sampling = &self.way.windows().sampling;
+                self.turn
+                    .enumerate((frame, 0), area, sampling, &mut entries);
+                sorted.sort(&entries);
+                for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
+                    let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
+                    for (i, &sample) in sorted.samples.iter().enumerate() {
+                        let own = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
+                        let at = sample as usize * self.row + first;
+                        let listed = (&sorted.voxels[own.clone()], &sorted.weights[own]);
+                        let place = (self.row, first, lanes);
+                        T::add_rows(&mut samples[at..], cotangent, listed, place);
+                    }
+                }
+            }
+        }
+    }
+
+    /// grad of this light's pixels = F′(x)ᵀ cotangent; `grad` holds the pixels of this light only.
+    pub(super) fn pull_back(
+        &self,
+        layout: &PatternLayout,
+        x: &[T],
+        cotangent: &[T],
+        grad: &mut [T],
+        run: &Run,
+    ) -> Result<()> {
+        let columns = layout.grid.columns;
+        let mut rest = grad;
+        let mut frames = Vec::with_capacity(layout.grid.frames());
+        for frame in 0..layout.grid.frames() {
+            let len = layout.elements_of(frame..frame + 1).len();
+            let (own, others) = rest.split_at_mut(len);
+            frames.push((frame, own));
+            rest = others;
+        }
+        frames.into_par_iter().for_each(|(frame, grad)| {
+            grad.fill(T::zero());
+            // Dark patterns of waves are stationary: there F′ = 0
+            if run.is_cancelled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
+                return;
+            }
+            let runs = &layout.runs[frame * columns..][..columns];
+            let first = layout.elements_of(frame..frame + 1).start;
+            let mut take = |column: usize, values: &[Complex<T>]| {
+                let run = &runs[column];
+                let own = &mut grad[run.offset - first..][..run.count as usize];
+                for (to, value) in own.iter_mut().zip(&values[run.bottom as usize..]) {
+                    *to = value.re;
+                }
+            };
+            self.with_scratch(|scratch| {
+                let mut samples = std::mem::take(&mut scratch.samples);
+                samples.resize(self.samples(), T::zero());
+                self.ask(frame, cotangent, &mut samples);
+                self.load(layout, frame, x, scratch);
+                self.send_back(&samples, scratch, &mut take);
+                scratch.samples = samples;
+            });
+        });
+        if run.is_cancelled() {
+            return Err(Error::Cancelled);
+        }
+        Ok(())
+    }
+}
+
+impl<T: Number, W: Way<T>> WaveLight<T, W> {
+    /// What samples ask of the pixels of the frame whose spectrum lies in the scratch.
+    fn send_back(
+        &self,
+        samples: &[T],
+        scratch: &mut Scratch<T>,
+        take: &mut dyn FnMut(usize, &[Complex<T>]),
+    ) {
+        if self.resample.is_idle() {
+            return self.way.send_back(samples, self.row, scratch, take);
+        }
+        let mut computed = self.cleared(scratch, 1);
+        (self.resample).back(samples, &mut computed, &mut scratch.between, self.row);
+        self.way.send_back(&computed, self.row, scratch, take);
+        scratch.computed = computed;
+    }
+}
+
+impl<T: Number> WaveLight<T, Coherent<T>> {
+    /// doses += coefficients of α and α² of F(x + αd)
+    pub(super) fn add_along(
+        &self,
+        layout: &PatternLayout,
+        [x, d]: [&[T]; 2],
+        doses: [&mut [T]; 2],
+        run: &Run,
+    ) -> Result<()> {
+        let frames = 0..layout.grid.frames();
+        let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
+        let lit: Vec<usize> = frames.filter(is_lit).collect();
+        let light = |frame: usize, samples: &mut [T]| {
+            self.light_along((layout, frame), [x, d], samples);
+        };
+        self.add(doses, &lit, light, run)
+    }
+
+    /// 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.
+    fn light_along(
+        &self,
+        (layout, frame): (&PatternLayout, usize),
+        [x, d]: [&[T]; 2],
+        samples: &mut [T],
+    ) {
+        self.with_scratch(|of_x| {
+            self.load(layout, frame, x, of_x);
+            self.with_scratch(|of_d| {
+                self.load(layout, frame, d, of_d);
+                if self.resample.is_idle() {
+                    return self.way.shine_along([of_x, of_d], samples, self.row);
+                }
+                let mut computed = self.cleared(of_x, 2);
+                let scratches = [&mut *of_x, of_d];
+                (self.way).shine_along(scratches, &mut computed, self.row);
+                let parts = computed.chunks_exact(self.computed());
+                for (part, samples) in parts.zip(samples.chunks_exact_mut(self.samples())) {
+                    (self.resample).forth(part, samples, &mut of_x.between, self.row);
+                }
+                of_x.computed = computed;
+            });
+        });
+    }
+}
+
+/// Whether any pixel of a frame is lit.
+fn is_lit<T: Number>(layout: &PatternLayout, frame: usize, x: &[T]) -> bool {
+    let own = layout.elements_of(frame..frame + 1);
+    x[own].iter().any(|v| !v.is_zero())
+}

@@ -1,0 +1,334 @@
+//! The lights of a model, and how their samples lie on voxels: what does not depend on how light spreads.
+
+use super::beam::Spreading;
+use super::light::{WaveLight, Way};
+use super::number::Number;
+use super::sampling::{Needs, Sampling};
+use super::spectrum::{Heights, Windows};
+use super::turn::{Turn, Uptake};
+use super::window::{Side, Span};
+use super::{Entrance, Settings};
+use crate::parallel::{Light, is_straight};
+use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
+use std::ops::Range;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::HostField;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_core::units::concise;
+use tomolith_optics::vial::{Curve, Vial};
+
+/// Why the model does not cover a vial and its lights; None when it does.
+#[must_use]
+pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
+    let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
+    if any(&|light| !is_straight(vial, light)) {
+        Some(
+            "it knows one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
+        )
+    } else if any(&|light| light.resin.gradient.is_some()) {
+        Some("it knows one refractive index, and the resin's changes from place to place")
+    } else if any(&|light| light.map.is_some()) {
+        Some("it knows one absorption for all the resin")
+    } else if any(&|light| light.bath.is_some()) {
+        Some("it knows no absorption before the vial")
+    } else {
+        None
+    }
+}
+
+/// All lights of a model.
+pub(super) struct Lights<W: Way<f32>> {
+    pub(super) lights: Vec<WaveLight<f32, W>>,
+    pub(super) patterns: Vec<PatternLayout>,
+    pub(super) outputs: Vec<DoseLayout>,
+}
+
+impl<W: Way<f32>> Lights<W> {
+    /// Lights that `build(light, layout of dose, which, first frame)` makes; `model`: key of the model.
+    pub(super) fn new(
+        model: &str,
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        grid: VolumeGrid,
+        build: impl Fn(&Light, &DoseLayout, usize, usize) -> Result<WaveLight<f32, W>>,
+    ) -> Result<Self> {
+        if let Some(reason) = beyond(vial, &lights) {
+            return Err(Error::Unsupported {
+                what: model.into(),
+                reason: reason.into(),
+            });
+        }
+        if grid.is_empty() {
+            let found = format!("shape {:?} [z, y, x]", grid.shape);
+            return Err(Error::config("grid", found, "at least one voxel"));
+        }
+        let layout = DoseLayout::new("dose", grid, 0);
+        let (mut built, mut patterns) = (Vec::new(), Vec::new());
+        let (mut offset, mut first_frame) = (0, 0);
+        for (which, light) in lights.into_iter().enumerate() {
+            light.check()?;
+            let pixels = light.layout(offset);
+            built.push(build(&light, &layout, which, first_frame)?);
+            offset += pixels.len();
+            first_frame += light.pixels.frames();
+            patterns.push(pixels);
+        }
+        Ok(Lights {
+            lights: built,
+            patterns,
+            outputs: vec![layout],
+        })
+    }
+
+    pub(super) fn new_patterns(&self) -> HostField {
+        HostField::zeros(self.patterns.iter().map(PatternLayout::len).sum())
+    }
+
+    pub(super) fn new_dose(&self) -> HostField {
+        HostField::zeros(self.outputs[0].len())
+    }
+
+    fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, W>, &PatternLayout)> {
+        self.lights.iter().zip(&self.patterns)
+    }
+
+    /// dose += light of some frames
+    pub(super) fn add_dose(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, layout) in self.each() {
+            let own = light.own(&frames, layout);
+            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
+        }
+        Ok(())
+    }
+
+    /// grad = F′(x)ᵀ cotangent
+    pub(super) fn pull_back(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, layout) in self.each() {
+            let own = &mut grad.as_mut_slice()[layout.range()];
+            light.pull_back(layout, x.as_slice(), cotangent.as_slice(), own, run)?;
+        }
+        Ok(())
+    }
+
+    /// How far along z light reaches from its row.
+    pub(super) fn halo(&self) -> ZCoupling {
+        let reach = |light: &WaveLight<f32, W>| light.way.windows().sampling.guard[1];
+        ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max))
+    }
+
+    /// Voxels times frames.
+    pub(super) fn updates(&self) -> u64 {
+        let heights = self.outputs[0].grid.shape[0];
+        self.each()
+            .map(|(light, p)| (light.turn.columns() * heights * p.grid.frames()) as u64)
+            .sum()
+    }
+
+    /// Operations of the Fourier transforms of a dose and a pullback.
+    pub(super) fn operations(&self) -> f64 {
+        self.each()
+            .map(|(light, p)| p.grid.frames() as f64 * light.way.operations())
+            .sum()
+    }
+
+    /// The sampling of the first light, for people.
+    pub(super) fn described(&self) -> String {
+        let s = &self.lights[0].way.windows().sampling;
+        let depths = s.transformed();
+        format!(
+            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
+            depths.count,
+            concise(depths.step),
+            s.padded[0],
+            s.padded[1],
+            s.across.computed.count
+        )
+    }
+}
+
+/// Columns of voxels in the resin.
+struct Lit {
+    in_resin: Vec<bool>,
+    /// Distance of the farthest from the axis, mm.
+    radius: f64,
+}
+
+impl Lit {
+    fn new(vial: &dyn Vial, grid: &VolumeGrid) -> Self {
+        let [_, ny, nx] = grid.shape;
+        let place = |i: usize| [grid.x(i % nx), grid.y(i / nx)];
+        let in_resin: Vec<bool> = (0..nx * ny)
+            .map(|i| vial.in_resin([place(i)[0], place(i)[1], 0.0]))
+            .collect();
+        let lit = (0..nx * ny).filter(|&i| in_resin[i]).map(place);
+        let radius = lit.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        Lit { in_resin, radius }
+    }
+}
+
+/// The transforms that a light needs for the voxels in the resin.
+fn windows_of<T: Number>(
+    (light, beam): (&Light, &dyn Spreading),
+    lit: &Lit,
+    (focus_mm, settings): (f64, &Settings),
+    grid: &VolumeGrid,
+) -> Result<Windows<T>> {
+    let (pixels, radius) = (&light.pixels, lit.radius);
+    let heights = heights_of(pixels.pitch_mm[1], grid)?;
+    let nz = grid.shape[0];
+    let u = Side {
+        pitch: pixels.pitch_mm[0],
+        pixels: pixels.columns,
+        from: pixels.column_u(0),
+        voxels: Span::Disc {
+            radius,
+            focus: focus_mm,
+        },
+    };
+    let z = Side {
+        pitch: pixels.pitch_mm[1],
+        pixels: pixels.rows,
+        from: pixels.row_z(pixels.rows - 1),
+        voxels: Span::Between(grid.z(0), grid.z(nz - 1)),
+    };
+    let needs = Needs {
+        depths: [
+            (focus_mm.abs() - radius).max(0.0),
+            (radius + focus_mm.abs()).max(u.pitch),
+        ],
+        voxels: [lit.in_resin.iter().filter(|lit| **lit).count(), nz],
+        high: heights.finer as f64,
+    };
+    let sampling = Sampling::new(beam, [&u, &z], &needs, settings).map_err(|found| {
+        Error::config(
+            settings.model,
+            format!(
+                "{found} up to {} mm from the focal plane, more than anybody has time for",
+                concise(needs.depths[1])
+            ),
+            "a focal plane nearer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
+        )
+    })?;
+    Ok(Windows::new(sampling, [&u, &z], (heights, nz)))
+}
+
+/// Operations of the Fourier transforms of a frame's dose and pullback at most: some ten minutes of a core.
+const MOST_WORK: f64 = 3e12;
+
+/// Bytes of frames of a light at work, `doses` at a time, beside patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
+/// so many depths.
+///
+/// # Errors
+/// As [`turning`].
+pub(super) fn working_bytes(
+    vial: &dyn Vial,
+    of: (&Light, &dyn Spreading),
+    focus: (f64, &Settings),
+    grid: &VolumeGrid,
+    (doses, modes): (usize, usize),
+    kernels: impl Fn(usize) -> usize,
+) -> Result<usize> {
+    let windows = windows_of::<f32>(of, &Lit::new(vial, grid), focus, grid)?;
+    let threads = rayon::current_num_threads();
+    let depths = windows.sampling.transformed().count;
+    let [image, depth] = windows.operations();
+    let work = 3.0 * (image + (depths * modes) as f64 * depth);
+    if work > MOST_WORK {
+        let [u, z] = windows.sampling.padded;
+        return Err(Error::config(
+            focus.1.model,
+            format!(
+                "a frame takes {depths} depths of {u} × {z} pixels, {modes} modes: {work:.1e} operations, more than anybody has time for"
+            ),
+            "fewer rings, a focal plane nearer to the axis, larger errors, fewer or larger pixels",
+        ));
+    }
+    let layout = DoseLayout::new("dose", grid.clone(), 0);
+    let more = (doses - 1) * layout.len() * std::mem::size_of::<f32>();
+    Ok(more + windows.working_bytes(layout.row, (threads, doses), kernels(depths)))
+}
+
+/// A light whose samples turn with an index-matched vial.
+pub(super) fn turning<T: Number, W: Way<T>>(
+    vial: &dyn Vial,
+    (light, beam): (&Light, &dyn Spreading),
+    ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
+    layout: &DoseLayout,
+    first_frame: usize,
+    way: impl FnOnce(Windows<T>) -> W,
+) -> Result<WaveLight<T, W>> {
+    let grid = &layout.grid;
+    let [_, ny, nx] = grid.shape;
+    let lit = Lit::new(vial, grid);
+    let windows = windows_of((light, beam), &lit, (focus_mm, settings), grid)?;
+    let resin = light.resin.uptake();
+    let wall = match vial.resin_wall() {
+        Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
+        _ => None,
+    };
+    let uptake = Uptake {
+        active: resin.active_per_mm,
+        attenuation: resin.attenuation_per_mm,
+        wall,
+        entrance: -vial.resin_wall().inscribed_radius(),
+    };
+    let turn = Turn::new(
+        (&light.pixels, light.sub_angles),
+        grid,
+        lit.in_resin,
+        (uptake, focus_mm),
+        windows.last,
+    );
+    Ok(WaveLight::new(
+        (way(windows), turn),
+        [nx, ny],
+        layout.row,
+        first_frame,
+    ))
+}
+
+/// How rows of pixels and of voxels lie on each other.
+pub(super) fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
+    let ratio = row_mm / grid.pitch_mm;
+    let whole =
+        |r: f64| (r.round() >= 1.0 && (r / r.round() - 1.0).abs() < 1e-6).then(|| r.round());
+    match (whole(ratio), whole(1.0 / ratio)) {
+        (Some(finer), _) => Ok(Heights {
+            finer: finer as usize,
+            stride: 1,
+        }),
+        (None, Some(stride)) => Ok(Heights {
+            finer: 1,
+            stride: stride as usize,
+        }),
+        (None, None) => {
+            let nearest = if ratio > 1.0 {
+                row_mm / ratio.round()
+            } else {
+                row_mm * (1.0 / ratio).round()
+            };
+            Err(Error::config(
+                "grid.pitch_mm",
+                format!(
+                    "voxels of {} mm and rows of pixels {row_mm} mm apart",
+                    grid.pitch_mm
+                ),
+                format!(
+                    "with [model.wave] and [model.spread] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
+                ),
+            ))
+        }
+    }
+}

@@ -1,0 +1,529 @@
+//! The `wave` dose model: coherent light, by the band-limited angular spectrum.
+//!
+//! # Model
+//! The unknown is the amplitude a ≥ 0 of each pixel, the square root of its areal dose: files and frames hold energy. A pattern is the
+//! field in the focal plane; it spreads before and behind it as a scalar wave in resin, and the light of all frames adds up incoherently.
+//! With `etendue_deg` the light of a frame is itself a sum of modes, plane waves within a cone that carry the pattern.
+//!
+//! # Equation
+//! ```text
+//! dose(X, Y, z) = μ_a Σ_φ e^(−μ_t·way) Σ_m w_m |ψ_φm(d, u, z)|²,      ψ_φm(d) = F⁻¹[W(d)·H(d, f + f_m)·pupil(f + f_m)·F a_φ]
+//! H(d, f) = e^(2πi d √(λ⁻² − f²)),     λ = λ₀/n,     d = −(X cos φ + Y sin φ) − focus,     u = −X sin φ + Y cos φ
+//! ```
+//! F(a + αδ) is a quadratic in α, so searches along a line are exact; dose and gradient store no volume per frame.
+//!
+//! # Source
+//! Wechsler et al. 2024, eqs. 2 to 4 and Algorithms 2 and 3; Matsushima & Shimobaba 2009 (band limit). What is saved against the published
+//! algorithm, with its errors: docs/wave.md.
+//!
+//! # Parameters
+//! | key | unit | range | default | meaning |
+//! |---|---|---|---|---|
+//! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of \|ψ\|² between the depths that are computed |
+//! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of \|ψ\|² between lateral samples, for light that fills the band |
+//! | `numerical_aperture` | – | λ₀/(2·image) to n | none | of the projector's lens: patterns are limited to what it passes; below that its spots are wider than the image |
+//! | `soft_edge` | – | 0 to 1 | 0.25 | part of the band of frequencies over which it fades; 0: cut, as published |
+//! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
+//! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
+//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane that touches it |
+//! | `etendue_deg` | ° | 0 to 10 | 0 | half angle of the cone of modes in resin |
+//! | `rings` | – | 1 to 6 | 2 | rings of modes about the middle one: 7, 19, 37 … modes; only with an étendue |
+//!
+//! # Shapes
+//! Patterns and dose as everywhere. Rows of pixels must be voxels apart, or a whole multiple or fraction of it.
+//!
+//! # Limits
+//! Scalar, one index: an index-matched vial, no scattering, no bodies, collimated light normal to the axis. Light of one frame does not
+//! interfere with that of another. x = 0 is a stationary point: starts must be positive.
+//!
+//! # Cost
+//! Per frame 1 + K Fourier transforms for a dose, 2 + 2K for a pullback and 2 + 2K for a search, K the number of depths on one side of the focal plane; then
+//! taps along × taps across multiply-adds per voxel. Memory: K planes of samples per frame at work and thread.
+//!
+//! # Example
+//! A slit of two pixels, 4 µm, spreads: at 0.2 mm from the focus its middle holds what Fraunhofer says.
+//! ```
+//! use tomolith_core::field::{Field, HostField};
+//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
+//! use tomolith_models::{DoseModel, Run, parallel::Light, wave::{Params, Wave}};
+//! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
+//! let vial = IndexMatched { radius_mm: 1.0 };
+//! // Voxels of 2 µm along x, the direction of the light, through the middle of the slit
+//! let grid = VolumeGrid::centered([2, 1, 201], 0.002);
+//! let model = Wave::new(&vial, vec![light], &Params::default(), grid).unwrap();
+//! let mut x = model.new_patterns().unwrap();
+//! x.as_mut_slice()[63 * 64..65 * 64].fill(1.0); // columns 63 and 64, all rows
+//! let mut dose = model.new_dose().unwrap();
+//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! let dose = model.outputs()[0].volume_of(dose.as_slice());
+//! // For a long slit of fluence 1: width²/(λ·distance) = 16/(0.27·200) = 0.296
+//! let far = *dose.at(0, 0, 0);
+//! assert!((far - 0.296).abs() < 0.01, "{far}");
+//! ```
+
+mod beam;
+mod between;
+mod coherent;
+mod cones;
+mod lattice;
+mod light;
+mod lights;
+mod memory;
+mod number;
+mod resample;
+mod sampling;
+mod spectrum;
+pub mod spread;
+mod taps;
+#[cfg(test)]
+mod tests;
+mod turn;
+mod window;
+
+use super::parallel::Light;
+use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
+use beam::{Beam, Spreading};
+pub use coherent::BandLimit;
+use coherent::{Coherent, Mode};
+use light::WaveLight;
+pub use lights::beyond;
+use lights::{Lights, heights_of};
+use number::Number;
+use sampling::FIELDS_COST;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, SQRT_2, TAU};
+use std::ops::Range;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::VolumeGrid;
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::{concise, exact};
+use tomolith_optics::vial::Vial;
+
+/// Where the resin begins to absorb.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Entrance {
+    /// At its round wall.
+    #[default]
+    Wall,
+    /// At a plane normal to the light that touches the wall; the article's touches the volume.
+    Plane,
+}
+
+/// Keys of `[model.wave]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Error of the intensity between the depths that are computed, relative to light that fills the band, 1e-6 to 0.1.
+    pub relative_error: f64,
+    /// Error of the intensity between lateral samples, 1e-6 to 0.5.
+    pub rotation_error: f64,
+    /// Numerical aperture of the projector's lens.
+    pub numerical_aperture: Option<f64>,
+    /// Part of the band of frequencies over which it fades, 0 to 1; 0: cut, as published.
+    pub soft_edge: f64,
+    /// How far behind the axis, seen with the light, the focal plane lies, mm.
+    pub focus_mm: f64,
+    /// How components end that would come back from the far side of the window.
+    pub band_limit: BandLimit,
+    /// Where the resin begins to absorb.
+    pub entrance: Entrance,
+    /// Half angle of the cone of modes in resin, degrees, 0 to 10.
+    pub etendue_deg: f64,
+    /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
+    pub rings: Option<usize>,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            relative_error: 1e-3,
+            rotation_error: 0.03,
+            numerical_aperture: None,
+            soft_edge: 0.25,
+            focus_mm: 0.0,
+            band_limit: BandLimit::Hard,
+            entrance: Entrance::Wall,
+            etendue_deg: 0.0,
+            rings: None,
+        }
+    }
+}
+
+impl Params {
+    fn settings(&self) -> Settings {
+        Settings {
+            model: "model.wave",
+            relative_error: self.relative_error,
+            rotation_error: self.rotation_error,
+            fields_cost: FIELDS_COST,
+        }
+    }
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: Kind<ChooseModel> = Kind {
+    name: "wave",
+    summary: "Coherent light in an index-matched vial: band-limited angular spectrum, amplitudes as unknowns.",
+    example: "[model.wave]\nrelative_error = 1e-3\nnumerical_aperture = 0.05\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| Ok(Choice::Wave(params_of(section)?)),
+};
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let refused = |key: &str, value: f64, accepted: &str| {
+        Err(Error::config(
+            format!("{}.{key}", section.path),
+            format!("found {}", exact(value)),
+            accepted,
+        ))
+    };
+    let (depth, turn) = (params.relative_error, params.rotation_error);
+    if !(1e-6..=0.1).contains(&depth) {
+        return refused("relative_error", depth, "1e-6 to 0.1");
+    }
+    if !(1e-6..=0.5).contains(&turn) {
+        return refused("rotation_error", turn, "1e-6 to 0.5");
+    }
+    if let Some(na) = params.numerical_aperture
+        && !(na > 0.0 && na.is_finite())
+    {
+        return refused("numerical_aperture", na, "a number > 0");
+    }
+    if !(0.0..=1.0).contains(&params.soft_edge) {
+        return refused("soft_edge", params.soft_edge, "0 to 1");
+    }
+    if !params.focus_mm.is_finite() {
+        return refused("focus_mm", params.focus_mm, "a finite number");
+    }
+    if !(0.0..=10.0).contains(&params.etendue_deg) {
+        return refused("etendue_deg", params.etendue_deg, "0 to 10 degrees");
+    }
+    match params.rings {
+        Some(rings) if !(1..=6).contains(&rings) => {
+            return refused("rings", rings as f64, "1 to 6");
+        }
+        Some(rings) if params.etendue_deg == 0.0 => {
+            let accepted =
+                "no such key, or rings of modes that have an angle: `etendue_deg` above 0";
+            return refused("rings", rings as f64, accepted);
+        }
+        _ => {}
+    }
+    Ok(params)
+}
+
+/// How errors are shared among the parts of the sampling.
+#[derive(Clone, Copy, Debug)]
+struct Settings {
+    /// Key of the model.
+    model: &'static str,
+    relative_error: f64,
+    rotation_error: f64,
+    /// How much longer a frame takes with interpolated fields than their operations say.
+    fields_cost: f64,
+}
+
+/// See the [module page](self).
+pub struct Wave(Lights<Coherent<f32>>);
+
+impl Wave {
+    /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for pixels, voxels, wavelength and aperture that contradict each other, with the numbers that would work;
+    /// [`Error::Unsupported`] where [`beyond`] says why.
+    pub fn new(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        params: &Params,
+        grid: VolumeGrid,
+    ) -> Result<Self> {
+        let settings = params.settings();
+        let build = |light: &Light, layout: &DoseLayout, which, first_frame| {
+            light_of(
+                vial,
+                light,
+                (params, &settings),
+                layout,
+                (which, first_frame),
+            )
+        };
+        let mut lights = Lights::new(settings.model, vial, lights, grid, build)?;
+        for patterns in &mut lights.patterns {
+            patterns.quantity = Quantity::Amplitude;
+        }
+        Ok(Wave(lights))
+    }
+
+    /// Additions and multiplications of the Fourier transforms of a dose and a pullback together.
+    #[must_use]
+    pub fn operations(&self) -> f64 {
+        self.0.operations()
+    }
+}
+
+/// Bytes that frames at work take beside patterns and a dose, in an optimisation or in one dose.
+///
+/// # Errors
+/// As [`Wave::new`].
+pub(super) fn working_bytes(
+    vial: &dyn Vial,
+    lights: &[Light],
+    params: &Params,
+    grid: &VolumeGrid,
+    is_optimised: bool,
+) -> Result<usize> {
+    // Along a line two at a time
+    let doses = if is_optimised { 2 } else { 1 };
+    let settings = params.settings();
+    let of_light = |(i, light): (usize, &Light)| {
+        let beam = beam_of(i, light, params)?;
+        // H of every mode, and where it begins
+        let modes = modes_of(&beam, params).len();
+        let focus = (params.focus_mm, &settings);
+        let (of, kernels) = ((light, &beam as &dyn Spreading), |_| 2 * modes);
+        lights::working_bytes(vial, of, focus, grid, (doses, modes), kernels)
+    };
+    lights.iter().enumerate().map(of_light).sum()
+}
+
+/// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; what is said of those that do not.
+///
+/// # Errors
+/// As [`Wave::new`].
+pub(super) fn must_fit(
+    lights: &[Light],
+    params: &Params,
+    grid: &VolumeGrid,
+) -> Result<Vec<String>> {
+    let mut warnings = Vec::new();
+    for (i, light) in lights.iter().enumerate() {
+        heights_of(light.pixels.pitch_mm[1], grid)?;
+        let beam = beam_of(i, light, params)?;
+        let half_wave = 0.5 / beam.depth_band();
+        if grid.pitch_mm > half_wave {
+            warnings.push(format!(
+                "light[{i}]: waves change along the light within {} mm, and voxels of {} mm do not show it: \
+                 grid.pitch_mm at most that, or a smaller model.wave.numerical_aperture",
+                concise(half_wave),
+                exact(grid.pitch_mm)
+            ));
+        }
+        warnings.extend(half_a_turn(i, light, params.focus_mm));
+    }
+    Ok(warnings)
+}
+
+/// What to say of half a turn where the other half would not bring the same light.
+fn half_a_turn(which: usize, light: &Light, focus_mm: f64) -> Option<String> {
+    let arc = light.pixels.frame_arc.abs() * light.pixels.frames() as f64;
+    let attenuation = light.resin.uptake().attenuation_per_mm;
+    let why = match (focus_mm == 0.0, attenuation == 0.0) {
+        (true, true) => return None,
+        (false, _) => format!("its focal plane lies {} mm off the axis", exact(focus_mm)),
+        (true, false) => format!("the resin takes {} per mm of it", exact(attenuation)),
+    };
+    ((arc - PI).abs() < 1e-6).then(|| {
+        format!(
+            "light[{which}]: half a turn lights the part from one side, and from the other it would not be the same, for {why}: \
+             light.angles.arc_deg = 360 lights it from all sides"
+        )
+    })
+}
+
+/// A light of the wave model, of either kind of number.
+fn light_of<T: Number>(
+    vial: &dyn Vial,
+    light: &Light,
+    (params, settings): (&Params, &Settings),
+    layout: &DoseLayout,
+    (which, first_frame): (usize, usize),
+) -> Result<WaveLight<T, Coherent<T>>> {
+    let beam = beam_of(which, light, params)?;
+    let place = (params.entrance, params.focus_mm);
+    lights::turning(
+        vial,
+        (light, &beam),
+        (place, settings),
+        layout,
+        first_frame,
+        |windows| Coherent::new(windows, (beam, params.band_limit), modes_of(&beam, params)),
+    )
+}
+
+/// Wavelength and aperture of a light, checked against its pixels; `which` of the lights it is.
+fn beam_of(which: usize, light: &Light, params: &Params) -> Result<Beam> {
+    let vacuum_mm = light.wavelength_nm * 1e-6;
+    let index = light.resin.refractive_index;
+    let wavenumber = index / vacuum_mm;
+    let pitch = light.pixels.pitch_mm[0].min(light.pixels.pitch_mm[1]);
+    let most = vacuum_mm / (2.0 * pitch);
+    if let Some(na) = params.numerical_aperture {
+        if na >= index {
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!("found {na} in a resin of index {index}, with pixels of {pitch} mm"),
+                format!("below {}", concise(index.min(most * SQRT_2))),
+            ));
+        }
+        let edge = |i: usize, count: usize| light.pixels.pitch_mm[i] * count as f64;
+        let edge = edge(0, light.pixels.columns).min(edge(1, light.pixels.rows).max(pitch));
+        let least = 0.5 * vacuum_mm / edge.max(pitch * 4.0);
+        if na < least {
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!(
+                    "found {na}, which makes spots wider than the image of {} mm",
+                    concise(edge)
+                ),
+                format!("at least {}", concise(least)),
+            ));
+        }
+        if na > most * SQRT_2 {
+            // In the corners of their band
+            let corner = most * SQRT_2;
+            return Err(Error::config(
+                "model.wave.numerical_aperture",
+                format!(
+                    "found {na}, but pixels of {pitch} mm make at most {corner:.5} at {} nm",
+                    light.wavelength_nm
+                ),
+                format!(
+                    "at most {corner:.5}, pixels of at most {:.6} mm, or no such key",
+                    vacuum_mm / (SQRT_2 * na)
+                ),
+            ));
+        }
+    } else if most >= index {
+        return Err(Error::config(
+            format!("light[{which}].projector.collimated.pixel_pitch_mm"),
+            format!(
+                "pixels of {pitch} mm are finer than half a wavelength in resin ({:.6} mm): what they show does not travel",
+                0.5 / wavenumber
+            ),
+            format!(
+                "at least {:.6} mm, or `model.wave.numerical_aperture` below {index}",
+                0.5 / wavenumber
+            ),
+        ));
+    }
+    Ok(Beam {
+        wavenumber,
+        aperture: params.numerical_aperture.map(|na| na / vacuum_mm),
+        tilt: wavenumber * params.etendue_deg.to_radians().sin(),
+        soft_edge: params.soft_edge,
+        nyquist: light.pixels.pitch_mm.map(|mm| 0.5 / mm),
+    })
+}
+
+/// The modes of a light: one, or rings of equal areas. Each has its opposite, so that their sum is the same before and behind the focal
+/// plane.
+fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
+    let mut modes = vec![Mode {
+        frequency: [0.0; 2],
+        weight: 1.0,
+    }];
+    if beam.tilt == 0.0 {
+        return modes;
+    }
+    let rings = params.rings.unwrap_or(2);
+    let count = 1 + 3 * rings * (rings + 1);
+    for ring in 1..=rings {
+        let (inner, outer) = (1 + 3 * ring * (ring - 1), 1 + 3 * ring * (ring + 1));
+        // Where half of the ring's area lies within
+        let share = 0.5 * (inner + outer) as f64 / count as f64;
+        for i in 0..6 * ring {
+            let (sin, cos) = (TAU * i as f64 / (6 * ring) as f64).sin_cos();
+            let size = beam.tilt * share.sqrt();
+            modes.push(Mode {
+                frequency: [size * cos, size * sin],
+                weight: 1.0,
+            });
+        }
+    }
+    for mode in &mut modes {
+        mode.weight = 1.0 / count as f64;
+    }
+    modes
+}
+
+impl DoseModel for Wave {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.0.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.0.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(self.0.new_patterns())
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        Ok(self.0.new_dose())
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        dose.fill(0.0);
+        let frames = self.0.patterns.iter().map(|p| p.grid.frames()).sum();
+        self.0.add_dose(0..frames, x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.0.pull_back(x, cotangent, grad, run)
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.0.add_dose(frames, x, dose, run)
+    }
+
+    /// F′(x)d and F(d): the fields of x and of d, multiplied.
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let mut terms = [self.new_dose()?, self.new_dose()?];
+        for (light, layout) in self.0.lights.iter().zip(&self.0.patterns) {
+            let doses = terms.each_mut().map(HostField::as_mut_slice);
+            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, run)?;
+        }
+        Ok(Some(terms.into()))
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        self.0.halo()
+    }
+
+    fn is_linear(&self) -> bool {
+        false
+    }
+
+    fn updates(&self) -> u64 {
+        self.0.updates()
+    }
+
+    fn describe(&self) -> String {
+        let modes = match self.0.lights[0].way.modes.len() {
+            1 => String::new(),
+            n => format!(", {n} modes"),
+        };
+        format!("wave ({}{modes})", self.0.described())
+    }
+}

@@ -1,0 +1,78 @@
+//! The two kinds of number that the kernels are written for: f32 at work, f64 as the reference.
+
+use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
+use rustfft::FftNum;
+use tomolith_core::field::LANES;
+
+/// A real number of the wave model.
+pub(super) trait Number: FftNum + Default {
+    /// The nearest number of this kind.
+    fn of(value: f64) -> Self;
+
+    /// out[z] += Σ weights[i]·source[slots[i]][z], with `entries` = (slots, weights) and `place` = (numbers of a row, first lane, lanes);
+    /// `out` begins at the first lane.
+    fn add_rows(
+        out: &mut [Self],
+        source: &[Self],
+        entries: (&[u32], &[Self]),
+        place: (usize, usize, usize),
+    );
+}
+
+/// The plain loop of [`Number::add_rows`].
+fn add_plainly<T: Number>(
+    out: &mut [T],
+    source: &[T],
+    (slots, weights): (&[u32], &[T]),
+    (row, first, lanes): (usize, usize, usize),
+) {
+    for (&slot, &weight) in slots.iter().zip(weights) {
+        let from = &source[slot as usize * row + first..][..lanes];
+        for (o, &s) in out[..lanes].iter_mut().zip(from) {
+            *o = *o + weight * s;
+        }
+    }
+}
+
+impl Number for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    fn add_rows(
+        out: &mut [f64],
+        source: &[f64],
+        entries: (&[u32], &[f64]),
+        place: (usize, usize, usize),
+    ) {
+        add_plainly(out, source, entries, place);
+    }
+}
+
+impl Number for f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+
+    fn add_rows(
+        out: &mut [f32],
+        source: &[f32],
+        (slots, weights): (&[u32], &[f32]),
+        (row, first, lanes): (usize, usize, usize),
+    ) {
+        if !row.is_multiple_of(LANES) {
+            return add_plainly(out, source, (slots, weights), (row, first, lanes));
+        }
+        let entries = Entries { slots, weights };
+        for begin in (0..lanes).step_by(MAX_BLOCK * LANES) {
+            let count = (lanes - begin).div_ceil(LANES).min(MAX_BLOCK);
+            let block = Block {
+                row: row / LANES,
+                first: (first + begin) / LANES,
+                count,
+            };
+            accumulate(Isa::in_use(), &mut out[begin..], source, entries, block);
+        }
+    }
+}

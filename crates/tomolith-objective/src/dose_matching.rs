@@ -1,0 +1,28 @@
+//! Dose matching: the response, a sigmoid of the dose, equals the target.
+//!
+//! **Equation** L = Σ_v w_v·|M(d_v) − f_v|: the band [f, f] with p = q = 1.
+//!
+//! **Source** Bhattacharya, Toombs and Taylor, Additive Manufacturing 47 (2021) 102299; in the form of Li et al. (2024),
+//! eq. 7. Their sigmoid is `[response.logistic]`; with the identity response this is [`l1`](super::least).
+//!
+//! **Parameters** those of [`l1`](super::least::Params). **Limits** not convex through a sigmoid. **Cost** one pass; the
+//! response costs about 2 ns per voxel.
+
+use super::least::Params;
+use super::{BuildObjective, ObjectiveInput};
+use tomolith_core::kind::Kind;
+
+/// The row of the table.
+pub const KIND: Kind<BuildObjective> = Kind {
+    name: "dose_matching",
+    summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
+    example: "[objective.dose_matching]",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
+    },
+};

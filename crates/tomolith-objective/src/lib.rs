@@ -1,0 +1,604 @@
+//! Objectives: how wrong a dose is.
+//!
+//! *What must it do, and who does it.* Nearly every voxel-wise loss published for TVAM is one form, the band
+//! ([`band`]); the table [`OBJECTIVES`] holds its presets. Several objectives are added by [`Sum`].
+
+pub mod band;
+pub mod bclp;
+pub mod buffer;
+pub mod check;
+pub mod dose_matching;
+pub mod emphasis;
+pub mod least;
+pub mod osmo;
+pub mod penalty;
+pub mod pm;
+pub mod preset;
+pub mod sum;
+pub mod threshold;
+pub mod window;
+
+pub use band::{Band, BandObjective, Bands};
+pub use emphasis::Emphasis;
+use std::sync::Arc;
+pub use sum::Sum;
+use tomolith_core::dose::DoseLayout;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::Volume;
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::response::Response;
+use tomolith_core::target::Target;
+
+/// A real-valued function of a dose field. It knows no optics.
+pub trait Objective<F: Field>: Send + Sync {
+    /// L(dose)
+    fn value(&self, dose: &F) -> f64;
+    /// L(dose), and ∂L/∂dose written over `grad`; the value equals [`value`](Self::value) bit for bit.
+    fn value_and_gradient(&self, dose: &F, grad: &mut F) -> f64;
+    /// L(dose + α·step), for line searches, without a temporary field.
+    fn value_along(&self, dose: &F, step: &F, alpha: f32) -> f64 {
+        self.slope_along(dose, step, alpha).0
+    }
+    /// α ↦ (L, dL/dα) of dose + α·step.
+    fn slope_along(&self, dose: &F, step: &F, alpha: f32) -> (f64, f64);
+    /// Ends a line search in one pass: dose ← dose + α·step, step ← ∂L/∂dose there; returns L there, bit for bit what
+    /// [`value_and_gradient`](Self::value_and_gradient) gives at the new dose.
+    fn advance(&self, dose: &mut F, step: &mut F, alpha: f32) -> f64 {
+        dose.axpy(alpha, step);
+        self.value_and_gradient(dose, step)
+    }
+    /// Whether L is convex in the dose, so that a line search finds its minimum where the slope changes sign.
+    fn is_convex(&self) -> bool;
+    /// Weighs voxels and widens their bands, once, before any work.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for an objective without bands, [`Error::Shape`].
+    fn emphasise(&mut self, _emphasis: &Emphasis) -> Result<()> {
+        Err(Error::Unsupported {
+            what: "a weight or a tolerance per voxel".to_owned(),
+            reason: "this objective has no bands".to_owned(),
+        })
+    }
+    /// Refuses what the material's response cannot reach; to be called before any work.
+    ///
+    /// # Errors
+    /// [`Error::Config`] (without a key).
+    fn must_be_reached(&self) -> Result<()> {
+        Ok(())
+    }
+}
+
+/// A boxed result, to keep signatures short.
+pub type BoxedObjective<F> = Result<Box<dyn Objective<F>>>;
+
+/// What an objective is built on.
+#[derive(Clone)]
+pub struct ObjectiveInput<'a> {
+    /// Where the voxels lie in the model's dose field.
+    pub layout: &'a DoseLayout,
+    /// Label of each voxel ([`target::label`](tomolith_core::target::label)), array order.
+    pub labels: &'a Volume<u8>,
+    /// The target on the same grid.
+    pub target: &'a Target,
+    /// M of the one equation; bands are in its units.
+    pub response: Arc<dyn Response>,
+}
+
+/// Builds an objective from its section.
+pub type BuildObjective = fn(&Section, &ObjectiveInput) -> BoxedObjective<HostField>;
+
+/// Every objective.
+pub static OBJECTIVES: &[Kind<BuildObjective>] = &[
+    threshold::KIND,
+    least::L2,
+    least::L1,
+    dose_matching::KIND,
+    pm::KIND,
+    osmo::KIND,
+    bclp::KIND,
+    window::L2N,
+    window::OSP,
+    window::OSPW,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+    use tomolith_core::check::example;
+    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::dose::cells::Cells;
+    use tomolith_core::grid::VolumeGrid;
+    use tomolith_core::response::{Identity, Logistic};
+    use tomolith_core::target::label;
+
+    fn input<'a>(
+        layout: &'a DoseLayout,
+        labels: &'a Volume<u8>,
+        target: &'a Target,
+        response: Arc<dyn Response>,
+    ) -> ObjectiveInput<'a> {
+        ObjectiveInput {
+            layout,
+            labels,
+            target,
+            response,
+        }
+    }
+
+    fn row(name: &str) -> &'static Kind<BuildObjective> {
+        OBJECTIVES.iter().find(|row| row.name == name).unwrap()
+    }
+
+    /// A dose between −0.2 and 1.4.
+    fn some_dose(layout: &DoseLayout) -> HostField {
+        let values: Vec<f32> = tomolith_core::check::noise(layout.len(), 5)
+            .iter()
+            .map(|v| 0.6 + 0.8 * v)
+            .collect();
+        HostField::from_slice(&values)
+    }
+
+    #[test]
+    fn every_row_passes_the_check_with_either_response_and_surface() {
+        let model = SmallModel::new(18, 2, 21);
+        let (mut target, labels) = model.ring();
+        // Some voxels that the surface cuts
+        for (i, s) in target
+            .inside
+            .values
+            .iter_mut()
+            .enumerate()
+            .filter(|(i, _)| i % 7 == 0)
+        {
+            *s = (*s + 0.37 * (i % 3) as f32).min(1.0);
+        }
+        let cells = Cells::new(model.layout(), &target.inside);
+        assert!(cells.len() > 5);
+        let cut = model.layout().clone().with_cells(Arc::new(cells));
+        let responses: [Arc<dyn Response>; 2] = [
+            Arc::new(Identity),
+            Arc::new(Logistic::new(Default::default()).unwrap()),
+        ];
+        for row in OBJECTIVES {
+            for response in &responses {
+                for surface in ["voxel", "fraction", "cells"] {
+                    let layout = if surface == "cells" {
+                        &cut
+                    } else {
+                        model.layout()
+                    };
+                    let input = input(layout, &labels, &target, response.clone());
+                    let mut section = example(row);
+                    section.value["surface"] = surface.into();
+                    let objective = (row.build)(&section, &input).unwrap();
+                    check::objective(&*objective, &some_dose(layout))
+                        .unwrap_or_else(|e| panic!("{} ({response:?}, {surface}): {e}", row.name));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_power_passes_the_check() {
+        let model = SmallModel::new(18, 2, 21);
+        let (target, labels) = model.ring();
+        let dose = some_dose(model.layout());
+        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
+        for p in [0.5, 1.0, 1.5, 2.0, 3.0, 8.0] {
+            for q in [0.5, 1.0, 2.0, 5.0] {
+                let json = serde_json::json!({"p": p, "q": q, "epsilon": 0.1, "part_weight": 2.0, "void_weight": 0.5});
+                let objective =
+                    (row("bclp").build)(&Section::new("objective.bclp", json), &input).unwrap();
+                check::objective(&*objective, &dose)
+                    .unwrap_or_else(|e| panic!("p = {p}, q = {q}: {e}"));
+            }
+        }
+    }
+
+    #[test]
+    fn grey_targets_are_reproduced_or_refused() {
+        let model = SmallModel::new(10, 2, 5);
+        let (mut target, labels) = model.ring();
+        target.grey = true;
+        for (i, value) in target.inside.values.iter_mut().enumerate() {
+            *value = (i % 10) as f32 / 10.0;
+        }
+        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
+        let grey = HostField::from_slice(&model.layout().field_of(&target.inside));
+        for row in OBJECTIVES {
+            let built = (row.build)(&example(row), &input);
+            if ["l2", "l1", "dose_matching", "bclp"].contains(&row.name) {
+                let objective = built.unwrap();
+                assert_eq!(objective.value(&grey), 0.0, "{}", row.name);
+                check::objective(&*objective, &some_dose(model.layout())).unwrap();
+            } else {
+                assert!(
+                    matches!(built, Err(Error::Unsupported { .. })),
+                    "{} took a grey target",
+                    row.name
+                );
+            }
+        }
+    }
+
+    /// One row of voxels with given labels, and a loss with its gradient, in array order.
+    fn loss_of(kind: &str, json: serde_json::Value, part: &[f32], dose: &[f32]) -> (f64, Vec<f32>) {
+        let grid = VolumeGrid::centered([1, 1, part.len()], 1.0);
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let target = Target {
+            name: "row".into(),
+            inside: Volume {
+                grid: grid.clone(),
+                values: part.to_vec(),
+            },
+            grey: false,
+        };
+        let labels = tomolith_core::target::label_voxels(&target, |_| true);
+        let input = input(&layout, &labels, &target, Arc::new(Identity));
+        let objective = (row(kind).build)(&Section::new("objective", json), &input).unwrap();
+        let dose = HostField::from_slice(&layout.field_of(&Volume {
+            grid,
+            values: dose.to_vec(),
+        }));
+        let mut gradient = dose.zeros_like();
+        let loss = objective.value_and_gradient(&dose, &mut gradient);
+        (loss, layout.volume_of(gradient.as_slice()).values)
+    }
+
+    fn assert_loss(
+        kind: &str,
+        json: serde_json::Value,
+        dose: [f32; 4],
+        loss: f64,
+        gradient: [f32; 4],
+    ) {
+        let (found, slopes) = loss_of(kind, json, &[1.0, 1.0, 0.0, 0.0], &dose);
+        assert!(
+            (found - loss).abs() < 1e-6,
+            "{kind}: {found} instead of {loss}"
+        );
+        for (found, expected) in slopes.iter().zip(gradient) {
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{kind}: {slopes:?} instead of {gradient:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn published_values_of_threshold_and_least_squares() {
+        let threshold = |lower: f64, upper: f64, exponent: f64| serde_json::json!({"lower": lower, "upper": upper, "exponent": exponent});
+        let dose = [0.5, 0.97, 0.92, 0.5];
+        assert_loss(
+            "threshold",
+            threshold(0.9, 0.95, 2.0),
+            dose,
+            0.2029,
+            [-0.9, 0.0, 0.04, 0.0],
+        );
+        assert_loss(
+            "threshold",
+            threshold(0.4, 0.95, 2.0),
+            dose,
+            0.4829,
+            [-0.9, 0.0, 1.04, 0.2],
+        );
+        assert_loss(
+            "threshold",
+            threshold(0.9, 0.99, 2.0),
+            dose,
+            0.2409,
+            [-0.98, -0.04, 0.04, 0.0],
+        );
+        assert_loss(
+            "threshold",
+            threshold(0.9, 0.95, 1.0),
+            [0.5, 1.1, 0.92, 0.5],
+            0.57,
+            [-1.0, 1.0, 1.0, 0.0],
+        );
+        assert_loss(
+            "l2",
+            serde_json::json!({}),
+            [1.0, 2.0, 3.0, 4.0],
+            26.0,
+            [0.0, 2.0, 6.0, 8.0],
+        );
+        assert_loss(
+            "l1",
+            serde_json::json!({}),
+            [1.0, 2.0, 3.0, 4.0],
+            8.0,
+            [0.0, 1.0, 1.0, 1.0],
+        );
+        assert_loss(
+            "osmo",
+            serde_json::json!({"d_h": 0.9, "d_l": 0.85}),
+            [0.5, 2.0, 0.95, 0.5],
+            0.16 + 0.01,
+            [-0.8, 0.0, 0.2, 0.0],
+        );
+        assert_loss(
+            "pm",
+            serde_json::json!({"d_h": 0.8, "d_l": 0.7, "rho_1": 3.0}),
+            [0.5, 2.0, 0.9, 0.5],
+            0.9 + 0.2,
+            [-3.0, 0.0, 1.0, 0.0],
+        );
+        let window = |w: f64| serde_json::json!({"lower": 0.7, "upper": 0.9, "w": w});
+        assert_loss(
+            "ospw",
+            window(0.0),
+            [0.5, 1.0, 0.9, 0.5],
+            0.16 + 0.01 + 0.04,
+            [-0.8, 0.2, 0.4, 0.0],
+        );
+        assert_loss(
+            "ospw",
+            window(0.1),
+            [0.5, 1.0, 0.9, 0.5],
+            0.16 + 0.04,
+            [-0.8, 0.0, 0.4, 0.0],
+        );
+        let both = serde_json::json!({"lower": 0.7, "upper": 0.9});
+        assert_loss(
+            "osp",
+            both.clone(),
+            [0.5, 3.0, 0.9, 0.5],
+            0.16 + 0.04,
+            [-0.8, 0.0, 0.4, 0.0],
+        );
+        assert_loss(
+            "l2n",
+            both,
+            [0.5, 1.0, 0.9, 0.5],
+            0.16 + 0.01 + 0.04 + 0.04,
+            [-0.8, 0.2, 0.4, -0.4],
+        );
+        // (0.35² + 0.05²)^½ with both gradients divided by it
+        let norm = (0.35f64.powi(2) + 0.05f64.powi(2)).sqrt();
+        let slope = |e: f64| (e / norm) as f32;
+        assert_loss(
+            "bclp",
+            serde_json::json!({"epsilon": 0.1}),
+            [0.55, 1.05, 0.15, 0.0],
+            norm,
+            [-slope(0.35), 0.0, slope(0.05), 0.0],
+        );
+    }
+
+    #[test]
+    fn published_value_of_a_surface_fraction() {
+        // s = 0.8 inside at dose 0.2, 0.2 outside: 0.8·0.75² + 0.2·0 with thresholds 0.9 and 0.95
+        let json = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "fraction"});
+        let (loss, gradient) = loss_of("threshold", json, &[0.8], &[0.2]);
+        assert!((loss - 0.8 * 0.75f64.powi(2)).abs() < 1e-6);
+        assert!((gradient[0] + 0.8 * 1.5).abs() < 1e-6);
+    }
+
+    /// Voxels of these inside shares with doses [inside, outside]: the loss, and its gradients likewise.
+    fn loss_of_cells(
+        kind: &str,
+        json: serde_json::Value,
+        inside: &[f32],
+        doses: &[[f32; 2]],
+    ) -> (f64, Vec<[f32; 2]>) {
+        let grid = VolumeGrid::centered([1, 1, inside.len()], 1.0);
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let target = Target {
+            name: "row".into(),
+            inside: Volume {
+                grid,
+                values: inside.to_vec(),
+            },
+            grey: false,
+        };
+        let cells = Cells::new(&layout, &target.inside);
+        let layout = layout.with_cells(Arc::new(cells));
+        let labels = tomolith_core::target::label_voxels(&target, |_| true);
+        let input = input(&layout, &labels, &target, Arc::new(Identity));
+        let objective = (row(kind).build)(&Section::new("objective", json), &input).unwrap();
+        let field = [1, 0].map(|i| doses.iter().map(move |d| d[i]));
+        let field: Vec<f32> = field.into_iter().flatten().collect();
+        let dose = HostField::from_slice(&field);
+        let mut gradient = dose.zeros_like();
+        let loss = objective.value_and_gradient(&dose, &mut gradient);
+        let (outside, inside) = gradient.as_slice().split_at(doses.len());
+        let pairs = inside.iter().zip(outside).map(|(&i, &o)| [i, o]);
+        (loss, pairs.collect())
+    }
+
+    #[test]
+    fn published_values_of_surface_aware_cells() {
+        // Inside volumes 0.2 and 2, outside 0.8 and 2: shares 0.2 and 0.5
+        let threshold = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "cells"});
+        let doses = [[0.2, 0.1], [0.96, 0.92]];
+        for (kind, json, inside, doses, loss, gradient) in [
+            (
+                "threshold",
+                threshold,
+                &[0.2, 0.5][..],
+                &doses[..],
+                0.2 * 0.75 * 0.75 + 0.5 * 0.02 * 0.02,
+                vec![[-0.3, 0.0], [0.0, 0.02]],
+            ),
+            (
+                "l2",
+                serde_json::json!({"surface": "cells"}),
+                &[0.2][..],
+                &[[0.4, 0.3]][..],
+                0.144,
+                vec![[-0.24, 0.48]],
+            ),
+        ] {
+            let (found, slopes) = loss_of_cells(kind, json, inside, doses);
+            assert!((found - loss).abs() < 1e-6, "{kind}: {found}");
+            for (a, b) in slopes.iter().flatten().zip(gradient.iter().flatten()) {
+                assert!((a - b).abs() < 1e-6, "{kind}: {slopes:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn cells_are_no_voxels_and_voxels_no_cells() {
+        let model = SmallModel::new(10, 2, 5);
+        let (target, labels) = model.ring();
+        let halves = Volume::filled(labels.grid.clone(), 0.5);
+        let plain = model.layout().clone();
+        let cut = plain
+            .clone()
+            .with_cells(Arc::new(Cells::new(&plain, &halves)));
+        for (layout, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
+            let input = input(layout, &labels, &target, Arc::new(Identity));
+            let section = Section::new("objective", serde_json::json!({ "surface": surface }));
+            let Err(Error::Unsupported { what, .. }) = (row("threshold").build)(&section, &input)
+            else {
+                panic!("{surface} was accepted");
+            };
+            assert!(what.contains(surface), "{what}");
+        }
+    }
+
+    #[test]
+    fn a_loss_of_zero_has_a_gradient_of_zero_whatever_the_powers() {
+        for (p, q) in [(2.0, 1.0), (0.5, 0.25), (0.7, 3.0), (1.0, 0.5)] {
+            let json = serde_json::json!({"p": p, "q": q, "epsilon": 0.25});
+            let (loss, gradient) = loss_of("bclp", json, &[1.0, 0.0], &[0.75, 0.25]);
+            assert_eq!((loss, gradient), (0.0, vec![0.0, 0.0]), "p = {p}, q = {q}");
+        }
+    }
+
+    #[test]
+    fn voxels_outside_and_padding_count_nothing_and_no_number_is_seen() {
+        let grid = VolumeGrid::centered([3, 2, 2], 1.0);
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let target = Target {
+            name: "all".into(),
+            inside: Volume::filled(grid.clone(), 1.0),
+            grey: false,
+        };
+        let mut labels = Volume::filled(grid, label::OUTSIDE);
+        let zero = HostField::zeros(layout.len());
+        let build = |labels: &Volume<u8>| {
+            let input = input(&layout, labels, &target, Arc::new(Identity));
+            (row("l2").build)(&Section::new("objective.l2", serde_json::json!({})), &input).unwrap()
+        };
+        assert_eq!(build(&labels).value(&zero), 0.0);
+        labels.values[5] = label::PART;
+        let objective = build(&labels);
+        assert_eq!(objective.value(&zero), 1.0);
+        for value in [f32::NAN, f32::INFINITY] {
+            let mut dose = zero.clone();
+            dose.as_mut_slice()[layout.index(1, 0, 1)] = value;
+            assert!(
+                !objective.value(&dose).is_finite(),
+                "a dose of {value} went unseen"
+            );
+        }
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        let model = SmallModel::new(6, 2, 1);
+        let (target, labels) = model.ring();
+        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
+        for (kind, json, key) in [
+            (
+                "threshold",
+                serde_json::json!({"lower": 0.95, "upper": 0.95}),
+                "lower",
+            ),
+            (
+                "threshold",
+                serde_json::json!({"lower": 0.9, "upper": 1.05}),
+                "ceiling",
+            ),
+            (
+                "threshold",
+                serde_json::json!({"exponent": 0.0}),
+                "exponent",
+            ),
+            (
+                "threshold",
+                serde_json::json!({"void_weight": -1.0}),
+                "void_weight",
+            ),
+            ("threshold", serde_json::json!({"uper": 0.9}), "uper"),
+            ("ospw", serde_json::json!({"w": -0.1}), "w"),
+            ("bclp", serde_json::json!({"p": 0}), "p"),
+            ("bclp", serde_json::json!({"epsilon": -1}), "epsilon"),
+            ("pm", serde_json::json!({"buffer_mm": -1.0}), "buffer_mm"),
+            ("osmo", serde_json::json!({"d_l": 2.0}), "d_l"),
+        ] {
+            let path = format!("objective.{kind}");
+            let Err(Error::Config { key: found, .. }) =
+                (row(kind).build)(&Section::new(&path, json), &input)
+            else {
+                panic!("{path}.{key} was accepted")
+            };
+            assert_eq!(found, format!("{path}.{key}"));
+        }
+        let bands = Bands::labels(vec![0], &[(0, Band::new(0.5, 0.4, 1.0))]);
+        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_err());
+        let bands = Bands::labels(vec![0], &[(0, Band::exactly(0.5))]);
+        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_ok());
+    }
+
+    #[test]
+    fn the_buffer_of_penalty_minimisation_is_free() {
+        // Six voxels of 0.5 mm, three of them part; within 0.5 mm only the two at the surface
+        let grid = VolumeGrid::centered([1, 1, 6], 0.5);
+        let layout = DoseLayout::new("dose", grid.clone(), 0);
+        let values = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+        let target = Target {
+            name: "wall".into(),
+            inside: Volume { grid, values },
+            grey: false,
+        };
+        let labels = tomolith_core::target::label_voxels(&target, |_| true);
+        let input = input(&layout, &labels, &target, Arc::new(Identity));
+        for (buffer, voxels) in [(0.0, 3.0), (0.5, 2.0), (1.0, 1.0)] {
+            let json = serde_json::json!({"d_h": 1.0, "d_l": 0.5, "buffer_mm": buffer});
+            let objective = (row("pm").build)(&Section::new("objective.pm", json), &input).unwrap();
+            // Every part voxel that counts lacks 1
+            assert_eq!(
+                objective.value(&HostField::zeros(layout.len())),
+                voxels,
+                "buffer {buffer}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_sum_is_the_weighted_sum_and_passes_the_check() {
+        let model = SmallModel::new(18, 2, 21);
+        let (target, labels) = model.ring();
+        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
+        let build = |name: &str| (row(name).build)(&example(row(name)), &input).unwrap();
+        let sum = Sum::new(vec![(0.5, build("threshold")), (2.0, build("l2"))]).unwrap();
+        let dose = some_dose(model.layout());
+        check::objective(&sum, &dose).unwrap();
+        let expected = 0.5 * build("threshold").value(&dose) + 2.0 * build("l2").value(&dose);
+        assert_eq!(sum.value(&dose), expected);
+    }
+
+    #[test]
+    fn the_same_bits_for_any_number_of_threads() {
+        let model = SmallModel::new(40, 1, 130);
+        let (target, labels) = model.ring();
+        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
+        let objective = (row("threshold").build)(&example(row("threshold")), &input).unwrap();
+        let dose = some_dose(model.layout());
+        let losses = [1, 2, 8].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| objective.value(&dose)).to_bits()
+        });
+        assert_eq!(losses[0], losses[1]);
+        assert_eq!(losses[0], losses[2]);
+    }
+}

@@ -1,0 +1,69 @@
+//! OSMO's implicit loss: what object-space model optimisation descends, as an objective.
+//!
+//! **Equation** L = Σ_part max(D_h − m, 0)² + Σ_void max(m − D_l, 0)²: part in [D_h, ∞), void in (−∞, D_l], p = q = 2.
+//!
+//! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; that its corrections are gradients of this loss is
+//! shown by Li et al. (2024), section 3.3 and eq. 25. The OSMO *method* iterates in object space and is no objective.
+//!
+//! **Parameters** see [`Params`]; the defaults are those of Pellizzon et al., arXiv 2602.12178. Doses are absolute here: the
+//! method's normalisation by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
+
+use super::band::Band;
+use super::preset::{PartAndVoid, Surface, below, finite};
+use super::{BuildObjective, ObjectiveInput};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::kind::Kind;
+
+/// The parameters of OSMO's implicit loss.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// D_h: smallest response of part voxels without penalty (default 0.9)
+    pub d_h: f64,
+    /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
+    pub d_l: f64,
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            d_h: 0.9,
+            d_l: 0.85,
+            surface: Surface::Voxel,
+        }
+    }
+}
+
+impl Params {
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<PartAndVoid> {
+        finite("d_h", self.d_h)?;
+        finite("d_l", self.d_l)?;
+        below("d_l", self.d_l, "d_h", self.d_h)?;
+        Ok(PartAndVoid {
+            part: Band::above(self.d_h as f32),
+            void: Band::below(self.d_l as f32),
+            p: 2.0,
+            q: 2.0,
+        })
+    }
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildObjective> = Kind {
+    name: "osmo",
+    summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
+    example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        let bands = params.bands().map_err(|e| e.under(&section.path))?;
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
+    },
+};

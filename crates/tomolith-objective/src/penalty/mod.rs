@@ -1,0 +1,170 @@
+//! Penalties on patterns: R of the one equation.
+//!
+//! *What must it do, and who does it.* A [`PatternPenalty`] is a function of the patterns alone, with its gradient and its
+//! course along a step; the table [`PENALTIES`] holds them, and [`Penalties`] is their weighted sum, which a
+//! `Problem` of an optimisation adds to the loss. A job lists them as `[[penalties]]`, one kind each, with `weight`
+//! = λ.
+
+pub mod smoothness;
+pub mod sparsity;
+mod weighted;
+
+use tomolith_core::dose::PatternLayout;
+use tomolith_core::error::Result;
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::{Kind, Section};
+pub use weighted::Penalties;
+
+/// A real-valued function of the patterns. It knows no optics.
+pub trait PatternPenalty<F: Field>: Send + Sync {
+    /// R(x)
+    fn value(&self, x: &F) -> f64;
+    /// gradient ← gradient + scale·∂R/∂x; returns R(x).
+    fn add_gradient(&self, x: &F, scale: f64, gradient: &mut F) -> f64;
+    /// α ↦ (R, dR/dα) of x + α·step, for line searches, without a temporary field.
+    fn slope_along(&self, x: &F, step: &F, alpha: f32) -> (f64, f64);
+    /// Whether R is convex.
+    fn is_convex(&self) -> bool;
+}
+
+/// Builds a penalty from its section, for patterns of these layouts (one per light, one after the other in the field).
+pub type BuildPenalty =
+    fn(&Section, &[PatternLayout]) -> Result<Box<dyn PatternPenalty<HostField>>>;
+
+/// Every penalty.
+pub static PENALTIES: &[Kind<BuildPenalty>] = &[sparsity::KIND, smoothness::KIND];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::check;
+    use tomolith_core::check::example;
+    use tomolith_core::dose::Quantity;
+    use tomolith_core::error::Error;
+    use tomolith_core::grid::PatternGrid;
+
+    /// Two lights, the second with gaps and an arc that does not close.
+    pub(super) fn layouts() -> Vec<PatternLayout> {
+        let first = PatternGrid::full_turn(5, 0.0, 7, 4, 0.1);
+        let one = PatternLayout::new(first, Quantity::Energy, 0, &[(0, 7); 20]);
+        let mut second = PatternGrid::full_turn(3, 0.0, 9, 6, 0.1);
+        second.frame_arc = 0.0;
+        let runs: Vec<(u32, u32)> = (0..18).map(|i| (i % 4, (i * 5) % 6)).collect();
+        let two = PatternLayout::new(second, Quantity::Energy, one.len(), &runs);
+        vec![one, two]
+    }
+
+    fn patterns(len: usize, seed: u32) -> HostField {
+        let values: Vec<f32> = check::noise(len, seed)
+            .iter()
+            .map(|v| 0.6 + 0.5 * v)
+            .collect();
+        HostField::from_slice(&values)
+    }
+
+    /// Value, gradient and course along a step belong together; the gradient is the derivative.
+    fn check_penalty(name: &str, penalty: &dyn PatternPenalty<HostField>, len: usize) {
+        let (x, step) = (
+            patterns(len, 3),
+            HostField::from_slice(&check::noise(len, 9)),
+        );
+        let mut gradient = x.zeros_like();
+        gradient.fill(0.25);
+        let value = penalty.add_gradient(&x, 2.0, &mut gradient);
+        assert!(
+            (value - penalty.value(&x)).abs() < 1e-9 * (1.0 + value),
+            "{name}"
+        );
+        let mut rest = gradient.clone();
+        rest.as_mut_slice()
+            .iter_mut()
+            .for_each(|g| *g = 0.5 * (*g - 0.25));
+        let slope = rest.dot(&step);
+        let (along, there) = penalty.slope_along(&x, &step, 0.0);
+        assert!((along - value).abs() < 1e-9 * (1.0 + value), "{name}");
+        assert!(
+            (there - slope).abs() < 1e-5 * rest.norm() * step.norm(),
+            "{name}: {there} {slope}"
+        );
+        for alpha in [-0.3f32, 0.1, 0.5] {
+            let mut moved = x.clone();
+            moved.axpy(alpha, &step);
+            let (value, slope) = penalty.slope_along(&x, &step, alpha);
+            assert!(
+                (value - penalty.value(&moved)).abs() < 1e-6 * (1.0 + value),
+                "{name} at {alpha}"
+            );
+            let h = 1e-2;
+            let ends = [alpha + h, alpha - h].map(|a| penalty.slope_along(&x, &step, a).0);
+            let difference = (ends[0] - ends[1]) / f64::from(2.0 * h);
+            assert!(
+                (difference - slope).abs() < 2e-3 * (1.0 + slope.abs()),
+                "{name} at {alpha}: {slope}, differences {difference}"
+            );
+        }
+        if penalty.is_convex() {
+            let slopes =
+                [-0.5f32, -0.2, 0.0, 0.3, 0.9].map(|a| penalty.slope_along(&x, &step, a).1);
+            assert!(
+                slopes.windows(2).all(|w| w[1] >= w[0] - 1e-6 * w[0].abs()),
+                "{name}: {slopes:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn every_row_is_a_value_with_its_gradient() {
+        let layouts = layouts();
+        let len = layouts.iter().map(PatternLayout::len).sum();
+        for row in PENALTIES {
+            check_penalty(
+                row.name,
+                &*(row.build)(&example(row), &layouts).unwrap(),
+                len,
+            );
+        }
+        for json in [
+            serde_json::json!({"rows": 0.0, "columns": 2.0, "angles": 0.5}),
+            serde_json::json!({"edge": 0.2}),
+        ] {
+            let section = Section::new("penalties[0].smoothness", json.clone());
+            check_penalty(
+                &json.to_string(),
+                &*(smoothness::KIND.build)(&section, &layouts).unwrap(),
+                len,
+            );
+        }
+        for exponent in [1.0, 1.5, 4.0] {
+            let section = Section::new(
+                "penalties[0].sparsity",
+                serde_json::json!({"exponent": exponent}),
+            );
+            check_penalty(
+                &format!("power {exponent}"),
+                &*(sparsity::KIND.build)(&section, &layouts).unwrap(),
+                len,
+            );
+        }
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        for (kind, json, key) in [
+            ("sparsity", serde_json::json!({"exponent": 0.0}), "exponent"),
+            ("smoothness", serde_json::json!({"rows": -1.0}), "rows"),
+            ("smoothness", serde_json::json!({"edge": 0.0}), "edge"),
+            (
+                "smoothness",
+                serde_json::json!({"rows": 0, "columns": 0, "angles": 0}),
+                "rows",
+            ),
+        ] {
+            let row = PENALTIES.iter().find(|row| row.name == kind).unwrap();
+            let section = Section::new(format!("penalties[0].{kind}"), json);
+            let Err(Error::Config { key: found, .. }) = (row.build)(&section, &layouts()) else {
+                panic!("{kind}.{key} was accepted")
+            };
+            assert_eq!(found, format!("penalties[0].{kind}.{key}"));
+        }
+    }
+}

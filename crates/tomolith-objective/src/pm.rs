@@ -1,0 +1,116 @@
+//! Penalty minimisation: part above d_h, void below d_l, and nothing asked near the surface.
+//!
+//! **Equation** part in [d_h, ∞) with weight ρ₁, void in (−∞, d_l] with weight ρ₂, p = q; voxels within `buffer_mm` of a voxel
+//! of the other kind have weight 0
+//!
+//! ```text
+//! L = ρ₁·Σ_R1 max(d_h − m, 0)^p + ρ₂·Σ_R2 max(m − d_l, 0)^p
+//! ```
+//!
+//! **Source** Bhattacharya, Toombs and Taylor, Additive Manufacturing 47 (2021) 102299; in the form of Li et al. (2024),
+//! eq. 8: R₁ is the eroded part, R₂ the eroded void. (Some programs call the void's weight ρ₁.)
+//!
+//! **Parameters** see [`Params`]. **Limits** a buffer wider than a feature leaves that feature without any penalty.
+//! **Cost** the label pass of [`band`](super::band); the buffer costs two distance transforms once.
+
+use super::band::Band;
+use super::preset::{PartAndVoid, Surface, below, finite, not_negative, positive};
+use super::{BuildObjective, ObjectiveInput};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::grid::Volume;
+use tomolith_core::kind::Kind;
+use tomolith_core::target::label;
+use tomolith_core::units::Mm;
+
+/// The parameters of penalty minimisation.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Smallest response of part voxels without penalty (default 0.8)
+    pub d_h: f64,
+    /// Largest response of void voxels without penalty, below `d_h` (default 0.7)
+    pub d_l: f64,
+    /// Weight of the part, 0 or above (default 1)
+    pub rho_1: f64,
+    /// Weight of the void, 0 or above (default 1)
+    pub rho_2: f64,
+    /// Power of the distance from the band, above 0 (default 1)
+    pub p: f64,
+    /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
+    pub buffer_mm: Mm,
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            d_h: 0.8,
+            d_l: 0.7,
+            rho_1: 1.0,
+            rho_2: 1.0,
+            p: 1.0,
+            buffer_mm: Mm(0.0),
+            surface: Surface::Voxel,
+        }
+    }
+}
+
+impl Params {
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<PartAndVoid> {
+        finite("d_h", self.d_h)?;
+        finite("d_l", self.d_l)?;
+        not_negative("rho_1", self.rho_1)?;
+        not_negative("rho_2", self.rho_2)?;
+        positive("p", self.p)?;
+        not_negative("buffer_mm", self.buffer_mm.0)?;
+        below("d_l", self.d_l, "d_h", self.d_h)?;
+        Ok(PartAndVoid {
+            part: Band::above(self.d_h as f32).weighing(self.rho_1 as f32),
+            void: Band::below(self.d_l as f32).weighing(self.rho_2 as f32),
+            p: self.p,
+            q: self.p,
+        })
+    }
+
+    /// The labels, voxels of the buffer as if outside.
+    fn eroded(&self, input: &ObjectiveInput) -> Volume<u8> {
+        let mut labels = input.labels.clone();
+        let buffer = super::buffer::near_the_other_kind(input.target, self.buffer_mm.0);
+        labels
+            .values
+            .par_iter_mut()
+            .zip(&buffer)
+            .for_each(|(l, &near)| {
+                if near {
+                    *l = label::OUTSIDE;
+                }
+            });
+        labels
+    }
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildObjective> = Kind {
+    name: "pm",
+    summary: "penalty minimisation: part above d_h, void below d_l, a free buffer at the surface",
+    example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        params
+            .bands()
+            .and_then(|bands| {
+                if params.buffer_mm.0 == 0.0 || input.target.grey {
+                    bands.build(params.surface, input)
+                } else {
+                    bands.build_with_labels(params.surface, input, &params.eroded(input))
+                }
+            })
+            .map_err(|e| e.under(&section.path))
+    },
+};

@@ -1,0 +1,309 @@
+//! What the presets share: how part and void become bands.
+
+use super::band::{Band, BandObjective, Bands};
+use super::{BoxedObjective, ObjectiveInput};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use tomolith_core::dose::DoseLayout;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::HostField;
+use tomolith_core::grid::Volume;
+use tomolith_core::target::label;
+use tomolith_core::units::exact;
+
+/// How voxels that the surface cuts are weighed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Surface {
+    /// A voxel is part when at least half of it is inside, void otherwise.
+    #[default]
+    Voxel,
+    /// A voxel is part with its inside fraction s and void with 1 − s.
+    Fraction,
+    /// A voxel that the surface cuts has two doses: the inside one is part with weight s, the outside one void with 1 − s.
+    Cells,
+}
+
+impl Surface {
+    /// Its name in a job.
+    fn name(self) -> &'static str {
+        match self {
+            Surface::Voxel => "voxel",
+            Surface::Fraction => "fraction",
+            Surface::Cells => "cells",
+        }
+    }
+
+    fn refused(self, reason: &str) -> Error {
+        Error::Unsupported {
+            what: format!("surface = \"{}\"", self.name()),
+            reason: reason.to_owned(),
+        }
+    }
+
+    /// Refuses bands of voxels on a field of cells, and the other way round.
+    fn must_fit(self, layout: &DoseLayout) -> Result<()> {
+        match (self, &layout.cells) {
+            (Surface::Cells, None) => Err(self.refused("the model has whole voxels; [model.rays]")),
+            (Surface::Voxel | Surface::Fraction, Some(_)) => {
+                Err(self
+                    .refused("another objective has cells; surface = \"cells\" in every objective"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The powers of a band objective and the bands of part and void.
+#[derive(Clone, Copy, Debug)]
+pub struct PartAndVoid {
+    /// Band of part voxels.
+    pub part: Band,
+    /// Band of void voxels.
+    pub void: Band,
+    /// Power of the distance.
+    pub p: f64,
+    /// Power of the norm.
+    pub q: f64,
+}
+
+impl PartAndVoid {
+    /// The objective of a target of part and void.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a grey target, [`Error::Config`] for bands out of range.
+    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+        if input.target.grey {
+            return Err(Error::Unsupported {
+                what: "an objective of part and void".to_owned(),
+                reason: "the target is grey; l2, l1, dose_matching and bclp reproduce grey values"
+                    .to_owned(),
+            });
+        }
+        self.build_with_labels(surface, input, input.labels)
+    }
+
+    /// As [`build`](Self::build), with other labels than the input's.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_with_labels(
+        &self,
+        surface: Surface,
+        input: &ObjectiveInput,
+        labels: &Volume<u8>,
+    ) -> BoxedObjective<HostField> {
+        check_shape("labels", &labels.grid.shape, input)?;
+        surface.must_fit(input.layout)?;
+        let bands = match surface {
+            Surface::Voxel => Bands::labels(
+                input.layout.field_of(labels),
+                &[(label::PART, self.part), (label::VOID, self.void)],
+            ),
+            Surface::Fraction => Bands::Shared {
+                inside: self.shares(input, labels),
+                part: self.part,
+                void: self.void,
+                scale: Vec::new(),
+                widen: Vec::new(),
+            },
+            Surface::Cells => self.cells(input, labels),
+        };
+        finish(bands, self.p, self.q, input)
+    }
+
+    /// Inside cells are part and outside ones void, each weighed by its share of the voxel.
+    fn cells(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Bands {
+        let mut labels = input.layout.field_of(labels);
+        let mut scale = Vec::new();
+        if let Some(cells) = &input.layout.cells {
+            cells.label(&mut labels);
+            scale = cells.shares(labels.len());
+        }
+        let inside = |&label: &u8| match label {
+            label::PART => 1.0,
+            label::VOID => 0.0,
+            _ => -1.0,
+        };
+        Bands::Shared {
+            inside: labels.par_iter().map(inside).collect(),
+            part: self.part,
+            void: self.void,
+            scale,
+            widen: Vec::new(),
+        }
+    }
+
+    /// s per element of the dose field, −1 where a voxel does not count.
+    fn shares(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Vec<f32> {
+        let labels = input.layout.field_of(labels);
+        let mut inside = input.layout.field_of(&input.target.inside);
+        inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
+            let counts = label == label::PART || label == label::VOID;
+            *s = if counts { s.clamp(0.0, 1.0) } else { -1.0 };
+        });
+        inside
+    }
+}
+
+/// Bands around the target's own values: `[f − half_width, f + half_width]`, part and void weighed apart.
+#[derive(Clone, Copy, Debug)]
+pub struct AroundTarget {
+    /// Half the width of the bands, in units of the response.
+    pub half_width: f32,
+    /// Weight of part voxels.
+    pub part_weight: f32,
+    /// Weight of void voxels.
+    pub void_weight: f32,
+    /// Power of the distance.
+    pub p: f64,
+    /// Power of the norm.
+    pub q: f64,
+}
+
+impl AroundTarget {
+    /// The objective: f is 1 in the part and 0 in the void, or the grey values of a grey target.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a grey target with a surface fraction, [`Error::Config`] for bands out of range.
+    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+        let around = |value: f32, weight: f32| {
+            Band::new(value - self.half_width, value + self.half_width, weight)
+        };
+        if !input.target.grey {
+            let bands = PartAndVoid {
+                part: around(1.0, self.part_weight),
+                void: around(0.0, self.void_weight),
+                p: self.p,
+                q: self.q,
+            };
+            return bands.build(surface, input);
+        }
+        if surface != Surface::Voxel {
+            return Err(surface.refused(
+                "the target is grey: its values are no inside fractions; surface = \"voxel\"",
+            ));
+        }
+        check_shape("labels", &input.labels.grid.shape, input)?;
+        finish(self.grey(input), self.p, self.q, input)
+    }
+
+    fn grey(&self, input: &ObjectiveInput) -> Bands {
+        let values = input.layout.field_of(&input.target.inside);
+        let labels = input.layout.field_of(input.labels);
+        let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };
+        let lower = shifted(-self.half_width);
+        let upper = if self.half_width == 0.0 {
+            lower.clone()
+        } else {
+            shifted(self.half_width)
+        };
+        let weight = labels.iter().map(|&label| match label {
+            label::PART => self.part_weight,
+            label::VOID => self.void_weight,
+            _ => 0.0,
+        });
+        Bands::Voxels {
+            lower,
+            upper,
+            weight: weight.collect(),
+        }
+    }
+}
+
+fn finish(bands: Bands, p: f64, q: f64, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+    check_shape("target", &input.target.inside.grid.shape, input)?;
+    Ok(Box::new(BandObjective::new(
+        input.layout.range(),
+        bands,
+        p,
+        q,
+        input.response.clone(),
+    )?))
+}
+
+fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result<()> {
+    let expected = input.layout.grid.shape;
+    if *found == expected {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: format!("{what} of the objective"),
+        expected: expected.to_vec(),
+        found: found.to_vec(),
+    })
+}
+
+/// Largest response that a band can name, and largest weight: their squares and sums are still numbers in f32.
+const LARGEST: f64 = 1e9;
+/// Largest power: beyond it the largest distance alone would decide.
+const HIGHEST_POWER: f64 = 100.0;
+
+/// Refuses what is no response that a band can name.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
+    if value.abs() <= LARGEST {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value:?}"),
+            format!("a number from {:e} to {LARGEST:e}", -LARGEST),
+        ))
+    }
+}
+
+/// Refuses what is no power above 0.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
+    if value > 0.0 && value <= HIGHEST_POWER {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value:?}"),
+            format!("a number above 0 and at most {HIGHEST_POWER}"),
+        ))
+    }
+}
+
+/// Refuses what is below 0 or too large for a weight or a width.
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
+    if (0.0..=LARGEST).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::config(
+            key,
+            format!("found {value:?}"),
+            format!("a number from 0 to {LARGEST:e}"),
+        ))
+    }
+}
+
+/// Refuses `low` at or above `high`.
+///
+/// # Errors
+/// [`Error::Config`] naming the key of `low`.
+pub(crate) fn below(low_key: &str, low: f64, high_key: &str, high: f64) -> Result<()> {
+    if low < high {
+        return Ok(());
+    }
+    Err(Error::config(
+        low_key,
+        format!(
+            "{low_key} {} is not below {high_key} {}",
+            exact(low),
+            exact(high)
+        ),
+        format!("{low_key} < {high_key}"),
+    ))
+}

@@ -1,0 +1,108 @@
+//! Threshold: the part above one dose, the void below another, nothing above the ceiling.
+//!
+//! **What it models.** A resin that turns solid somewhere between two doses: part voxels in [`upper`, `ceiling`], void voxels
+//! below `lower`. Everything between `lower` and `upper` is process window.
+//!
+//! **Equation** p = q = `exponent`
+//!
+//! ```text
+//! L = w_part·Σ_part max(upper − m, m − ceiling, 0)^K + w_void·Σ_void max(m − lower, 0)^K
+//! ```
+//!
+//! **Source** Nicolet et al., Inverse Rendering for Tomographic Volumetric Additive Manufacturing (2024), section 4 (T_L is
+//! our `lower`, T_U our `upper`, K our `exponent`); Wechsler et al. (2024).
+//!
+//! **Parameters** see [`Params`]. **Cost** the label pass of [`band`](super::band), bound by memory for an exponent of 2.
+//! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
+
+use super::band::Band;
+use super::preset::{PartAndVoid, Surface, below, finite, not_negative, positive};
+use super::{BuildObjective, ObjectiveInput};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// The parameters of the threshold objective.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Largest response of void voxels without penalty, below `upper` (default 0.7)
+    pub lower: f64,
+    /// Smallest response of part voxels without penalty (default 0.9)
+    pub upper: f64,
+    /// Largest response of part voxels without penalty, at least `upper` (default 1)
+    pub ceiling: f64,
+    /// Power of the distance from the band, above 0 (default 2)
+    pub exponent: f64,
+    /// Weight of part voxels, 0 or above (default 1)
+    pub part_weight: f64,
+    /// Weight of void voxels, 0 or above (default 1)
+    pub void_weight: f64,
+    /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            lower: 0.7,
+            upper: 0.9,
+            ceiling: 1.0,
+            exponent: 2.0,
+            part_weight: 1.0,
+            void_weight: 1.0,
+            surface: Surface::Fraction,
+        }
+    }
+}
+
+impl Params {
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<PartAndVoid> {
+        finite("lower", self.lower)?;
+        finite("upper", self.upper)?;
+        finite("ceiling", self.ceiling)?;
+        positive("exponent", self.exponent)?;
+        not_negative("part_weight", self.part_weight)?;
+        not_negative("void_weight", self.void_weight)?;
+        below("lower", self.lower, "upper", self.upper)?;
+        if self.ceiling < self.upper {
+            return Err(tomolith_core::Error::config(
+                "ceiling",
+                format!(
+                    "ceiling {} is below upper {}",
+                    exact(self.ceiling),
+                    exact(self.upper)
+                ),
+                "ceiling ≥ upper",
+            ));
+        }
+        Ok(PartAndVoid {
+            part: Band::new(
+                self.upper as f32,
+                self.ceiling as f32,
+                self.part_weight as f32,
+            ),
+            void: Band::below(self.lower as f32).weighing(self.void_weight as f32),
+            p: self.exponent,
+            q: self.exponent,
+        })
+    }
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildObjective> = Kind {
+    name: "threshold",
+    summary: "part between an upper threshold and the ceiling, void below a lower threshold",
+    example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        let bands = params.bands().map_err(|e| e.under(&section.path))?;
+        bands
+            .build(params.surface, input)
+            .map_err(|e| e.under(&section.path))
+    },
+};

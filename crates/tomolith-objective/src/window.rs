@@ -1,0 +1,142 @@
+//! The penalties of the process-window study: `l2n`, `osp` and `ospw`.
+//!
+//! **Equation** p = q = 2, thresholds τ_l = `lower` < τ_u = `upper`
+//!
+//! | kind | part | void | name in the study |
+//! |---|---|---|---|
+//! | `l2n` | [τ_u, τ_u] | [τ_l, τ_l] | L2N: both sides, both regions |
+//! | `osp` | [τ_u, ∞) | (−∞, τ_l] | OSP: one-sided |
+//! | `ospw` | [τ_u, τ_u + w] | (−∞, τ_l] | OSPW(w): one-sided, with a window of width w in the part |
+//!
+//! **Source** Pellizzon, Huber, Spangenberg and Jørgensen, arXiv 2602.12178, section 2; the default thresholds (0.70, 0.90)
+//! and w = 0 are those the study recommends: OSPW(0) had the widest process window at the smallest dose range in the part.
+//!
+//! **Parameters** see [`Params`] and [`WindowParams`]. **Cost** the label pass of [`band`](super::band).
+
+use super::band::Band;
+use super::preset::{PartAndVoid, Surface, below, finite, not_negative};
+use super::{BuildObjective, ObjectiveInput};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::kind::Kind;
+
+/// The parameters of `l2n` and `osp`.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+    pub lower: f64,
+    /// τ_u: threshold of part voxels (default 0.9)
+    pub upper: f64,
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            lower: 0.7,
+            upper: 0.9,
+            surface: Surface::Voxel,
+        }
+    }
+}
+
+/// The parameters of `ospw`.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct WindowParams {
+    /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+    pub lower: f64,
+    /// τ_u: threshold of part voxels (default 0.9)
+    pub upper: f64,
+    /// Width of the part's band above τ_u, 0 or above (default 0)
+    pub w: f64,
+    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for WindowParams {
+    fn default() -> Self {
+        WindowParams {
+            lower: 0.7,
+            upper: 0.9,
+            w: 0.0,
+            surface: Surface::Voxel,
+        }
+    }
+}
+
+/// Squared distances from bands made of τ_l and τ_u.
+fn squared(
+    lower: f64,
+    upper: f64,
+    bands: impl Fn(f64, f64) -> (Band, Band),
+) -> Result<PartAndVoid> {
+    finite("lower", lower)?;
+    finite("upper", upper)?;
+    below("lower", lower, "upper", upper)?;
+    let (part, void) = bands(lower, upper);
+    Ok(PartAndVoid {
+        part,
+        void,
+        p: 2.0,
+        q: 2.0,
+    })
+}
+
+/// The row of L2N.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+pub const L2N: Kind<BuildObjective> = Kind {
+    name: "l2n",
+    summary: "L2N: part to the upper threshold, void to the lower one, both sides",
+    example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        squared(params.lower, params.upper, |l, u| {
+            (Band::exactly(u as f32), Band::exactly(l as f32))
+        })
+        .and_then(|bands| bands.build(params.surface, input))
+        .map_err(|e| e.under(&section.path))
+    },
+};
+
+/// The row of OSP.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+pub const OSP: Kind<BuildObjective> = Kind {
+    name: "osp",
+    summary: "OSP: part above the upper threshold, void below the lower one",
+    example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
+    schema: || schemars::schema_for!(Params),
+    build: |section, input: &ObjectiveInput| {
+        let params: Params = section.parse()?;
+        squared(params.lower, params.upper, |l, u| {
+            (Band::above(u as f32), Band::below(l as f32))
+        })
+        .and_then(|bands| bands.build(params.surface, input))
+        .map_err(|e| e.under(&section.path))
+    },
+};
+
+/// The row of OSPW.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+pub const OSPW: Kind<BuildObjective> = Kind {
+    name: "ospw",
+    summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
+    example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
+    schema: || schemars::schema_for!(WindowParams),
+    build: |section, input: &ObjectiveInput| {
+        let params: WindowParams = section.parse()?;
+        not_negative("w", params.w)
+            .and_then(|()| {
+                squared(params.lower, params.upper, |l, u| {
+                    let part = Band::new(u as f32, (u + params.w) as f32, 1.0);
+                    (part, Band::below(l as f32))
+                })
+            })
+            .and_then(|bands| bands.build(params.surface, input))
+            .map_err(|e| e.under(&section.path))
+    },
+};

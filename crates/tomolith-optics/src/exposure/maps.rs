@@ -1,0 +1,66 @@
+//! Maps of a device: one number per pixel from an image or an array, and tables of two columns.
+
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_io::image::read_grey;
+use tomolith_io::npy::read_matrix;
+
+/// A map of this size `[columns, rows]`, row 0 on top: finite numbers, 0 or more; `as_what` has that size.
+///
+/// # Errors
+/// [`Error`] with the file and what is wrong with it.
+pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>> {
+    let is_array = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npy"));
+    let (rows, columns, values) = if is_array {
+        let ([rows, columns], values) = read_matrix(path)?;
+        (rows, columns, values)
+    } else {
+        let image = read_grey(path)?;
+        (image.rows, image.columns, image.values)
+    };
+    let bad = |found: String| Error::Format {
+        path: path.to_owned(),
+        found,
+        accepted: format!(
+            "a map of {} × {} numbers, 0 or more, as the {as_what}",
+            size[0], size[1]
+        ),
+    };
+    if [columns, rows] != size {
+        return Err(bad(format!("{columns} × {rows} pixels")));
+    }
+    match values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
+        Some(value) => Err(bad(format!("a value of {value}"))),
+        None => Ok(values),
+    }
+}
+
+/// Two columns of numbers, parted by commas, semicolons, blanks or tabs; empty lines and lines with # are skipped.
+pub(super) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
+    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+    let mut points = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let numbers: Vec<Option<f64>> = line
+            .split([',', ';', ' ', '\t'])
+            .filter(|word| !word.is_empty())
+            .map(|word| word.parse().ok())
+            .collect();
+        match numbers[..] {
+            [Some(value), Some(intensity)] => points.push([value, intensity]),
+            _ => {
+                return Err(Error::Format {
+                    path: path.to_owned(),
+                    found: format!("line {}: `{line}`", i + 1),
+                    accepted: "two numbers a line, value and intensity".to_owned(),
+                });
+            }
+        }
+    }
+    Ok(points)
+}

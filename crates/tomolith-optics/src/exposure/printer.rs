@@ -1,0 +1,754 @@
+//! What a given machine makes of patterns: the table `[printer]`.
+//!
+//! *What must it do, and who does it.* Patterns are light at the vial. A [`Printer`] says which level every pixel of the
+//! device must show for it ([`Printer::expose`]: frames, movies, stacks) and which light levels put into the vial
+//! ([`Printer::light_of`]: what is simulated). Geometry is in `placing.rs`, levels in `tone.rs`.
+//!
+//! # Equation
+//! With the even light y_j that device pixel j must show (see `placing.rs`), its brightness F_j ≤ 1 (flat field; 0
+//! where it is dead) and the grey curve g (level → intensity, g(top) = 1),
+//!
+//! ```text
+//! s = max y_j/F_j        q_j = the level with g(q_j) nearest to y_j/(s·F_j)        shown: s·F_j·g(q_j)
+//! ```
+//!
+//! s, *white*, is the pattern value (mJ/mm², relative like all doses) that the brightest pixel of the device gives at the
+//! highest level. Pixels with F < 0.1 do not raise s: they show white and are dimmer than they should be.
+//!
+//! # Order of frames
+//! A vial that turns the other way than the light's `rotation` sees the frames in the opposite order. The movie begins
+//! with the frame whose azimuth is nearest to `start_deg`.
+//!
+//! # Limits
+//! Light that the device cannot switch off (g(0) > 0) is counted on the pixels of the patterns, not around them. With
+//! several copies each lies on its own part of the device; what is simulated is the first.
+//!
+//! # Cost
+//! One pass over the shared areas of device and pattern pixels per frame; for a vial off its axis these are found for every frame.
+//!
+//! # Example
+//! A device of 6 × 4 pixels mounted on its side, driven by a gamma of about 2: the pattern's right end is up, and half of
+//! the light needs 0.71 of the level.
+//! ```
+//! use tomolith_optics::exposure::{Printer, PrinterSpec, Rotation};
+//! use tomolith_core::grid::{PatternGrid, Patterns};
+//! let spec: PrinterSpec = toml::from_str(
+//!     "canvas = [6, 4]\nquarter_turns = 1\ngrey_curve = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]",
+//! ).unwrap();
+//! let grid = PatternGrid::full_turn(1, 0.0, 2, 4, 0.1); // 2 rows of 4 columns
+//! let printer = Printer::new(&spec, ".".as_ref(), &grid, Rotation::Clockwise).unwrap();
+//! let patterns = Patterns { grid, values: vec![0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 2.0] };
+//! let frames = printer.expose(&patterns, 8).unwrap();
+//! assert_eq!(frames.full_scale, 4.0);
+//! assert_eq!(frames.values[..6], [0, 0, 255, 170, 0, 0]); // between 0.25 at 127.5 and 1 at 255: a third is 0.5
+//! let light = printer.light_of(&frames).unwrap();
+//! assert!((light.values[3] - 4.0).abs() < 1e-6 && (light.values[7] - 2.0).abs() < 0.02);
+//! ```
+
+use super::maps::read_map;
+use super::placing::{Overlaps, Placing, size_of, turn};
+use super::quantise::Quantised;
+use super::tone::{Curve, Tone};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
+use tomolith_core::units::{Mm, Pitch, exact};
+
+/// Dimmer pixels do not decide what white is.
+const DIMMEST: f64 = 0.1;
+/// Most pixels along an edge of a device.
+const LARGEST_EDGE: usize = 16_384;
+/// Most copies on a device.
+const MOST_COPIES: usize = 64;
+
+/// Sense in which the vial turns, seen from above.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Rotation {
+    /// Light then arrives counter-clockwise in the resin: azimuths grow.
+    #[default]
+    Clockwise,
+    /// Azimuths fall.
+    Counterclockwise,
+}
+
+/// What stands between the patterns and the vial on a given machine; an empty table shows patterns as they are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct PrinterSpec {
+    /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub canvas: Option<[usize; 2]>,
+    /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pixel_pitch_mm: Option<Pitch>,
+    /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
+    pub offset_px: [f64; 2],
+    /// Mirrors left and right, before the turn.
+    pub flip_horizontal: bool,
+    /// Mirrors up and down, before the turn.
+    pub flip_vertical: bool,
+    /// Quarter turns of the image, counter-clockwise, 0 to 3.
+    pub quarter_turns: u32,
+    /// A further turn of the image, counter-clockwise, degrees, -45 to 45: a device or an axis that is not quite upright.
+    pub rotation_deg: f64,
+    /// How far right (along the columns of the patterns) the axis of rotation lies of where it should.
+    pub axis_offset_mm: Mm,
+    /// How far the middle of the vial is from the axis of the stage.
+    pub eccentricity_mm: Mm,
+    /// Azimuth, in the resin frame, at which the middle of the vial is off the axis, degrees.
+    pub eccentricity_deg: f64,
+    /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
+    pub copies_px: Vec<[f64; 2]>,
+    /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sense: Option<Rotation>,
+    /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_deg: Option<f64>,
+    /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey_curve: Option<Vec<[f64; 2]>>,
+    /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey_curve_file: Option<PathBuf>,
+    /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flat_field: Option<PathBuf>,
+    /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dead_pixels: Option<PathBuf>,
+    /// Images a second that the device shows; frames that follow faster are refused.
+    pub refresh_hz: f64,
+    /// Irradiance of the brightest device pixel at the highest level, at the vial.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_irradiance_mw_per_cm2: Option<f64>,
+    /// Longest time that the print may take, s: with the peak irradiance and resin.critical_dose_mj_per_mm3 it bounds
+    /// the pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_s: Option<f64>,
+    /// Also writes all frames as one array, frames.npz.
+    pub stack: bool,
+}
+
+impl Default for PrinterSpec {
+    fn default() -> Self {
+        PrinterSpec {
+            canvas: None,
+            pixel_pitch_mm: None,
+            offset_px: [0.0; 2],
+            flip_horizontal: false,
+            flip_vertical: false,
+            quarter_turns: 0,
+            rotation_deg: 0.0,
+            axis_offset_mm: Mm(0.0),
+            eccentricity_mm: Mm(0.0),
+            eccentricity_deg: 0.0,
+            copies_px: vec![[0.0; 2]],
+            sense: None,
+            start_deg: None,
+            grey_curve: None,
+            grey_curve_file: None,
+            flat_field: None,
+            dead_pixels: None,
+            refresh_hz: 60.0,
+            peak_irradiance_mw_per_cm2: None,
+            time_s: None,
+            stack: false,
+        }
+    }
+}
+
+impl PrinterSpec {
+    /// Checks every number, without reading files.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key below `printer`.
+    pub fn ranges(&self) -> Result<()> {
+        let finite = |key: &str, value: f64, least: f64, most: f64, accepted: &str| {
+            if value >= least && value <= most {
+                return Ok(());
+            }
+            Err(Error::config(
+                format!("printer.{key}"),
+                format!("found {}", exact(value)),
+                accepted,
+            ))
+        };
+        for (i, n) in self.canvas.iter().flatten().enumerate() {
+            let accepted = format!("a whole number from 1 to {LARGEST_EDGE}");
+            finite(
+                &format!("canvas[{i}]"),
+                *n as f64,
+                1.0,
+                LARGEST_EDGE as f64,
+                &accepted,
+            )?;
+        }
+        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
+            finite(
+                "pixel_pitch_mm",
+                pitch,
+                f64::MIN_POSITIVE,
+                100.0,
+                "a length > 0, at most 100 mm",
+            )?;
+        }
+        let most = LARGEST_EDGE as f64;
+        for (i, value) in self.offset_px.into_iter().enumerate() {
+            finite(
+                &format!("offset_px[{i}]"),
+                value,
+                -most,
+                most,
+                "pixels, -16384 to 16384",
+            )?;
+        }
+        if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
+            return Err(Error::config(
+                "printer.copies_px",
+                format!("{} places", self.copies_px.len()),
+                format!("1 to {MOST_COPIES} places [right, up]"),
+            ));
+        }
+        for (i, value) in self.copies_px.iter().flatten().enumerate() {
+            let key = format!("copies_px[{}][{}]", i / 2, i % 2);
+            finite(&key, *value, -most, most, "pixels, -16384 to 16384")?;
+        }
+        finite(
+            "quarter_turns",
+            f64::from(self.quarter_turns),
+            0.0,
+            3.0,
+            "0, 1, 2 or 3",
+        )?;
+        finite(
+            "rotation_deg",
+            self.rotation_deg,
+            -45.0,
+            45.0,
+            "degrees, -45 to 45 (and printer.quarter_turns)",
+        )?;
+        finite(
+            "axis_offset_mm",
+            self.axis_offset_mm.0,
+            -1000.0,
+            1000.0,
+            "mm, -1000 to 1000",
+        )?;
+        finite(
+            "eccentricity_mm",
+            self.eccentricity_mm.0,
+            0.0,
+            1000.0,
+            "mm, 0 or more",
+        )?;
+        finite(
+            "eccentricity_deg",
+            self.eccentricity_deg,
+            -360.0,
+            360.0,
+            "degrees, -360 to 360",
+        )?;
+        if let Some(start) = self.start_deg {
+            finite("start_deg", start, -360.0, 360.0, "degrees, -360 to 360")?;
+        }
+        finite(
+            "refresh_hz",
+            self.refresh_hz,
+            1.0,
+            100_000.0,
+            "images a second, 1 to 100000",
+        )?;
+        let least = f64::MIN_POSITIVE;
+        if let Some(peak) = self.peak_irradiance_mw_per_cm2 {
+            finite(
+                "peak_irradiance_mw_per_cm2",
+                peak,
+                least,
+                1e9,
+                "a number > 0, mW/cm²",
+            )?;
+        }
+        if let Some(time) = self.time_s {
+            finite("time_s", time, least, 1e9, "a number > 0, s")?;
+            if self.peak_irradiance_mw_per_cm2.is_none() {
+                return Err(Error::config(
+                    "printer.time_s",
+                    format!("{} s without a peak irradiance", exact(time)),
+                    "printer.peak_irradiance_mw_per_cm2 beside it, or no such key",
+                ));
+            }
+        }
+        if self.grey_curve.is_some() && self.grey_curve_file.is_some() {
+            return Err(Error::config(
+                "printer.grey_curve",
+                "both `grey_curve` and `grey_curve_file`",
+                "one of the two",
+            ));
+        }
+        match &self.grey_curve {
+            Some(points) => Curve::new(points, "printer.grey_curve").map(drop),
+            None => Ok(()),
+        }
+    }
+
+    /// Files that the table names, to be made absolute.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        self.grey_curve_file
+            .iter_mut()
+            .chain(&mut self.flat_field)
+            .chain(&mut self.dead_pixels)
+    }
+
+    /// The same machine with pixels so many times as large, for quick trials; its maps are left out.
+    pub fn coarsen(&mut self, factor: f64) {
+        for count in self.canvas.iter_mut().flatten() {
+            *count = (*count as f64 / factor).ceil() as usize + 2;
+        }
+        self.pixel_pitch_mm
+            .iter_mut()
+            .for_each(|pitch| pitch.0 = pitch.0.map(|mm| factor * mm));
+        let lengths = self
+            .offset_px
+            .iter_mut()
+            .chain(self.copies_px.iter_mut().flatten());
+        lengths.for_each(|length| *length /= factor);
+        for pair in &mut self.copies_px {
+            *pair = pair.map(|length| length + length.signum() * f64::from(length != 0.0));
+        }
+        (self.flat_field, self.dead_pixels) = (None, None);
+    }
+}
+
+/// A machine that shows the patterns of one light.
+#[derive(Clone, Debug)]
+pub struct Printer {
+    /// One per copy.
+    placings: Vec<Placing>,
+    /// Shift of the pattern along u of each frame of the patterns, mm.
+    shifts: Vec<f64>,
+    /// The areas that device and pattern share, per copy, where they are the same for all frames.
+    overlaps: Option<Vec<Overlaps>>,
+    /// Frame of the patterns that is shown as number j.
+    order: Vec<usize>,
+    curve: Option<Curve>,
+    /// Brightness of device pixels, 0 where they are dead.
+    brightness: Option<Vec<f32>>,
+    pattern: PatternGrid,
+    notes: Vec<String>,
+}
+
+impl Printer {
+    /// The machine of a table for patterns on a grid; files are relative to `base`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key below `printer`: ranges, a canvas that is smaller than the patterns, copies that
+    /// overlap, maps of another size, a start or a sense that the angles do not allow; [`Error::Io`] and
+    /// [`Error::Format`] for files.
+    pub fn new(
+        spec: &PrinterSpec,
+        base: &Path,
+        pattern: &PatternGrid,
+        rotation: Rotation,
+    ) -> Result<Self> {
+        spec.ranges()?;
+        let mut notes = Vec::new();
+        let phase = spec.eccentricity_deg.to_radians();
+        let shift = |azimuth: &f64| {
+            spec.axis_offset_mm.0 + spec.eccentricity_mm.0 * (phase - azimuth).sin()
+        };
+        let shifts: Vec<f64> = pattern.azimuths.iter().map(shift).collect();
+        let placings = placings(spec, pattern, &shifts)?;
+        let order = order(spec, pattern, rotation, &mut notes)?;
+        let mut printer = Printer {
+            overlaps: None,
+            curve: curve(spec, base)?,
+            brightness: brightness(spec, base, placings[0].canvas)?,
+            placings,
+            shifts,
+            order,
+            pattern: pattern.clone(),
+            notes,
+        };
+        if spec.eccentricity_mm.0 == 0.0 {
+            printer.note_blur();
+            let shift = printer.shifts.first().copied().unwrap_or(0.0);
+            printer.overlaps = Some(printer.placings.iter().map(|p| p.overlaps(shift)).collect());
+        }
+        Ok(printer)
+    }
+
+    /// What people should know, one sentence each.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    fn note_blur(&mut self) {
+        let shift = self.shifts.first().copied().unwrap_or(0.0);
+        let placing = &self.placings[0];
+        let Some([right, down]) = placing.miss(shift) else {
+            return;
+        };
+        if right.abs().max(down.abs()) > 1e-3 {
+            self.notes.push(format!(
+                "the patterns lie {:.2} pixels beside the columns and {:.2} beside the rows of the device: this blurs them; an even \
+                 number of pixels in light.pixels and printer.canvas, or half a pixel of printer.offset_px, would not",
+                right.abs(),
+                down.abs()
+            ));
+        }
+    }
+
+    /// The device's pixels and frames, in the order in which they are shown.
+    #[must_use]
+    pub fn canvas_grid(&self) -> PatternGrid {
+        let placing = &self.placings[0];
+        PatternGrid {
+            azimuths: self
+                .order
+                .iter()
+                .map(|&k| self.pattern.azimuths[k])
+                .collect(),
+            frame_arc: self.pattern.frame_arc,
+            rows: placing.canvas[1],
+            columns: placing.canvas[0],
+            pitch_mm: placing.pitch,
+            offset_mm: [0.0; 2],
+        }
+    }
+
+    fn device_pixels(&self) -> usize {
+        let [columns, rows] = self.placings[0].canvas;
+        columns * rows
+    }
+
+    /// Brightness of a device pixel.
+    fn bright(&self, device: usize) -> f64 {
+        self.brightness
+            .as_ref()
+            .map_or(1.0, |b| f64::from(b[device]))
+    }
+
+    /// The areas shared in a frame of the patterns, for one copy.
+    fn overlaps(&self, frame: usize, copy: usize) -> Cow<'_, Overlaps> {
+        match &self.overlaps {
+            Some(same) => Cow::Borrowed(&same[copy]),
+            None => Cow::Owned(self.placings[copy].overlaps(self.shifts[frame])),
+        }
+    }
+
+    /// Every device pixel that a frame of the patterns lights, and its intensity at the vial.
+    fn each_pixel(&self, patterns: &Patterns, frame: usize, mut put: impl FnMut(usize, f64)) {
+        for copy in 0..self.placings.len() {
+            self.overlaps(frame, copy)
+                .forward(patterns.frame(frame), &mut put);
+        }
+    }
+
+    /// The pattern value of white: what the brightest device pixel must give.
+    fn white(&self, patterns: &Patterns) -> f64 {
+        let largest = |frame: usize| {
+            let mut most = 0.0f64;
+            self.each_pixel(patterns, frame, |device, value| {
+                let bright = self.bright(device);
+                if bright >= DIMMEST {
+                    most = most.max(value / bright);
+                }
+            });
+            most
+        };
+        let most: Vec<f64> = (0..self.order.len()).into_par_iter().map(largest).collect();
+        most.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Levels of all frames for these patterns, in the order in which they are shown.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when `bits` is not 1…16; [`Error::Shape`] when the patterns are not those of the printer;
+    /// [`Error::NonFinite`] when a value is negative, infinite or not a number.
+    pub fn expose(&self, patterns: &Patterns, bits: u32) -> Result<Quantised> {
+        super::quantise::check(patterns, bits)?;
+        same_shape("patterns of the printer", &self.pattern, &patterns.grid)?;
+        let (white, tone) = (
+            self.white(patterns) as f32,
+            Tone::new(self.curve.as_ref(), bits),
+        );
+        let grid = self.canvas_grid();
+        let mut values = vec![0; grid.len()];
+        if white > 0.0 {
+            values
+                .par_chunks_mut(self.device_pixels())
+                .zip(&self.order)
+                .for_each(|(levels, &frame)| {
+                    self.each_pixel(patterns, frame, |device, value| {
+                        let bright = self.bright(device);
+                        if bright > 0.0 {
+                            let wanted = value / (f64::from(white) * bright);
+                            levels[device] = tone.level(wanted.min(1.0));
+                        }
+                    });
+                });
+        }
+        Ok(Quantised {
+            grid,
+            bits,
+            full_scale: white,
+            values,
+        })
+    }
+
+    /// The light that frames put into the vial of the first copy: patterns, in the order of the light's angles.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the frames are not those of the device.
+    pub fn light_of(&self, frames: &Quantised) -> Result<Patterns> {
+        same_shape("frames of the printer", &self.canvas_grid(), &frames.grid)?;
+        let tone = Tone::new(self.curve.as_ref(), frames.bits);
+        let white = f64::from(frames.full_scale);
+        let pixels = self.pattern.rows * self.pattern.columns;
+        let shown: Vec<Vec<f32>> = self
+            .order
+            .par_iter()
+            .enumerate()
+            .map(|(j, &frame)| {
+                let levels = &frames.values[j * self.device_pixels()..][..self.device_pixels()];
+                let mut light = vec![0.0f64; pixels];
+                let value =
+                    |device: usize| tone.intensity(levels[device]) * white * self.bright(device);
+                self.overlaps(frame, 0).back(value, &mut light);
+                light.into_iter().map(|v| v as f32).collect()
+            })
+            .collect();
+        let mut patterns = Patterns::dark(self.pattern.clone());
+        for (&frame, light) in self.order.iter().zip(shown) {
+            patterns.values[frame * pixels..][..pixels].copy_from_slice(&light);
+        }
+        Ok(patterns)
+    }
+
+    /// Which pixels of the patterns the device can light at all, for the first copy: those that lie on dead pixels alone it cannot.
+    /// None when it can light every one.
+    #[must_use]
+    pub fn lightable(&self) -> Option<PixelMask> {
+        let brightness = self.brightness.as_ref()?;
+        if brightness.iter().all(|&bright| bright > 0.0) {
+            return None;
+        }
+        let (rows, columns) = (self.pattern.rows, self.pattern.columns);
+        let frames = match &self.overlaps {
+            Some(_) => 1,
+            None => self.pattern.frames(),
+        };
+        let of_frame = |frame: usize| {
+            let mut light = vec![0.0; rows * columns];
+            self.overlaps(frame, 0)
+                .back(|device| self.bright(device), &mut light);
+            light
+        };
+        let light: Vec<Vec<f64>> = (0..frames).into_par_iter().map(of_frame).collect();
+        let mask = PixelMask::new([frames, rows, columns], |frame, row, column| {
+            light[frame][row * columns + column] > 0.0
+        });
+        (!mask.is_open()).then_some(mask)
+    }
+
+    /// Sum of the intensities of all device pixels over one pass of the frames, where white is 1.
+    #[must_use]
+    pub fn emitted(&self, frames: &Quantised) -> f64 {
+        let tone = Tone::new(self.curve.as_ref(), frames.bits);
+        let sums: Vec<f64> = frames
+            .values
+            .par_chunks(self.device_pixels().max(1))
+            .map(|levels| {
+                let light =
+                    |(device, &level): (usize, &u16)| tone.intensity(level) * self.bright(device);
+                levels.iter().enumerate().map(light).sum()
+            })
+            .collect();
+        sums.into_iter().sum()
+    }
+}
+
+fn same_shape(what: &str, expected: &PatternGrid, found: &PatternGrid) -> Result<()> {
+    if expected.shape() == found.shape() {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: format!("{what} [frame, row, column]"),
+        expected: expected.shape().to_vec(),
+        found: found.shape().to_vec(),
+    })
+}
+
+/// Size of a device pixel, mm: that of the patterns' pixels as they are turned, unless the table says another.
+pub(super) fn device_pitch(spec: &PrinterSpec, pattern: &PatternGrid) -> [f64; 2] {
+    let [u, z] = pattern.pitch_mm;
+    let turned = if spec.quarter_turns.is_multiple_of(2) {
+        [u, z]
+    } else {
+        [z, u]
+    };
+    spec.pixel_pitch_mm.map_or(turned, |pitch| pitch.0)
+}
+
+/// Where each copy lies; refuses a canvas that cannot hold them.
+fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result<Vec<Placing>> {
+    let most = shifts.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = shifts.iter().copied().fold(f64::INFINITY, f64::min);
+    let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
+    let of_copy = |copy: &[f64; 2]| Placing {
+        canvas: spec.canvas.unwrap_or([1, 1]),
+        pattern: size_of(pattern),
+        pattern_pitch: pattern.pitch_mm,
+        pitch: device_pitch(spec, pattern),
+        turn: turn(spec.quarter_turns, spec.rotation_deg),
+        flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
+        offset: [spec.offset_px[0] + copy[0], spec.offset_px[1] + copy[1]],
+    };
+    let mut placings: Vec<Placing> = spec.copies_px.iter().map(of_copy).collect();
+    for (i, a) in placings.iter().enumerate() {
+        for (j, b) in placings.iter().enumerate().skip(i + 1) {
+            if a.overlap([b.offset[0] - a.offset[0], b.offset[1] - a.offset[1]]) {
+                return Err(Error::config(
+                    "printer.copies_px",
+                    format!("copies {} and {} overlap", i + 1, j + 1),
+                    "places that are further apart",
+                ));
+            }
+        }
+    }
+    let mut needed = [0, 0];
+    for placing in &placings {
+        let one = placing.needed([least, most]);
+        needed = [needed[0].max(one[0]), needed[1].max(one[1])];
+    }
+    match spec.canvas {
+        None => placings
+            .iter_mut()
+            .for_each(|placing| placing.canvas = needed),
+        Some(canvas) if canvas[0] < needed[0] || canvas[1] < needed[1] => {
+            return Err(Error::config(
+                "printer.canvas",
+                format!(
+                    "{} × {} pixels, but the patterns of {} × {} need {} × {} with their scale, turns and offsets",
+                    canvas[0], canvas[1], pattern.columns, pattern.rows, needed[0], needed[1]
+                ),
+                format!(
+                    "at least [{}, {}], or fewer light.pixels",
+                    needed[0], needed[1]
+                ),
+            ));
+        }
+        Some(_) => {}
+    }
+    Ok(placings)
+}
+
+/// The frame of the patterns that is shown as number j.
+fn order(
+    spec: &PrinterSpec,
+    pattern: &PatternGrid,
+    rotation: Rotation,
+    notes: &mut Vec<String>,
+) -> Result<Vec<usize>> {
+    let frames = pattern.frames();
+    let full = (pattern.frame_arc * frames as f64 - TAU).abs() < 1e-9;
+    let forward = spec.sense.is_none_or(|sense| sense == rotation);
+    let first = match spec.start_deg {
+        None => 0,
+        Some(start) if !full => {
+            return Err(Error::config(
+                "printer.start_deg",
+                format!("{start} degrees, but the angles are not a full turn"),
+                "no such key: a part of a turn has its own beginning, light.angles.start_deg",
+            ));
+        }
+        Some(start) => {
+            let away = |k: &usize| {
+                let turn = (pattern.azimuths[*k] - start.to_radians()).rem_euclid(TAU);
+                if turn > PI { turn - TAU } else { turn }
+            };
+            let first = (0..frames)
+                .min_by(|a, b| away(a).abs().total_cmp(&away(b).abs()))
+                .unwrap_or(0);
+            let rest = away(&first).to_degrees();
+            if rest.abs() > 1e-6 {
+                notes.push(format!(
+                    "no frame has the azimuth {start} degrees: the movie begins with the nearest one, {rest:.3} degrees away"
+                ));
+            }
+            first
+        }
+    };
+    Ok((0..frames)
+        .map(|j| match (forward, full) {
+            (true, _) => (first + j) % frames,
+            (false, true) => (first + frames - j) % frames,
+            (false, false) => frames - 1 - j,
+        })
+        .collect())
+}
+
+fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<Curve>> {
+    if let Some(points) = &spec.grey_curve {
+        return Curve::new(points, "printer.grey_curve").map(Some);
+    }
+    let Some(file) = &spec.grey_curve_file else {
+        return Ok(None);
+    };
+    let points =
+        super::maps::read_table(&base.join(file)).map_err(|e| at_key("grey_curve_file", e))?;
+    Curve::new(&points, "printer.grey_curve_file").map(Some)
+}
+
+/// Flat field and dead pixels as one map.
+fn brightness(spec: &PrinterSpec, base: &Path, canvas: [usize; 2]) -> Result<Option<Vec<f32>>> {
+    let read = |key: &str, file: &Option<PathBuf>| {
+        let map = file
+            .as_ref()
+            .map(|file| read_map(&base.join(file), canvas, "canvas"));
+        map.transpose().map_err(|e| at_key(key, e))
+    };
+    let mut map = read("flat_field", &spec.flat_field)?;
+    if let Some(map) = &mut map {
+        let most = map.iter().copied().fold(0.0, f32::max);
+        if most <= 0.0 {
+            return Err(Error::config(
+                "printer.flat_field",
+                "a map that is dark everywhere",
+                "an image of an even white",
+            ));
+        }
+        map.iter_mut().for_each(|v| *v /= most);
+    }
+    if let Some(dead) = read("dead_pixels", &spec.dead_pixels)? {
+        let map = map.get_or_insert_with(|| vec![1.0; dead.len()]);
+        for (bright, dead) in map.iter_mut().zip(dead) {
+            if dead >= 0.5 {
+                *bright = 0.0;
+            }
+        }
+    }
+    Ok(map)
+}
+
+/// Says which key named a file that cannot be used.
+fn at_key(key: &str, error: Error) -> Error {
+    let (found, accepted) = match &error {
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => (format!("{}: {found}", path.display()), accepted.clone()),
+        Error::Io { .. } => (error.to_string(), "a file that can be read".to_owned()),
+        _ => return error.under(&format!("printer.{key}")),
+    };
+    Error::config(format!("printer.{key}"), found, accepted)
+}

@@ -1,0 +1,174 @@
+//! The grey curve of a device: level → intensity, and the level that comes nearest to an intensity.
+//!
+//! A curve is a table of points (value, intensity), straight lines between them; value is the level over the highest
+//! level, 0 to 1. Intensities are divided by the last one, so that a curve may be given in whatever unit it was measured.
+//! What is left at value 0 is light that the device cannot switch off.
+
+use tomolith_core::error::{Error, Result};
+use tomolith_core::units::exact;
+use tomolith_io::frames::top_level;
+
+/// What a curve must be, for messages.
+const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
+     larger than the one before";
+
+/// A grey curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Curve {
+    points: Vec<[f64; 2]>,
+}
+
+impl Curve {
+    /// A curve from its table; `key` names it in errors.
+    pub(super) fn new(points: &[[f64; 2]], key: &str) -> Result<Self> {
+        let refuse = |found: String| Err(Error::config(key, found, ACCEPTED));
+        if points.len() < 2 {
+            return refuse(format!("{} points", points.len()));
+        }
+        if let Some(i) = points.iter().position(|p| !p.iter().all(|v| v.is_finite())) {
+            return refuse(format!("point {} is {:?}", i + 1, points[i]));
+        }
+        let (first, last) = (points[0], points[points.len() - 1]);
+        if first[0] != 0.0 || last[0] != 1.0 {
+            return refuse(format!(
+                "values from {} to {}",
+                exact(first[0]),
+                exact(last[0])
+            ));
+        }
+        if first[1] < 0.0 {
+            return refuse(format!("an intensity of {}", first[1]));
+        }
+        for (i, pair) in points.windows(2).enumerate() {
+            for (what, axis) in [("value", 0), ("intensity", 1)] {
+                if pair[1][axis] <= pair[0][axis] {
+                    return refuse(format!(
+                        "the {what} goes from {} to {} between points {} and {}: not monotone",
+                        pair[0][axis],
+                        pair[1][axis],
+                        i + 1,
+                        i + 2
+                    ));
+                }
+            }
+        }
+        let white = last[1];
+        Ok(Curve {
+            points: points.iter().map(|p| [p[0], p[1] / white]).collect(),
+        })
+    }
+
+    /// Intensity at a value.
+    fn at(&self, value: f64) -> f64 {
+        let next = self
+            .points
+            .partition_point(|p| p[0] < value)
+            .clamp(1, self.points.len() - 1);
+        let ([x0, y0], [x1, y1]) = (self.points[next - 1], self.points[next]);
+        y0 + (value - x0) / (x1 - x0) * (y1 - y0)
+    }
+}
+
+/// Levels of a bit depth and their intensities.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tone {
+    top: u16,
+    /// Intensity of each level, the highest is 1; None: proportional to the level.
+    table: Option<Vec<f64>>,
+}
+
+impl Tone {
+    pub(super) fn new(curve: Option<&Curve>, bits: u32) -> Self {
+        let top = top_level(bits);
+        let table = curve.map(|curve| {
+            (0..=top)
+                .map(|level| curve.at(f64::from(level) / f64::from(top)))
+                .collect()
+        });
+        Tone { top, table }
+    }
+
+    /// Intensity of a level, 0 to 1.
+    pub(super) fn intensity(&self, level: u16) -> f64 {
+        match &self.table {
+            None => f64::from(level) / f64::from(self.top),
+            Some(table) => table[usize::from(level.min(self.top))],
+        }
+    }
+
+    /// The level whose intensity is nearest, the upper one of two that are equally near.
+    pub(super) fn level(&self, intensity: f64) -> u16 {
+        let Some(table) = &self.table else {
+            return ((intensity * f64::from(self.top) + 0.5).floor() as u16).min(self.top);
+        };
+        let above = table.partition_point(|&i| i < intensity);
+        if above == 0 {
+            return 0;
+        }
+        let nearest =
+            if above == table.len() || intensity - table[above - 1] < table[above] - intensity {
+                above - 1
+            } else {
+                above
+            };
+        nearest as u16
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_is_followed_and_its_nearest_levels_are_found() {
+        let curve = Curve::new(&[[0.0, 4.0], [0.5, 8.0], [1.0, 40.0]], "c").unwrap();
+        let tone = Tone::new(Some(&curve), 8);
+        assert_eq!((tone.intensity(0), tone.intensity(255)), (0.1, 1.0));
+        // Half way up the first line: 127.5/255 is the knee at 0.2
+        assert!((tone.intensity(127) - (0.1 + 0.1 * 127.0 / 127.5)).abs() < 1e-12);
+        for level in 0..=255 {
+            assert_eq!(tone.level(tone.intensity(level)), level);
+        }
+        for i in 0..1000 {
+            let wanted = f64::from(i) / 999.0;
+            let found = (tone.intensity(tone.level(wanted)) - wanted).abs();
+            let best = (0..=255)
+                .map(|l| (tone.intensity(l) - wanted).abs())
+                .fold(1.0, f64::min);
+            assert_eq!(found, best, "{wanted}");
+        }
+    }
+
+    #[test]
+    fn without_a_curve_halves_are_rounded_up() {
+        let tone = Tone::new(None, 2);
+        assert_eq!([0.0, 0.4999, 0.5, 1.0].map(|i| tone.level(i)), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused_with_the_place() {
+        for (points, word) in [
+            (&[[0.0, 0.0]][..], "1 points"),
+            (
+                &[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]],
+                "between points 2 and 3: not monotone",
+            ),
+            (
+                &[[0.0, 0.0], [0.5, 0.5], [0.5, 0.6], [1.0, 1.0]],
+                "the value goes from 0.5 to 0.5",
+            ),
+            (&[[0.0, 0.0], [0.9, 1.0]], "values from 0 to 0.9"),
+            (&[[0.0, -0.1], [1.0, 1.0]], "an intensity of -0.1"),
+            (&[[0.0, 0.0], [1.0, f64::NAN]], "point 2"),
+            (&[[0.0, 0.0], [1.0, 0.0]], "not monotone"),
+        ] {
+            let message = Curve::new(points, "printer.grey_curve")
+                .unwrap_err()
+                .to_string();
+            assert!(
+                message.contains(word) && message.starts_with("printer.grey_curve"),
+                "{message}"
+            );
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! One interface between two transparent media: Snell's law and Fresnel's transmittances.
+//!
+//! # Equation
+//! With incidence angle θ₁ in index n₁ and θ₂ in n₂ (n₁ sin θ₁ = n₂ sin θ₂):
+//!
+//! ```text
+//! R_s = ((n₁ cos θ₁ − n₂ cos θ₂) / (n₁ cos θ₁ + n₂ cos θ₂))²
+//! R_p = ((n₁ cos θ₂ − n₂ cos θ₁) / (n₁ cos θ₂ + n₂ cos θ₁))²        T = 1 − R   (power)
+//! ```
+//! s: electric field normal to the plane of incidence (along z in a z-invariant geometry); p: in that plane.
+//!
+//! # Source
+//! Born & Wolf, *Principles of Optics*, §1.5.2, eqs. (20)–(21) and (33).
+//!
+//! # Example
+//! ```
+//! use tomolith_optics::interface::{Transmittance, refract};
+//! let (direction, t) = refract([1.0, 0.0], [-1.0, 0.0], 1.0, 1.5).unwrap();
+//! assert_eq!(direction, [1.0, 0.0]); // normal incidence does not bend
+//! assert!((t.s - 0.96).abs() < 1e-12 && (t.p - 0.96).abs() < 1e-12); // ((1.5 − 1)/(1.5 + 1))² = 4 % is lost
+//! ```
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Power transmittance of each polarisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmittance {
+    /// Electric field normal to the plane of incidence.
+    pub s: f64,
+    /// Electric field in the plane of incidence.
+    pub p: f64,
+}
+
+/// Polarisation of a light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Polarisation {
+    /// Half s, half p. Each half keeps its own transmittance through all walls; they are averaged at the end.
+    #[default]
+    Unpolarised,
+    /// Electric field along the rotation axis; of light that is tilted towards it, along the axis as seen across the ray.
+    S,
+    /// Electric field across the rotation axis and the ray.
+    P,
+}
+
+impl Polarisation {
+    /// Power that starts in s and in p.
+    #[must_use]
+    pub fn split(self) -> Transmittance {
+        let (s, p) = match self {
+            Polarisation::Unpolarised => (0.5, 0.5),
+            Polarisation::S => (1.0, 0.0),
+            Polarisation::P => (0.0, 1.0),
+        };
+        Transmittance { s, p }
+    }
+}
+
+/// The refracted direction and the power that passes, for a unit `direction` that meets a wall whose unit `normal`
+/// points against it; None at total reflection.
+#[must_use]
+pub fn refract(
+    direction: [f64; 2],
+    normal: [f64; 2],
+    n1: f64,
+    n2: f64,
+) -> Option<([f64; 2], Transmittance)> {
+    let cos1 = -(direction[0] * normal[0] + direction[1] * normal[1]);
+    let ratio = n1 / n2;
+    let sin2_squared = ratio * ratio * (1.0 - cos1 * cos1).max(0.0);
+    if sin2_squared >= 1.0 {
+        return None;
+    }
+    let cos2 = (1.0 - sin2_squared).sqrt();
+    let bend = ratio * cos1 - cos2;
+    let refracted = [
+        ratio * direction[0] + bend * normal[0],
+        ratio * direction[1] + bend * normal[1],
+    ];
+    let r_s = (n1 * cos1 - n2 * cos2) / (n1 * cos1 + n2 * cos2);
+    let r_p = (n1 * cos2 - n2 * cos1) / (n1 * cos2 + n2 * cos1);
+    let transmittance = Transmittance {
+        s: 1.0 - r_s * r_s,
+        p: 1.0 - r_p * r_p,
+    };
+    Some((refracted, transmittance))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(angle: f64, n1: f64, n2: f64) -> Option<([f64; 2], Transmittance)> {
+        refract([angle.cos(), angle.sin()], [-1.0, 0.0], n1, n2)
+    }
+
+    #[test]
+    fn brewster_angle_passes_all_p_light() {
+        let (n1, n2) = (1.0f64, 1.4849);
+        let (_, t) = at((n2 / n1).atan(), n1, n2).unwrap();
+        assert!(
+            (t.p - 1.0).abs() < 1e-14,
+            "p light is reflected at Brewster's angle: {t:?}"
+        );
+        assert!(t.s < 0.88, "s light is not");
+    }
+
+    #[test]
+    fn snell_bends_and_total_reflection_begins_at_the_critical_angle() {
+        let (direction, _) = at(0.7, 1.0, 1.58).unwrap();
+        assert!((direction[1] - 0.7f64.sin() / 1.58).abs() < 1e-14);
+        let critical = (1.0f64 / 1.5).asin();
+        assert!(at(critical - 1e-6, 1.5, 1.0).is_some());
+        assert!(at(critical + 1e-6, 1.5, 1.0).is_none());
+    }
+}

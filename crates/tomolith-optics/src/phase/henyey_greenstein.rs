@@ -1,0 +1,66 @@
+//! Henyey and Greenstein's phase function: one number g, the mean cosine.
+//!
+//! # Equation
+//! Density ½(1 − g²)/(1 + g² − 2gc)^(3/2); drawn as c = (1 + g² − ((1 − g²)/(1 − g + 2gξ))²)/(2g), or 2ξ − 1 at g = 0.
+//!
+//! # Parameters
+//! | key | range | default | meaning |
+//! |---|---|---|---|
+//! | `g` | −0.999 to 0.999 | – | mean cosine: 0 isotropic, towards 1 ever more forward |
+//!
+//! # Source
+//! Henyey & Greenstein, Astrophys. J. 93, 70 (1941).
+
+use super::{BuildPhase, Phase};
+use crate::random::Stream;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Error;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// See the [module page](self).
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HenyeyGreenstein {
+    /// Mean cosine, −0.999 to 0.999.
+    pub g: f64,
+}
+
+/// Nearer to 0 than this, g makes no difference that doubles can hold.
+const LEAST_G: f64 = 1e-6;
+
+impl Phase for HenyeyGreenstein {
+    fn density(&self, cosine: f64) -> f64 {
+        let g = self.g;
+        0.5 * (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+    }
+
+    fn draw(&self, random: &mut Stream) -> f64 {
+        let (g, xi) = (self.g, random.uniform());
+        if g.abs() < LEAST_G {
+            return 2.0 * xi - 1.0;
+        }
+        let root = (1.0 - g * g) / (1.0 - g + 2.0 * g * xi);
+        ((1.0 + g * g - root * root) / (2.0 * g)).clamp(-1.0, 1.0)
+    }
+}
+
+/// Row of [`PHASES`](super::PHASES).
+pub const KIND: Kind<BuildPhase> = Kind {
+    name: "henyey_greenstein",
+    summary: "One number: the mean cosine of the angle of scattering.",
+    example: "[resin.phase.henyey_greenstein]\ng = 0.8\n",
+    schema: || schemars::schema_for!(HenyeyGreenstein),
+    build: |section| {
+        let phase: HenyeyGreenstein = section.parse()?;
+        if !(-0.999..=0.999).contains(&phase.g) {
+            return Err(Error::config(
+                format!("{}.g", section.path),
+                format!("found {}", exact(phase.g)),
+                "-0.999 to 0.999",
+            ));
+        }
+        Ok(Box::new(phase))
+    },
+};

@@ -1,0 +1,856 @@
+use super::super::gradient::Gradient;
+use super::super::surface::Net;
+use super::super::trace::Tracer;
+use super::super::vial::cylinder::Cylinder;
+use super::super::vial::double_tube::DoubleTube;
+use super::super::vial::ended::{End, Ended};
+use super::super::vial::square::Square;
+use super::*;
+use std::sync::Arc;
+use tomolith_io::mesh::samples::cuboid;
+
+const GLASS: Cylinder = Cylinder {
+    inner_radius_mm: 7.5,
+    outer_radius_mm: 8.0,
+    refractive_index: 1.54,
+};
+
+fn resin() -> Resin {
+    Resin::absorbing(1.49, 0.1)
+}
+
+fn tracer(vial: &dyn Vial, polarisation: Polarisation, limits: Limits) -> SpaceTracer {
+    SpaceTracer::new(vial, resin(), 1.0, polarisation, limits)
+}
+
+fn level(u: f64, azimuth: f64) -> Ray {
+    let (sin, cos) = azimuth.sin_cos();
+    Ray {
+        from: [-u * sin, u * cos, 0.4],
+        direction: [-cos, -sin, 0.0],
+    }
+}
+
+#[test]
+fn level_rays_do_what_the_tracer_of_the_plane_says() {
+    let square = Square {
+        inner_width_mm: 10.0,
+        outer_width_mm: 12.4,
+        refractive_index: 1.54,
+    };
+    let double = DoubleTube {
+        radii_mm: [9.0, 8.0, 3.0, 2.5],
+        outer_refractive_index: 1.5,
+        inner_refractive_index: 1.52,
+        core_refractive_index: 1.0,
+    };
+    for vial in [&GLASS as &dyn Vial, &square, &double] {
+        for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
+            let plane = Tracer::new(vial, resin(), 1.0, polarisation);
+            let space = tracer(vial, polarisation, Limits::default());
+            for i in 0..60 {
+                let (u, azimuth) = (0.13 * f64::from(i) - 3.9, 0.21 * f64::from(i));
+                let (a, b) = (plane.trace(u, azimuth), space.trace(level(u, azimuth)));
+                assert_eq!(a.legs.len(), b.legs.len(), "{vial:?} {u}");
+                for (a, b) in a.legs.iter().zip(&b.legs) {
+                    assert!((a.length - b.length).abs() < 1e-9, "{vial:?} {u}");
+                    assert!((a.power - b.power).abs() < 1e-9, "{vial:?} {u}");
+                    assert!((a.from[0] - b.ray.from[0]).abs() < 1e-9);
+                    assert!((a.direction[1] - b.ray.direction[1]).abs() < 1e-9);
+                }
+                assert!((b.account.total() - 1.0).abs() < 1e-12);
+                assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_the_axis() {
+    // n·(component along z) and n·(moment about z) are invariants of a round vial
+    let space = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    let direction = unit([-1.0, 0.1, -0.25]);
+    let ray = Ray {
+        from: [0.0, 3.1, 0.2],
+        direction,
+    };
+    let moment = |ray: &Ray| ray.from[0] * ray.direction[1] - ray.from[1] * ray.direction[0];
+    let leg = space.trace(ray).legs[0];
+    assert!((leg.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
+    assert!((moment(&leg.ray) - moment(&ray) / 1.49).abs() < 1e-12);
+}
+
+#[test]
+fn with_reflections_all_light_is_found_again() {
+    let limits = Limits {
+        reflections: true,
+        least_power: 1e-7,
+        interfaces: 200,
+        ..Limits::default()
+    };
+    let mut clear = resin();
+    clear.absorption_per_mm = 0.0;
+    clear.attenuation_per_mm = 0.0;
+    // Through the axis of a clear vial all interfaces are plain: their incoherent sum has a closed form
+    let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarisation::S, limits);
+    let path = space.trace(level(0.0, 0.3));
+    assert!((path.account.total() - 1.0).abs() < 1e-12);
+    assert!(path.account.dropped < 1e-4, "{:?}", path.account);
+    let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
+    // Two walls of two interfaces each, then the pair of them; R/T adds up along incoherent interfaces
+    let ratios =
+        2.0 * (r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49)));
+    let transmitted: f64 = 1.0 / (1.0 + ratios);
+    // The last ray of every order leaves the vial after resin, forwards or backwards: only the first reflections miss it
+    let sum: f64 = path.legs.iter().map(|leg| leg.power).sum();
+    assert!(sum > transmitted);
+    let without_resin = path.account.missed;
+    assert!((path.account.transmitted + without_resin + path.account.dropped - 1.0).abs() < 1e-12);
+    // What leaves backwards before any resin: the first two interfaces alone
+    let two = r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49));
+    assert!((without_resin - two / (1.0 + two)).abs() < 1e-6);
+}
+
+#[test]
+fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts_it() {
+    use super::super::phase::isotropic::Isotropic;
+    let per_mm = 0.5;
+    let mut dull = resin();
+    dull.attenuation_per_mm = 0.1 + per_mm;
+    let scattering = Scattering {
+        per_mm,
+        phase: Arc::new(Isotropic {}),
+    };
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+    let run = |orders: usize| {
+        let limits = Limits {
+            orders,
+            least_power: 0.0,
+            ..Limits::default()
+        };
+        SpaceTracer::new(&vial, dull, 1.0, Polarisation::Unpolarised, limits)
+            .in_scattering(Some(scattering.clone()))
+    };
+    // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
+    let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
+    let ray = level(0.0, 0.0);
+    let (mut depth, mut cosine) = (0.0, 0.0);
+    let paths: u32 = 20_000;
+    for i in 0..paths {
+        let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!((path.legs[1].power - expected).abs() < 1e-12);
+        depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
+        cosine += path.legs[1].ray.direction[2] / f64::from(paths);
+    }
+    // Mean free path below 4 mm: 1/μ − 4/(e^(4μ) − 1), and no direction is preferred
+    let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
+    assert!((depth - mean).abs() < 0.04, "{depth} {mean}");
+    assert!(cosine.abs() < 0.02);
+    // With all orders the power that is dropped is small, and the account is whole
+    let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
+    assert!((path.account.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
+}
+
+#[test]
+fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_do_nothing() {
+    let body = Surface::Net(Arc::new(
+        Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
+    ));
+    let with = |material| {
+        tracer(&GLASS, Polarisation::Unpolarised, Limits::default()).with_obstacles(vec![
+            Obstacle {
+                surface: body.clone(),
+                material,
+            },
+        ])
+    };
+    let plain = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    let ray = level(0.3, 0.0);
+    let whole = plain.trace(ray);
+    let shadow = with(Material::Black).trace(ray);
+    assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
+    assert!((shadow.account.total() - 1.0).abs() < 1e-12);
+    assert!(shadow.account.blocked > 0.1 && shadow.legs.len() == 1);
+    let matched = with(Material::Dielectric {
+        refractive_index: 1.49,
+    })
+    .trace(ray);
+    let gap = 2.0 / -matched.legs[0].ray.direction[0];
+    let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
+    assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);
+    let mirror = with(Material::Mirror).trace(ray);
+    assert_eq!(mirror.legs.len(), 2);
+    assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
+    assert!((mirror.account.total() - 1.0).abs() < 1e-12);
+}
+
+/// Luneburg's lens, n² = 2 − ρ²/R², in a tube that light does not see.
+fn lens(radius: f64, step_mm: f64) -> SpaceTracer {
+    let tube = Cylinder {
+        inner_radius_mm: radius,
+        outer_radius_mm: radius + 0.5,
+        refractive_index: 1.0,
+    };
+    let mut resin = resin();
+    resin.refractive_index = 2.0f64.sqrt();
+    resin.gradient = Some(Gradient {
+        quadratic_per_mm2: -0.5 / radius.powi(2),
+        quartic_per_mm4: 0.0,
+        step_mm,
+    });
+    SpaceTracer::new(&tube, resin, 1.0, Polarisation::P, Limits::default())
+}
+
+#[test]
+fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
+    let radius = 4.0;
+    let miss = |height: f64, step: f64| {
+        let path = lens(radius, step).trace(level(height, 0.0));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let length: f64 = path.legs.iter().map(|leg| leg.length).sum();
+        // Nothing is reflected where indices are equal: all that is missing was absorbed along the curve
+        let lost = 1.0 - (-0.1 * length).exp();
+        assert!(
+            (path.account.absorbed - lost).abs() < 1e-5,
+            "{height}: {:?}",
+            path.account
+        );
+        let last = path.legs[path.legs.len() - 1];
+        let [x, y, _] = last.ray.at(last.length);
+        (x + radius).hypot(y)
+    };
+    // The steps go round ellipses exactly, if a little too fast: what is left is the cut at the rim
+    for height in [0.4, 1.7, 3.1, 3.8] {
+        let [coarse, fine] = [0.1, 0.025].map(|step| miss(height, step));
+        assert!(
+            coarse < 1e-3 && fine < 7e-5,
+            "{height}: {coarse:e} {fine:e}"
+        );
+    }
+}
+
+#[test]
+fn the_error_of_a_curve_falls_with_the_square_of_its_chords() {
+    let end = |step_mm: f64| {
+        let mut resin = resin();
+        resin.gradient = Some(Gradient {
+            quadratic_per_mm2: 0.004,
+            quartic_per_mm4: -2e-4,
+            step_mm,
+        });
+        let tracer = SpaceTracer::new(&GLASS, resin, 1.0, Polarisation::P, Limits::default());
+        let path = tracer.trace(level(3.0, 0.0));
+        let last = path.legs[path.legs.len() - 1];
+        last.ray.at(last.length)
+    };
+    let exact = end(0.005);
+    let miss = |step| {
+        let found = end(step);
+        (0..3)
+            .map(|i| (found[i] - exact[i]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let (coarse, fine) = (miss(0.4), miss(0.1));
+    assert!(fine < 1e-3 && fine < coarse / 10.0, "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straight() {
+    let (radius, height) = (4.0, 2.3);
+    let path = lens(radius, 0.02).trace(level(height, 0.0));
+    // The last one is cut by the wall and has the direction of a whole step
+    for leg in &path.legs[..path.legs.len() - 1] {
+        let middle = leg.ray.at(leg.length / 2.0);
+        let index = (2.0 - (middle[0].powi(2) + middle[1].powi(2)) / radius.powi(2)).sqrt();
+        let [dx, dy, _] = leg.ray.direction;
+        let moment = index * (middle[0] * dy - middle[1] * dx);
+        assert!((moment - height).abs() < 1e-4, "{moment}");
+    }
+    let mut even = resin();
+    even.gradient = Some(Gradient {
+        quadratic_per_mm2: 0.0,
+        quartic_per_mm4: 0.0,
+        step_mm: 0.1,
+    });
+    let bent = SpaceTracer::new(&GLASS, even, 1.0, Polarisation::S, Limits::default());
+    let (bent, straight) = (bent.trace(level(3.0, 0.4)), {
+        tracer(&GLASS, Polarisation::S, Limits::default()).trace(level(3.0, 0.4))
+    });
+    assert!((bent.account.absorbed - straight.account.absorbed).abs() < 1e-12);
+    assert!(bent.legs.len() > 100 && straight.legs.len() == 1);
+}
+
+#[test]
+fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_them() {
+    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    let vial = Ended::new(Box::new(GLASS), end(-5.0, 1.0), end(6.0, 0.0)).unwrap();
+    let ended = tracer(&vial, Polarisation::Unpolarised, Limits::default());
+    let open = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    assert_eq!(ended.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
+    // From above through the free surface and out through the plate: 11 mm of resin between planes
+    let down = Ray {
+        from: [0.0, 0.0, 6.0],
+        direction: unit([0.3, 0.0, -1.0]),
+    };
+    let path = ended.trace(down);
+    let sine = 0.3 / 1.09f64.sqrt() / 1.49;
+    let length = 11.0 / (1.0 - sine * sine).sqrt();
+    assert_eq!(path.legs.len(), 1);
+    assert!(
+        (path.legs[0].length - length).abs() < 1e-9,
+        "{:?}",
+        path.legs
+    );
+    assert!((path.legs[0].ray.direction[0] - sine).abs() < 1e-12);
+    assert!((path.account.total() - 1.0).abs() < 1e-12);
+    // Along the axis no wall is met but the ends: air to resin, resin to glass, glass to air
+    let axis = ended.trace(Ray {
+        direction: [0.0, 0.0, -1.0],
+        ..down
+    });
+    let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
+    let passed = (1.0 - r(1.0, 1.49)) * (1.0 - r(1.49, 1.54)) * (1.0 - r(1.54, 1.0));
+    assert!((axis.account.transmitted - passed * (-1.1f64).exp()).abs() < 1e-12);
+    // Above the vial there is nothing
+    let over = ended.trace(Ray {
+        from: [0.0, 0.0, 6.5],
+        direction: [-1.0, 0.0, 0.0],
+    });
+    assert!((over.account.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
+}
+
+const TUBE: DoubleTube = DoubleTube {
+    radii_mm: [9.0, 8.0, 3.0, 2.5],
+    outer_refractive_index: 1.5,
+    inner_refractive_index: 1.52,
+    core_refractive_index: 1.33,
+};
+
+/// The tube with a plate of 1 mm under −5 mm, and another over 6 mm of this thickness.
+fn closed_tube(tube: DoubleTube, lid_mm: f64) -> Ended {
+    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    Ended::new(Box::new(tube), end(-5.0, 1.0), end(6.0, lid_mm)).unwrap()
+}
+
+#[test]
+fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
+    let vial = closed_tube(TUBE, 0.0);
+    let closed = tracer(&vial, Polarisation::Unpolarised, Limits::default());
+    let through = |media: &[f64]| {
+        let passed = |pair: &[f64]| 1.0 - ((pair[0] - pair[1]) / (pair[0] + pair[1])).powi(2);
+        media.windows(2).map(passed).product::<f64>()
+    };
+    for up in [1.0, -1.0] {
+        let at = |x: f64| {
+            let ray = Ray {
+                from: [0.6 * x, 0.8 * x, 1.0],
+                direction: [0.0, 0.0, up],
+            };
+            let path = closed.trace(ray);
+            assert!((path.account.total() - 1.0).abs() < 1e-12, "{x} {up}");
+            path
+        };
+        // Core, inner glass and the rim of the outer tube: no resin on the way
+        for (x, media) in [
+            (0.0, [1.0, 1.5, 1.33, 1.0]),
+            (2.75, [1.0, 1.5, 1.52, 1.0]),
+            (8.5, [1.0, 1.5, 1.5, 1.0]),
+        ] {
+            let path = at(x);
+            assert!(path.legs.is_empty(), "{x} {up}");
+            assert!(
+                (path.account.missed - through(&media)).abs() < 1e-12,
+                "{x} {up}"
+            );
+        }
+        // Between the tubes: 11 mm of resin at 0.1 per mm
+        let path = at(5.0);
+        let left = (-1.1f64).exp();
+        let [before, behind] = [&[1.0, 1.5, 1.49][..], &[1.49, 1.0]].map(through);
+        let entered = if up > 0.0 { before } else { behind };
+        assert!((path.account.transmitted - before * behind * left).abs() < 1e-12);
+        assert!((path.account.absorbed - entered * (1.0 - left)).abs() < 1e-12);
+        assert!(path.legs.len() == 1 && (path.legs[0].length - 11.0).abs() < 1e-12);
+    }
+    // Level light does not see the ends
+    let open = tracer(&TUBE, Polarisation::Unpolarised, Limits::default());
+    assert_eq!(closed.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
+}
+
+#[test]
+fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() {
+    let clear = DoubleTube {
+        outer_refractive_index: 1.49,
+        inner_refractive_index: 1.49,
+        core_refractive_index: 1.49,
+        ..TUBE
+    };
+    // Way of a line within a cylinder about the axis, from one height to another
+    let within = |ray: &Ray, radius: f64, [low, high]: [f64; 2]| {
+        let ([x, y, z], [dx, dy, dz]) = (ray.from, ray.direction);
+        let (a, half) = (dx * dx + dy * dy, x * dx + y * dy);
+        let root = (half * half - a * (x * x + y * y - radius * radius)).sqrt();
+        let (from, to) = ((-half - root) / a, (-half + root) / a);
+        let ends = [(low - z) / dz, (high - z) / dz];
+        if root.is_nan() {
+            return 0.0;
+        }
+        (to.min(ends[0].max(ends[1])) - from.max(ends[0].min(ends[1]))).max(0.0)
+    };
+    let (mut random, mut through_core) = (Stream::new([4, 0, 0, 0]), 0);
+    for lid_mm in [0.0, 0.5] {
+        let vial = closed_tube(clear.clone(), lid_mm);
+        let limits = Limits::default();
+        let space = SpaceTracer::new(&vial, resin(), 1.49, Polarisation::Unpolarised, limits);
+        for _ in 0..4000 {
+            let mut point = |half: f64| [(); 3].map(|()| half * (2.0 * random.uniform() - 1.0));
+            let ray = Ray {
+                from: point(6.0),
+                direction: unit(point(1.0)),
+            };
+            let heights = [-5.0, 6.0];
+            let core = within(&ray, 3.0, heights);
+            let length = within(&ray, 8.0, heights) - core;
+            let path = space.trace(ray);
+            let found: f64 = path.legs.iter().map(|leg| leg.length).sum();
+            assert!((found - length).abs() < 1e-9, "{ray:?}: {found} {length}");
+            let taken = 1.0 - (-0.1 * length).exp();
+            assert!((path.account.absorbed - taken).abs() < 1e-10, "{ray:?}");
+            through_core += u32::from(core > 0.0);
+        }
+    }
+    assert!(through_core > 2000, "{through_core}");
+}
+
+/// A vial of meshes, from outside to inside.
+#[derive(Debug)]
+struct Nets(Vec<(Surface, Medium)>);
+
+impl Vial for Nets {
+    fn walls(&self) -> Vec<super::super::vial::Wall> {
+        TUBE.walls()
+    }
+
+    fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        self.0.clone()
+    }
+}
+
+/// An upright prism of many sides, the middles of two of them on the axis x, outward.
+fn prism(radius: f64, [low, high]: [f64; 2]) -> tomolith_io::mesh::Mesh {
+    const SIDES: u32 = 256;
+    let turn = TAU / f64::from(SIDES);
+    let corner = |i: u32, z: f64| {
+        let (sin, cos) = ((f64::from(i) + 0.5) * turn).sin_cos();
+        let reach = radius / (turn / 2.0).cos();
+        [reach * cos, reach * sin, z]
+    };
+    let mut vertices: Vec<_> = (0..SIDES)
+        .flat_map(|i| [corner(i, low), corner(i, high)])
+        .collect();
+    vertices.extend([[0.0, 0.0, low], [0.0, 0.0, high]]);
+    let sides = (0..SIDES).flat_map(|i| {
+        let (a, b) = (2 * i, 2 * ((i + 1) % SIDES));
+        let (below, above) = (2 * SIDES, 2 * SIDES + 1);
+        [
+            [a, b, b + 1],
+            [a, b + 1, a + 1],
+            [b, a, below],
+            [a + 1, b + 1, above],
+        ]
+    });
+    tomolith_io::mesh::Mesh {
+        triangles: sides.collect(),
+        vertices,
+    }
+}
+
+#[test]
+fn a_closed_double_tube_is_what_meshes_of_it_are() {
+    let vial = closed_tube(TUBE, 0.5);
+    // Meshes must not touch: the inner tube stands 1 µm off its ends, where these rays do not pass
+    let net = |radius: f64, heights: [f64; 2]| {
+        let mesh = prism(radius, heights);
+        assert!(mesh.signed_volume() > 0.0);
+        Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()))
+    };
+    let heights = [[-6.0, 6.5], [-5.0, 6.0], [-4.999, 5.999], [-4.998, 5.998]];
+    let nets = TUBE.walls().into_iter().zip(heights);
+    let nets = Nets(
+        nets.zip(TUBE.radii_mm)
+            .map(|((wall, heights), radius)| (net(radius, heights), wall.inside))
+            .collect(),
+    );
+    let [cans, nets] = [&vial as &dyn Vial, &nets].map(|vial| {
+        let limits = Limits::default();
+        SpaceTracer::new(vial, resin(), 1.4, Polarisation::Unpolarised, limits)
+    });
+    let mut through = 0;
+    for i in 0..40 {
+        // Across the axis, through the bottom plate and both walls of the inner tube
+        let (x, sine) = (5.0 + 0.05 * f64::from(i), 0.86 + 0.002 * f64::from(i));
+        let ray = Ray {
+            from: [x, 0.0, -6.0],
+            direction: [-sine, 0.0, (1.0 - sine * sine).sqrt()],
+        };
+        let (a, b) = (cans.trace(ray), nets.trace(ray));
+        assert_eq!(a.legs.len(), b.legs.len(), "{i}");
+        for (a, b) in a.legs.iter().zip(&b.legs) {
+            assert!((a.length - b.length).abs() < 1e-9, "{i}");
+            assert!((a.power - b.power).abs() < 1e-12, "{i}");
+            assert!((0..3).all(|k| (a.ray.from[k] - b.ray.from[k]).abs() < 1e-9));
+        }
+        assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-12);
+        assert!((a.account.transmitted - b.account.transmitted).abs() < 1e-12);
+        through += usize::from(a.legs.len() == 2 && a.legs[0].ray.from[2] == -5.0);
+    }
+    assert!(through > 20, "{through}");
+}
+
+#[test]
+fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
+    let values: Vec<f32> = (0..60).map(|i| 0.05 * (i * 7 % 13) as f32).collect();
+    let map = AbsorptionMap::new([3, 4, 5], 1.3, values.clone(), values).unwrap();
+    let mapped = tracer(&GLASS, Polarisation::S, Limits::default()).in_map(Some(Arc::new(map)));
+    let open = tracer(&GLASS, Polarisation::S, Limits::default());
+    for i in 0..20 {
+        let mut ray = level(0.2 * f64::from(i) - 2.0, 0.31 * f64::from(i));
+        ray.direction = unit([ray.direction[0], ray.direction[1], 0.02 * f64::from(i)]);
+        let (a, b) = (mapped.trace(ray), open.trace(ray));
+        assert!((a.account.total() - 1.0).abs() < 1e-12);
+        let depth = |path: &Path| {
+            let of = |leg: &Leg| leg.length * leg.uptake.attenuation_per_mm;
+            path.legs.iter().map(of).sum::<f64>()
+        };
+        let length = |path: &Path| path.legs.iter().map(|leg| leg.length).sum::<f64>();
+        assert!((length(&a) - length(&b)).abs() < 1e-9 && a.legs.len() > 3);
+        let taken = b.legs[0].power * (1.0 - (-depth(&a)).exp());
+        assert!((a.account.absorbed - taken).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
+    let wall = cuboid([-3.0, -3.0, -3.0], [0.0, 3.0, 3.0]);
+    let body = Obstacle {
+        surface: Surface::Net(Arc::new(Net::new(&wall, "mesh").unwrap())),
+        material: Material::Diffuse { reflectance: 0.7 },
+    };
+    let limits = Limits {
+        orders: 1,
+        ..Limits::default()
+    };
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 5.0 };
+    let tracer = tracer(&vial, Polarisation::Unpolarised, limits).with_obstacles(vec![body]);
+    let ray = level(0.3, 0.0);
+    let straight = tracer.trace(ray);
+    let met = straight.legs[0].power * (-0.1 * straight.legs[0].length).exp();
+    assert!((straight.account.blocked - 0.3 * met).abs() < 1e-12);
+    assert!((straight.account.cut - 0.7 * met).abs() < 1e-12);
+    let (mut cosine, mut square) = (0.0, 0.0);
+    let paths: u32 = 20_000;
+    for i in 0..paths {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([3, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let sent = path.legs[1];
+        assert!((sent.power - 0.7 * met).abs() < 1e-12 && sent.order == 1);
+        cosine += sent.ray.direction[0] / f64::from(paths);
+        square += sent.ray.direction[0].powi(2) / f64::from(paths);
+    }
+    // Of the density 2·cos over the cosine: mean 2/3, mean square 1/2; five standard deviations
+    let error = 5.0 / f64::from(paths).sqrt();
+    assert!(
+        (cosine - 2.0 / 3.0).abs() < error * (1.0f64 / 18.0).sqrt(),
+        "{cosine}"
+    );
+    assert!(
+        (square - 0.5).abs() < error * (1.0f64 / 12.0).sqrt(),
+        "{square}"
+    );
+}
+
+#[test]
+fn legs_alone_are_those_of_the_whole_path() {
+    let tube = DoubleTube {
+        radii_mm: [9.0, 8.0, 3.0, 2.5],
+        outer_refractive_index: 1.5,
+        inner_refractive_index: 1.52,
+        core_refractive_index: 1.0,
+    };
+    let mut milk = resin();
+    milk.attenuation_per_mm = 0.6;
+    let scattering = Scattering {
+        per_mm: 0.5,
+        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
+    };
+    let body = Obstacle {
+        surface: Surface::Net(Arc::new(
+            Net::new(&cuboid([3.2, -1.0, -1.0], [4.0, 1.0, 1.0]), "mesh").unwrap(),
+        )),
+        material: Material::Mirror,
+    };
+    for reflections in [false, true] {
+        let limits = Limits {
+            reflections,
+            least_power: 0.02,
+            ..Limits::default()
+        };
+        for vial in [&GLASS as &dyn Vial, &tube] {
+            for bodies in [vec![], vec![body.clone()]] {
+                let tracer = SpaceTracer::new(vial, milk, 1.0, Polarisation::Unpolarised, limits)
+                    .in_scattering(Some(scattering.clone()))
+                    .with_obstacles(bodies);
+                for i in 0..100 {
+                    let ray = level(0.1 * i as f64 - 5.0, 0.3 * i as f64);
+                    let draws = || Stream::new([1, 2, i, 3]);
+                    let whole = tracer.trace_scattered(ray, &mut draws());
+                    assert_eq!(tracer.legs(ray, Some(&mut draws())), whole.legs);
+                    assert_eq!(tracer.legs(ray, None), tracer.trace(ray).legs);
+                }
+            }
+        }
+    }
+}
+
+/// Resin that scatters isotropically, 0.5 per mm beside what it absorbs.
+const MILK_PER_MM: f64 = 0.5;
+
+fn milk(vial: &dyn Vial, resin: Resin, limits: Limits) -> SpaceTracer {
+    let scattering = Scattering {
+        per_mm: MILK_PER_MM,
+        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
+    };
+    let resin = Resin {
+        attenuation_per_mm: resin.absorption_per_mm + MILK_PER_MM,
+        ..resin
+    };
+    SpaceTracer::new(vial, resin, 1.0, Polarisation::Unpolarised, limits)
+        .in_scattering(Some(scattering))
+}
+
+/// Two halves of resin, x < 0 and x > 0, that absorb unlike.
+const HALVES: [f64; 2] = [0.05, 0.6];
+
+fn halves() -> Option<Arc<AbsorptionMap>> {
+    let active = HALVES.map(|a| a as f32).to_vec();
+    let total = active.iter().map(|a| a + MILK_PER_MM as f32).collect();
+    Some(Arc::new(
+        AbsorptionMap::new([1, 1, 2], 20.0, active, total).unwrap(),
+    ))
+}
+
+/// Attenuation of the half that a point is in.
+fn half(x: f64) -> f64 {
+    MILK_PER_MM + HALVES[usize::from(x > 0.0)]
+}
+
+#[test]
+fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
+    let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&vial, resin(), limits).in_map(halves());
+    // Along −x through the axis: 2 mm of the half that takes more, then 2 mm of the other
+    let ray = level(0.0, 0.0);
+    let direct = tracer.trace(ray);
+    let [first, second] = [half(1.0), half(-1.0)];
+    let left = (-2.0 * (first + second)).exp();
+    assert!((direct.account.transmitted - left).abs() < 1e-7);
+    // Power of what is scattered: μ_s ∫ e^(−τ)
+    let of_half = |mu: f64| (1.0 - (-2.0 * mu).exp()) * MILK_PER_MM / mu;
+    let expected = of_half(first) + (-2.0 * first).exp() * of_half(second);
+    // Where it is scattered first, and what either half takes of it: quadrature over the ray and all directions
+    let attenuated = |x: f64| {
+        let depth = 2.0 - x;
+        (-(first * depth.min(2.0) + second * (depth - 2.0).max(0.0))).exp()
+    };
+    let taken = |x: f64, [dx, dy]: [f64; 2]| {
+        let flat = dx.hypot(dy);
+        let across = x * dy / flat;
+        let way = (-x * dx / flat + (4.0 - across * across).sqrt()) / flat;
+        let turn = if x * dx < 0.0 {
+            (-x / dx).min(way)
+        } else {
+            way
+        };
+        let own = half(x);
+        let mut power = [0.0; 2];
+        power[usize::from(x > 0.0)] += 1.0 - (-own * turn).exp();
+        let other = half(-x);
+        power[usize::from(x < 0.0)] += (-own * turn).exp() * (1.0 - (-other * (way - turn)).exp());
+        // Of what is lost in a half, only this is not scattered again
+        [0, 1].map(|side| power[side] * HALVES[side] / (HALVES[side] + MILK_PER_MM))
+    };
+    let (mut depth, mut sides) = (0.0, [0.0; 2]);
+    let (along, polar, around) = (400, 80, 160);
+    for i in 0..along {
+        let x = 2.0 - 4.0 * (f64::from(i) + 0.5) / f64::from(along);
+        let source = MILK_PER_MM * attenuated(x) * 4.0 / f64::from(along);
+        depth += source * (2.0 - x) / expected;
+        for j in 0..polar {
+            let up = (f64::from(j) + 0.5) / f64::from(polar);
+            let flat = (1.0 - up * up).sqrt();
+            for k in 0..around {
+                let angle = TAU * (f64::from(k) + 0.5) / f64::from(around);
+                let part = source / f64::from(polar * around);
+                let found = taken(x, [flat * angle.cos(), flat * angle.sin()]);
+                (0..2).for_each(|side| sides[side] += part * found[side]);
+            }
+        }
+    }
+    let paths: u32 = 100_000;
+    let (mut mean, mut powers, mut squares) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+    for i in 0..paths {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([6, 0, u64::from(i), 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let again: Vec<&Leg> = path.legs.iter().filter(|leg| leg.order == 1).collect();
+        assert!(
+            (again[0].power - expected).abs() < 1e-7,
+            "{}",
+            again[0].power
+        );
+        let way = 2.0 - again[0].ray.from[0];
+        mean[0] += way / f64::from(paths);
+        mean[1] += way * way / f64::from(paths);
+        let mut own = [0.0; 2];
+        for leg in again {
+            let uptake = leg.uptake;
+            let lost = leg.power * -(-uptake.attenuation_per_mm * leg.length).exp_m1();
+            let side = usize::from(leg.ray.at(leg.length / 2.0)[0] > 0.0);
+            own[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
+        }
+        for side in 0..2 {
+            powers[side] += own[side] / f64::from(paths);
+            squares[side] += own[side] * own[side] / f64::from(paths);
+        }
+    }
+    // Five standard errors
+    let error = |square: f64, mean: f64| 5.0 * ((square - mean * mean) / f64::from(paths)).sqrt();
+    assert!(
+        (mean[0] - depth).abs() < error(mean[1], mean[0]),
+        "{mean:?} {depth}"
+    );
+    for side in 0..2 {
+        let allowed = error(squares[side], powers[side]);
+        assert!(allowed < 0.05 * sides[side]);
+        assert!(
+            (powers[side] - sides[side]).abs() < allowed,
+            "{powers:?} {sides:?}"
+        );
+    }
+}
+
+#[test]
+fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
+    let limits = Limits {
+        least_power: 0.02,
+        ..Limits::default()
+    };
+    let plain = milk(&GLASS, resin(), limits);
+    let even = AbsorptionMap::new([4, 4, 4], 3.0, vec![0.1; 64], vec![0.6; 64]).unwrap();
+    let mapped = milk(&GLASS, resin(), limits).in_map(Some(Arc::new(even)));
+    let straight = Resin {
+        gradient: Some(Gradient {
+            quadratic_per_mm2: 0.0,
+            quartic_per_mm4: 0.0,
+            step_mm: 0.4,
+        }),
+        ..resin()
+    };
+    let chords = milk(&GLASS, straight, limits);
+    // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight leg at the wall
+    let turns = |path: &Path| {
+        let orders = 0..=path.legs.iter().map(|leg| leg.order).max().unwrap_or(0);
+        let first = |order| path.legs.iter().find(|leg| leg.order == order);
+        let first = orders.filter_map(first).map(|leg| leg.ray.from);
+        first.collect::<Vec<_>>()
+    };
+    let mut scattered = 0;
+    for i in 0..200 {
+        let ray = level(0.02 * i as f64 - 2.0, 0.3 * i as f64);
+        let draws = || Stream::new([9, 0, i, 0]);
+        let expected = plain.trace_scattered(ray, &mut draws());
+        for other in [&mapped, &chords] {
+            let found = other.trace_scattered(ray, &mut draws());
+            assert!((found.account.total() - 1.0).abs() < 1e-12);
+            let apart = found.account.absorbed - expected.account.absorbed;
+            assert!(apart.abs() < 1e-6, "{i}: {apart:e}");
+            let (a, b) = (turns(&found), turns(&expected));
+            assert_eq!(a.len(), b.len(), "{i}");
+            for (a, b) in a.iter().zip(&b) {
+                assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-4), "{i}");
+            }
+            scattered += a.len() - 1;
+        }
+    }
+    assert!(scattered > 4 * 400, "{scattered}");
+}
+
+#[test]
+fn scattered_light_runs_along_the_curves_of_a_gradient() {
+    let profile = Gradient {
+        quadratic_per_mm2: -0.01,
+        quartic_per_mm4: 5e-5,
+        step_mm: 0.05,
+    };
+    let bent = Resin {
+        gradient: Some(profile),
+        ..resin()
+    };
+    let limits = Limits {
+        orders: 1,
+        least_power: 0.0,
+        ..Limits::default()
+    };
+    let tracer = milk(&GLASS, bent, limits);
+    let index = |at: [f64; 3]| profile.index(1.49, at);
+    let ray = level(2.0, 0.1);
+    let way = |legs: &[&Leg]| legs.iter().map(|leg| leg.length).sum::<f64>();
+    let (mut guided, mut bends) = (0, 0.0f64);
+    for i in 0..300 {
+        let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
+        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        let [direct, once] = [0, 1].map(|order| {
+            let own = path.legs.iter().filter(|leg| leg.order == order);
+            own.collect::<Vec<_>>()
+        });
+        // What goes on is what the whole curve scattered, from a point of it
+        let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
+        assert!((once[0].power - expected).abs() < 1e-12);
+        let from = once[0].ray.from;
+        let beside = |leg: &&&Leg| {
+            let to: [f64; 3] = std::array::from_fn(|k| from[k] - leg.ray.from[k]);
+            let along = dot(to, leg.ray.direction);
+            let off = cross(to, leg.ray.direction);
+            (-1e-9..leg.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
+        };
+        assert!(direct.iter().any(|leg| beside(&leg)), "{i}");
+        // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
+        let invariants = |leg: &Leg| {
+            let middle = leg.ray.at(leg.length / 2.0);
+            let ([x, y, _], [dx, dy, dz]) = (middle, leg.ray.direction);
+            let n = index(middle);
+            [n * (x * dy - y * dx), n * dz]
+        };
+        let begun = invariants(once[0]);
+        for leg in &once[..once.len() - 1] {
+            let found = invariants(leg);
+            assert!((found[0] - begun[0]).abs() < 2e-4 && (found[1] - begun[1]).abs() < 1e-4);
+        }
+        let (a, b) = (once[0].ray.direction, once[once.len() - 1].ray.direction);
+        bends = bends.max(dot(a, b).min(1.0).acos());
+        // Light whose n·d_z is more than the index at the wall never meets it: it fades
+        if begun[1].abs() > index([7.5, 0.0, 0.0]) + 1e-3 {
+            guided += 1;
+            let end = (-0.6 * way(&once)).exp();
+            assert!((5e-10..1e-9).contains(&end), "{end:e}");
+            assert!(path.account.cut > 0.0);
+        }
+    }
+    assert!(guided > 5 && bends > 0.3, "{guided} {bends}");
+}

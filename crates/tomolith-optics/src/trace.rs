@@ -1,0 +1,493 @@
+//! One collimated ray through a z-invariant vial.
+//!
+//! # Model
+//! The ray starts outside at lateral coordinate u, travels along −(cos α, sin α) in the resin frame, and is refracted at
+//! every wall (Snell), losing power there (Fresnel, each polarisation for itself). Where it runs through resin it leaves
+//! a [`Leg`]: a straight piece along which Beer–Lambert holds. Reflected light is lost; the [`Account`] says how much.
+//! A [`Bath`] weakens it on the way to the vial.
+//!
+//! # Example
+//! A ray through the middle of an index-matched cylinder of radius 6 mm runs 12 mm through resin:
+//! ```
+//! use tomolith_optics::interface::Polarisation;
+//! use tomolith_optics::resin::Resin;
+//! use tomolith_optics::trace::Tracer;
+//! use tomolith_optics::vial::index_matched::IndexMatched;
+//! let tracer = Tracer::new(&IndexMatched { radius_mm: 6.0 }, Resin::absorbing(1.5, 0.1), 1.0, Polarisation::S);
+//! let path = tracer.trace(0.0, 0.0);
+//! assert_eq!(path.legs[0].from, [6.0, 0.0]); // azimuth 0: light comes from +x
+//! assert!((path.legs[0].length - 12.0).abs() < 1e-12);
+//! assert!((path.account.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
+//! ```
+
+use super::account::Account;
+use super::interface::{Polarisation, Transmittance, refract};
+use super::resin::Resin;
+use super::vial::{Curve, Medium, Vial, Wall};
+
+/// A straight piece of a ray through resin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Where it enters the resin, mm.
+    pub from: [f64; 2],
+    /// Unit direction of travel.
+    pub direction: [f64; 2],
+    /// Length, mm.
+    pub length: f64,
+    /// Power at `from` per emitted power: all walls and all resin before it.
+    pub power: f64,
+}
+
+/// What surrounds the vial, up to a round wall about the axis, and absorbs. Light enters it as it would enter nothing: its
+/// container is index-matched or flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bath {
+    /// Napierian absorption, 1/mm, ≥ 0.
+    pub absorption_per_mm: f64,
+    /// Where it ends, mm from the axis.
+    pub radius_mm: f64,
+}
+
+impl Bath {
+    /// Way through the bath of a ray that starts outside at `position` and meets the vial after `distance` mm.
+    fn way(self, position: [f64; 2], direction: [f64; 2], distance: f64) -> f64 {
+        let entry = enter(Curve::Circle(self.radius_mm), position, direction);
+        entry.map_or(0.0, |(entry, ..)| (distance - entry).max(0.0))
+    }
+}
+
+/// What became of one ray.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// Pieces in resin, in order of travel.
+    pub legs: Vec<Leg>,
+    /// Power balance.
+    pub account: Account,
+    /// The walls and faces passed, in order: rays of equal class form one smooth bundle.
+    pub class: Vec<u8>,
+}
+
+/// Traces rays through one vial.
+#[derive(Clone, Debug)]
+pub struct Tracer {
+    walls: Vec<Wall>,
+    /// Refractive index outside and inside each wall.
+    indices: Vec<f64>,
+    resin: Resin,
+    polarisation: Polarisation,
+    bath: Option<Bath>,
+}
+
+/// A bounded number of walls can be met by a ray that is never reflected.
+const MOST_CROSSINGS: usize = 64;
+
+impl Tracer {
+    /// A tracer for a vial with this resin in surroundings of index `surrounding`.
+    #[must_use]
+    pub fn new(
+        vial: &dyn Vial,
+        resin: Resin,
+        surrounding: f64,
+        polarisation: Polarisation,
+    ) -> Self {
+        let walls = vial.walls();
+        let outside = vial.surrounding_index(surrounding, resin.refractive_index);
+        let indices = std::iter::once(outside)
+            .chain(walls.iter().map(|wall| match wall.inside {
+                Medium::Resin => resin.refractive_index,
+                Medium::Clear(n) => n,
+            }))
+            .collect();
+        Tracer {
+            walls,
+            indices,
+            resin,
+            polarisation,
+            bath: None,
+        }
+    }
+
+    /// The same vial in an absorbing bath.
+    #[must_use]
+    pub fn in_bath(mut self, bath: Option<Bath>) -> Self {
+        self.bath = bath;
+        self
+    }
+
+    /// The ray at lateral coordinate `u` (mm) of a frame from `azimuth` (rad).
+    #[must_use]
+    pub fn trace(&self, u: f64, azimuth: f64) -> Path {
+        let (sin, cos) = azimuth.sin_cos();
+        let vial = self.walls.first();
+        let vial = vial.map_or(1.0, |wall| wall.curve.inscribed_radius());
+        let far = 4.0 * self.bath.map_or(vial, |bath| bath.radius_mm.max(vial));
+        let mut position = [far * cos - u * sin, far * sin + u * cos];
+        let mut direction = [-cos, -sin];
+        let mut power = self.polarisation.split();
+        let mut path = Path::default();
+        let mut depth = 0; // number of walls around the ray
+
+        for _ in 0..MOST_CROSSINGS {
+            let Some(hit) = self.next_wall(position, direction, depth) else {
+                break;
+            };
+            if let (true, Some(bath)) = (path.class.is_empty(), self.bath) {
+                let way = bath.way(position, direction, hit.distance);
+                let loss = -(-bath.absorption_per_mm * way).exp_m1();
+                path.account.bath += loss * (power.s + power.p);
+                power.s *= 1.0 - loss;
+                power.p *= 1.0 - loss;
+            }
+            if depth > 0 && self.walls[depth - 1].inside == Medium::Resin {
+                self.cross_resin(position, direction, hit.distance, &mut power, &mut path);
+            }
+            for axis in 0..2 {
+                position[axis] += hit.distance * direction[axis];
+            }
+            let (n1, n2) = (self.indices[depth], self.indices[hit.depth_after]);
+            let Some((bent, passed)) = refract(direction, hit.normal, n1, n2) else {
+                path.account.reflected += power.s + power.p;
+                power = Transmittance { s: 0.0, p: 0.0 };
+                path.class.push(u8::MAX);
+                break;
+            };
+            path.account.reflected += power.s * (1.0 - passed.s) + power.p * (1.0 - passed.p);
+            power = Transmittance {
+                s: power.s * passed.s,
+                p: power.p * passed.p,
+            };
+            direction = bent;
+            depth = hit.depth_after;
+            path.class.push(hit.face);
+        }
+        let left = power.s + power.p;
+        if path.legs.is_empty() {
+            path.account.missed += left;
+        } else {
+            path.account.transmitted += left;
+        }
+        path
+    }
+
+    /// What light of power 1 leaves along `length` mm of resin: 1 − e^(−μ_t·length), or the length in pure Radon mode.
+    #[must_use]
+    pub fn deposit(&self, length: f64) -> f64 {
+        if self.resin.pure_radon {
+            length
+        } else {
+            -(-self.resin.attenuation_per_mm * length).exp_m1()
+        }
+    }
+
+    fn cross_resin(
+        &self,
+        from: [f64; 2],
+        direction: [f64; 2],
+        length: f64,
+        power: &mut Transmittance,
+        path: &mut Path,
+    ) {
+        path.legs.push(Leg {
+            from,
+            direction,
+            length,
+            power: power.s + power.p,
+        });
+        let loss = -(-self.resin.attenuation_per_mm * length).exp_m1();
+        path.account.absorbed += loss * (power.s + power.p);
+        power.s *= 1.0 - loss;
+        power.p *= 1.0 - loss;
+    }
+
+    /// The next wall a ray meets: the one around it, or the one it encloses.
+    fn next_wall(&self, position: [f64; 2], direction: [f64; 2], depth: usize) -> Option<Hit> {
+        let inward = self.walls.get(depth).and_then(|wall| {
+            let (distance, normal, face) = enter(wall.curve, position, direction)?;
+            Some(Hit {
+                distance,
+                normal,
+                depth_after: depth + 1,
+                face: tag(depth, face),
+            })
+        });
+        if inward.is_some() || depth == 0 {
+            return inward;
+        }
+        let (distance, normal, face) = leave(self.walls[depth - 1].curve, position, direction)?;
+        Some(Hit {
+            distance,
+            normal,
+            depth_after: depth - 1,
+            face: tag(depth - 1, face) + 128,
+        })
+    }
+}
+
+struct Hit {
+    distance: f64,
+    /// Unit normal against the ray.
+    normal: [f64; 2],
+    depth_after: usize,
+    face: u8,
+}
+
+fn tag(wall: usize, face: u8) -> u8 {
+    (wall as u8) * 4 + face
+}
+
+/// Distances below this (mm) are the wall the ray has just passed.
+const TOUCH: f64 = 1e-9;
+
+/// Distance to a convex curve from outside, normal against the ray, and face; None when it is missed.
+pub(super) fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+    match curve {
+        Curve::Circle(r) => {
+            let b = p[0] * d[0] + p[1] * d[1];
+            let lateral = p[0] * d[1] - p[1] * d[0];
+            let half_squared = (r - lateral.abs()) * (r + lateral.abs());
+            if half_squared <= 0.0 {
+                return None;
+            }
+            let t = -b - half_squared.sqrt();
+            (t > TOUCH).then(|| (t, [(p[0] + t * d[0]) / r, (p[1] + t * d[1]) / r], 0))
+        }
+        Curve::Square(w) => {
+            // Slab method: the last of the entries is where the ray gets in
+            let (mut near, mut far, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
+            for i in 0..2 {
+                if d[i] == 0.0 {
+                    if p[i].abs() >= w {
+                        return None;
+                    }
+                    continue;
+                }
+                let (t0, t1) = (
+                    (-w * d[i].signum() - p[i]) / d[i],
+                    (w * d[i].signum() - p[i]) / d[i],
+                );
+                if t0 > near {
+                    (near, axis) = (t0, i);
+                }
+                far = far.min(t1);
+            }
+            (near < far && near > TOUCH).then(|| {
+                let mut normal = [0.0; 2];
+                normal[axis] = -d[axis].signum();
+                (near, normal, face_of(axis, d[axis] < 0.0))
+            })
+        }
+    }
+}
+
+/// Distance to a convex curve from inside, normal against the ray, and face.
+pub(super) fn leave(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+    match curve {
+        Curve::Circle(r) => {
+            let b = p[0] * d[0] + p[1] * d[1];
+            let lateral = p[0] * d[1] - p[1] * d[0];
+            let t = -b + ((r - lateral.abs()) * (r + lateral.abs())).max(0.0).sqrt();
+            Some((t, [-(p[0] + t * d[0]) / r, -(p[1] + t * d[1]) / r], 0))
+        }
+        Curve::Square(w) => {
+            let (axis, t) = (0..2)
+                .filter(|&i| d[i] != 0.0)
+                .map(|i| (i, (w * d[i].signum() - p[i]) / d[i]))
+                .min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let mut normal = [0.0; 2];
+            normal[axis] = -d[axis].signum();
+            Some((t, normal, face_of(axis, d[axis] > 0.0)))
+        }
+    }
+}
+
+fn face_of(axis: usize, positive: bool) -> u8 {
+    (axis as u8) * 2 + u8::from(positive)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vial::{
+        cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
+    };
+
+    fn vials() -> Vec<Box<dyn Vial>> {
+        vec![
+            Box::new(IndexMatched { radius_mm: 6.0 }),
+            Box::new(Cylinder {
+                inner_radius_mm: 8.0,
+                outer_radius_mm: 8.7,
+                refractive_index: 1.58,
+            }),
+            Box::new(Square {
+                inner_width_mm: 10.0,
+                outer_width_mm: 12.4,
+                refractive_index: 1.54,
+            }),
+            Box::new(DoubleTube {
+                radii_mm: [7.354, 6.363, 3.18, 2.58],
+                outer_refractive_index: 1.5,
+                inner_refractive_index: 1.5,
+                core_refractive_index: 1.33,
+            }),
+        ]
+    }
+
+    #[test]
+    fn power_is_accounted_for_in_every_vial_and_polarisation() {
+        for vial in vials() {
+            for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
+                let tracer = Tracer::new(
+                    vial.as_ref(),
+                    Resin::absorbing(1.4849, 0.1),
+                    1.0,
+                    polarisation,
+                );
+                for i in 0..400 {
+                    let account = tracer
+                        .trace(-10.0 + 0.05 * f64::from(i) + 1e-3, 0.3)
+                        .account;
+                    assert!(
+                        (account.total() - 1.0).abs() < 1e-12,
+                        "{vial:?} {account:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_bath_weakens_light_up_to_the_vial() {
+        let bath = Bath {
+            absorption_per_mm: 0.15,
+            radius_mm: 12.0,
+        };
+        for vial in vials() {
+            let resin = Resin::absorbing(1.4849, 0.1);
+            let clear = Tracer::new(vial.as_ref(), resin, 1.33, Polarisation::S);
+            let absorbing = clear.clone().in_bath(Some(bath));
+            for u in [-3.0f64, 0.0, 2.5] {
+                let (a, b) = (clear.trace(u, 0.0), absorbing.trace(u, 0.0));
+                assert!((b.account.total() - 1.0).abs() < 1e-12);
+                // Light comes from +x: it enters the bath at √(R² − u²), a round vial at √(r² − u²)
+                let outer = match vial.walls()[0].curve {
+                    Curve::Circle(r) => (r * r - u * u).sqrt(),
+                    Curve::Square(w) => w,
+                };
+                let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
+                let expected = a.legs[0].power * (-0.15 * way).exp();
+                assert!((b.legs[0].power - expected).abs() < 1e-12, "{vial:?} {u}");
+            }
+        }
+    }
+
+    #[test]
+    fn bouguer_invariant_holds_in_the_cylinder() {
+        let (n_r, n_s) = (1.4849, 1.0);
+        let vial = Cylinder {
+            inner_radius_mm: 8.0,
+            outer_radius_mm: 8.7,
+            refractive_index: 1.58,
+        };
+        let tracer = Tracer::new(&vial, Resin::absorbing(n_r, 0.1), n_s, Polarisation::S);
+        for u in [-8.5, -5.0, -0.1, 0.0, 2.0, 7.9, 8.6] {
+            let leg = tracer.trace(u, 1.1).legs[0];
+            let b = leg.from[0] * leg.direction[1] - leg.from[1] * leg.direction[0];
+            assert!(
+                (n_r * b.abs() - n_s * f64::abs(u)).abs() < 1e-9,
+                "u = {u}: {b}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_double_tube_is_lit_before_and_behind_its_inner_tube() {
+        let vials = vials();
+        let tracer = Tracer::new(
+            vials[3].as_ref(),
+            Resin::absorbing(1.48, 0.1),
+            1.0,
+            Polarisation::S,
+        );
+        let path = tracer.trace(0.0, 0.0);
+        assert_eq!(path.legs.len(), 2);
+        for leg in &path.legs {
+            assert!((leg.length - (6.363 - 3.18)).abs() < 1e-9);
+        }
+        // Between the legs: two glass walls and two faces of the core, all at normal incidence
+        let fresnel = |a: f64, b: f64| 1.0 - ((a - b) / (a + b)).powi(2);
+        let walls = fresnel(1.48, 1.5).powi(2) * fresnel(1.5, 1.33).powi(2);
+        let expected = path.legs[0].power * (-0.1 * path.legs[0].length).exp() * walls;
+        assert!((path.legs[1].power - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn absorbed_fractions_agree_with_another_program() {
+        // Dr.TVAM 0.9.0, one pixel, regular sampling; its (n_s/n_resin)² factor divided out.
+        // cylinder 7.5/8 mm, 1.54/1.49, μ 0.1; square 10.191/12.408 mm, 1.54/1.347, μ 0.03; index-matched 7.5 mm, μ 0.1
+        let cylinder = Cylinder {
+            inner_radius_mm: 7.5,
+            outer_radius_mm: 8.0,
+            refractive_index: 1.54,
+        };
+        let square = Square {
+            inner_width_mm: 10.191,
+            outer_width_mm: 12.408,
+            refractive_index: 1.54,
+        };
+        let matched = IndexMatched { radius_mm: 7.5 };
+        type Case<'a> = (&'a dyn Vial, f64, f64, [(f64, f64); 4]);
+        let cases: [Case<'_>; 3] = [
+            (
+                &matched,
+                1.49,
+                0.1,
+                [
+                    (0.0, 0.776853),
+                    (2.0, 0.764400),
+                    (4.0, 0.718838),
+                    (6.0, 0.593442),
+                ],
+            ),
+            (
+                &cylinder,
+                1.49,
+                0.1,
+                [
+                    (0.0, 0.334011),
+                    (2.0, 0.331635),
+                    (4.0, 0.323445),
+                    (6.0, 0.303546),
+                ],
+            ),
+            (
+                &square,
+                1.347,
+                0.03,
+                [
+                    (0.0, 0.137991),
+                    (2.0, 0.137991),
+                    (4.0, 0.137991),
+                    (6.5, 0.0),
+                ],
+            ),
+        ];
+        for (vial, n, mu, rows) in cases {
+            let tracer = Tracer::new(
+                vial,
+                Resin::absorbing(n, mu),
+                1.0,
+                Polarisation::Unpolarised,
+            );
+            let factor = if vial.walls().len() == 1 { 1.0 } else { n * n };
+            for (u, published) in rows {
+                let absorbed = tracer.trace(u, 0.0).account.absorbed;
+                assert!(
+                    (absorbed - published * factor).abs() < 2e-3,
+                    "{vial:?} u = {u}: {absorbed} against {}",
+                    published * factor
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! A vial of any shape: closed meshes as outer and inner wall.
+//!
+//! # Model
+//! The outer mesh holds the glass, the inner one the resin; rays are refracted at their triangles as they stand, so curved
+//! walls want fine ones (a facet of width w on a wall of radius R turns its normal by up to w/2R). Files are in
+//! millimetres times `scale`, in the frame of the vial: z is its axis.
+//!
+//! # Parameters
+//! | key | unit | range | default | meaning |
+//! |---|---|---|---|---|
+//! | `outer` | – | a mesh file | – | outer wall |
+//! | `inner` | – | a mesh file | – | wall of the resin, within the outer one |
+//! | `refractive_index` | – | > 0 | – | of the glass |
+//! | `scale` | – | > 0 | 1 | millimetres per unit of the files |
+//!
+//! # Limits
+//! Walls are closed, outward and do not cross: a mesh that is open or inverted is refused, and so is an inner wall with a
+//! vertex outside of the outer one. Light enters through whatever faces it, the bottom and the caps too.
+
+use super::{BuildVial, Curve, Medium, Vial, Wall, index, positive};
+use crate::projector::Ray;
+use crate::surface::{Net, Surface, meeting};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::concise;
+use tomolith_io::mesh::{Mesh, read_mesh};
+
+/// See the [module page](self).
+#[derive(Clone, Debug)]
+pub struct MeshVial {
+    outer: Surface,
+    inner: Surface,
+    refractive_index: f64,
+    /// No vertex is farther from the axis, mm.
+    reach_mm: f64,
+    /// Radii of circles about the axis that fit into the walls at the height of the origin, mm.
+    inscribed_mm: [f64; 2],
+}
+
+impl MeshVial {
+    /// A vial of two walls; `key` is the job's table.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a wall that is open or inverted, walls that cross, an axis outside of the resin.
+    pub fn new(outer: &Mesh, inner: &Mesh, refractive_index: f64, key: &str) -> Result<Self> {
+        let wall = |mesh: &Mesh, name: &str| {
+            let key = format!("{key}.{name}");
+            must_be_closed(mesh, &key)?;
+            Ok(Surface::Net(Arc::new(Net::new(mesh, &key)?)))
+        };
+        let (outside, inside) = (wall(outer, "outer")?, wall(inner, "inner")?);
+        let crossing = inner.vertices.iter().find(|&&v| !outside.contains(v));
+        let crossing = crossing.or_else(|| outer.vertices.iter().find(|&&v| inside.contains(v)));
+        if let Some(vertex) = crossing {
+            let [x, y, z] = vertex.map(concise);
+            return Err(Error::config(
+                format!("{key}.inner"),
+                format!("the walls cross: the vertex ({x}, {y}, {z}) mm lies on the wrong side"),
+                "an inner wall within the outer one",
+            ));
+        }
+        let edge = meeting(inner, &outside).or_else(|| meeting(outer, &inside));
+        if let Some(place) = edge {
+            let [x, y, z] = place.map(concise);
+            return Err(Error::config(
+                format!("{key}.inner"),
+                format!("the walls meet at ({x}, {y}, {z}) mm"),
+                "an inner wall within the outer one",
+            ));
+        }
+        if !inside.contains([0.0; 3]) {
+            return Err(Error::config(
+                format!("{key}.inner"),
+                "the origin, the middle of the axis, is not in the resin",
+                "walls round the axis z",
+            ));
+        }
+        let far = |mesh: &Mesh| {
+            mesh.vertices
+                .iter()
+                .map(|v| v[0].hypot(v[1]))
+                .fold(0.0, f64::max)
+        };
+        Ok(MeshVial {
+            reach_mm: far(outer).max(far(inner)),
+            inscribed_mm: [inscribed(&outside), inscribed(&inside)],
+            outer: outside,
+            inner: inside,
+            refractive_index,
+        })
+    }
+}
+
+/// Directions in which the distance from the axis to a wall is looked up.
+const LOOKS: u32 = 256;
+
+/// Radius of a circle about the axis, at the height of the origin, that the wall does not enter.
+fn inscribed(wall: &Surface) -> f64 {
+    let distance = |i: u32| {
+        let (sin, cos) = (TAU * f64::from(i) / f64::from(LOOKS)).sin_cos();
+        let ray = Ray {
+            from: [0.0; 3],
+            direction: [cos, sin, 0.0],
+        };
+        wall.leave(&ray).map_or(0.0, |c| c.distance)
+    };
+    let nearest = (0..LOOKS).map(distance).fold(f64::INFINITY, f64::min);
+    nearest * (PI / f64::from(LOOKS)).cos()
+}
+
+/// Refuses a mesh with an edge that is not shared by two triangles of one sense, and one that is inside out.
+fn must_be_closed(mesh: &Mesh, key: &str) -> Result<()> {
+    let mut edges: HashMap<(u32, u32), i64> = HashMap::new();
+    for &[a, b, c] in &mesh.triangles {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            *edges.entry((from.min(to), from.max(to))).or_default() +=
+                if from < to { 1 } else { -1 };
+        }
+    }
+    let open = edges.values().filter(|&&sum| sum != 0).count();
+    if open > 0 {
+        return Err(Error::config(
+            key,
+            format!("{open} edges are open, or join triangles of opposite sense"),
+            "a closed mesh: light could leak through its gaps",
+        ));
+    }
+    if mesh.signed_volume() <= 0.0 {
+        return Err(Error::config(
+            key,
+            "the mesh is inside out",
+            "triangles that are counter-clockwise seen from outside",
+        ));
+    }
+    Ok(())
+}
+
+impl Vial for MeshVial {
+    /// Circles that fit into the walls: what a look from above knows of them.
+    fn walls(&self) -> Vec<Wall> {
+        let [outer, inner] = self.inscribed_mm;
+        vec![
+            Wall {
+                curve: Curve::Circle(outer),
+                inside: Medium::Clear(self.refractive_index),
+            },
+            Wall {
+                curve: Curve::Circle(inner),
+                inside: Medium::Resin,
+            },
+        ]
+    }
+
+    fn surfaces(&self) -> Vec<(Surface, Medium)> {
+        vec![
+            (self.outer.clone(), Medium::Clear(self.refractive_index)),
+            (self.inner.clone(), Medium::Resin),
+        ]
+    }
+
+    fn outer_radius_mm(&self) -> f64 {
+        self.reach_mm
+    }
+
+    fn is_invariant(&self) -> bool {
+        false
+    }
+
+    fn is_convex(&self) -> bool {
+        false // not known
+    }
+
+    fn is_round(&self) -> bool {
+        false
+    }
+
+    fn in_resin(&self, point: [f64; 3]) -> bool {
+        self.inner.contains(point)
+    }
+}
+
+/// Keys of `[vial.mesh]`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {
+    /// Mesh file of the outer wall, relative to the job.
+    pub outer: PathBuf,
+    /// Mesh file of the wall of the resin, relative to the job.
+    pub inner: PathBuf,
+    /// Refractive index of the glass, > 0.
+    pub refractive_index: f64,
+    /// Millimetres per unit of the files, > 0.
+    #[serde(default = "one")]
+    pub scale: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// Row of [`VIALS`](super::VIALS).
+pub const KIND: Kind<BuildVial> = Kind {
+    name: "mesh",
+    summary: "Closed meshes as outer and inner wall, of any shape.",
+    example: "[vial.mesh]\nouter = \"cuvette-outer.stl\"\ninner = \"cuvette-inner.stl\"\nrefractive_index = 1.47\n",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let params: Params = section.parse()?;
+        let scale = positive(section, "scale", params.scale)?;
+        let wall = |file: &Path, key: &str| read(section, file, key, scale);
+        Ok(Box::new(MeshVial::new(
+            &wall(&params.outer, "outer")?,
+            &wall(&params.inner, "inner")?,
+            index(section, "refractive_index", params.refractive_index)?,
+            &section.path,
+        )?))
+    },
+};
+
+fn read(section: &Section, file: &Path, key: &str, scale: f64) -> Result<Mesh> {
+    let mesh = read_mesh(section.file(file)).map_err(|error| {
+        Error::config(
+            format!("{}.{key}", section.path),
+            error.to_string(),
+            "a mesh file that can be read",
+        )
+    })?;
+    let mut mesh = mesh;
+    for value in mesh.vertices.iter_mut().flatten() {
+        *value *= scale;
+    }
+    Ok(mesh)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_io::mesh::samples::cuboid;
+
+    fn cuvette(inner: [f64; 3]) -> Result<MeshVial> {
+        let outer = cuboid([-3.0, -3.0, -5.0], [3.0, 3.0, 5.0]);
+        MeshVial::new(&outer, &cuboid(inner.map(|v| -v), inner), 1.47, "vial.mesh")
+    }
+
+    #[test]
+    fn it_knows_where_the_resin_is_and_how_much_fits() {
+        let vial = cuvette([2.5, 2.4, 4.0]).unwrap();
+        assert!(vial.in_resin([2.4, 2.3, 3.9]) && !vial.in_resin([0.0, 0.0, 4.5]));
+        let fits = vial.resin_wall().inscribed_radius();
+        assert!((2.39..=2.4).contains(&fits), "{fits}");
+        assert!((vial.outer_radius_mm() - 18f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn walls_that_cross_are_open_or_inside_out_are_refused() {
+        let text = cuvette([3.5, 2.0, 4.0]).unwrap_err().to_string();
+        assert!(
+            text.contains("vial.mesh.inner") && text.contains("cross"),
+            "{text}"
+        );
+        let outer = cuboid([-3.0; 3], [3.0; 3]);
+        let inner = cuboid([-1.0; 3], [1.0; 3]);
+        let refused = |outer: &Mesh, inner: &Mesh| {
+            MeshVial::new(outer, inner, 1.5, "vial.mesh")
+                .unwrap_err()
+                .to_string()
+        };
+        let mut open = inner.clone();
+        open.triangles.pop();
+        assert!(refused(&outer, &open).contains("3 edges are open"));
+        let mut inverted = outer.clone();
+        inverted.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+        assert!(refused(&inverted, &inner).contains("inside out"));
+        let beside = cuboid([1.0; 3], [2.0; 3]);
+        assert!(refused(&outer, &beside).contains("origin"));
+    }
+}

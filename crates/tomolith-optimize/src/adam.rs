@@ -1,0 +1,285 @@
+//! Adam, projected onto the bounds.
+//!
+//! **Step** k = 1, 2, … with the gradient g, per pixel
+//!
+//! ```text
+//! m ← β₁·m + (1 − β₁)·g       v ← β₂·v + (1 − β₂)·g²
+//! x ← P( x − η_k · m/(1 − β₁^k) / (√(v/(1 − β₂^k)) + ε) )
+//! ```
+//!
+//! with η_k = `step`, or `step`/√k for `schedule = "root"`: every pixel moves by about η_k whatever its gradient, so a constant step
+//! ends in noise of that size.
+//!
+//! **Source** Kingma and Ba, ICLR 2015, algorithm 1; the decay 1/√k is that of their section 4.
+//!
+//! **Parameters** see [`Params`]. **Limits** none but memory; built for noisy gradients, which a dose model's are not. The loss may
+//! rise, the best patterns are kept. **Cost** one forward and one adjoint call a step; four pattern fields.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "adam").unwrap();
+//! let build = |value| (row.build)(&Section::new("optimizer.adam", value));
+//! assert!(build(serde_json::json!({"step": 0.02})).is_ok());
+//! assert!(build(serde_json::json!({"beta_1": 1.0})).is_err()); // the mean would never see a gradient
+//! ```
+
+use super::{
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
+    recall_field, recall_numbers,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// How the step changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Schedule {
+    /// All steps are `step`.
+    #[default]
+    Constant,
+    /// Step k is `step`/√k.
+    Root,
+}
+
+/// The parameters of Adam.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Length of the first step in units of x, above 0 (default 0.1)
+    pub step: f64,
+    /// How it changes: "constant" (default) or "root" (step/√k)
+    pub schedule: Schedule,
+    /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
+    pub beta_1: f64,
+    /// β₂: the same for their squares (default 0.999)
+    pub beta_2: f64,
+    /// ε: added to the root of the squares, above 0, in units of the gradient (default 1e-8)
+    pub epsilon: f64,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            step: 0.1,
+            schedule: Schedule::Constant,
+            beta_1: 0.9,
+            beta_2: 0.999,
+            epsilon: 1e-8,
+        }
+    }
+}
+
+/// Adam; see the [module](self).
+pub struct Adam<F> {
+    params: Params,
+    steps: i32,
+    fields: Option<Fields<F>>,
+}
+
+struct Fields<F> {
+    gradient: F,
+    mean: F,
+    square: F,
+    step: F,
+}
+
+/// The numbers of a checkpoint: steps done, under the method's name.
+#[derive(Deserialize, Serialize)]
+struct Kept {
+    adam: i32,
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "adam",
+    summary: "Adam within bounds: steps of one length for all pixels, whatever their gradient",
+    example: "[optimizer.adam]\nstep = 0.1",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        Ok(Box::new(
+            Adam::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+        ))
+    },
+};
+
+impl<F: Field> Adam<F> {
+    /// The method with these parameters.
+    ///
+    /// # Errors
+    /// [`Error::Config`] naming the key that is out of range.
+    pub fn new(params: Params) -> Result<Self> {
+        for (key, value) in [("step", params.step), ("epsilon", params.epsilon)] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(Error::config(
+                    key,
+                    format!("found {}", exact(value)),
+                    "a finite number above 0",
+                ));
+            }
+        }
+        for (key, value) in [("beta_1", params.beta_1), ("beta_2", params.beta_2)] {
+            if !(0.0..1.0).contains(&value) {
+                return Err(Error::config(
+                    key,
+                    format!("found {}", exact(value)),
+                    "0 or above, below 1",
+                ));
+            }
+        }
+        Ok(Adam {
+            params,
+            steps: 0,
+            fields: None,
+        })
+    }
+
+    fn fields(x: &F) -> Fields<F> {
+        Fields {
+            gradient: x.zeros_like(),
+            mean: x.zeros_like(),
+            square: x.zeros_like(),
+            step: x.zeros_like(),
+        }
+    }
+}
+
+impl<F: Field> Optimizer<F> for Adam<F> {
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
+        let mut fields = self.fields.take().unwrap_or_else(|| Self::fields(x));
+        let Fields {
+            gradient,
+            mean,
+            square,
+            step,
+        } = &mut fields;
+        problem.gradient(x, at, gradient)?;
+        self.steps += 1;
+        let k = self.steps;
+        let Params {
+            beta_1,
+            beta_2,
+            epsilon,
+            ..
+        } = self.params;
+        let length = match self.params.schedule {
+            Schedule::Root => self.params.step / f64::from(k).sqrt(),
+            Schedule::Constant => self.params.step,
+        };
+        let (b1, b2, epsilon) = (beta_1 as f32, beta_2 as f32, epsilon as f32);
+        mean.map_with(gradient, |m, g| b1 * m + (1.0 - b1) * g);
+        square.map_with(gradient, |v, g| b2 * v + (1.0 - b2) * g * g);
+        let grown = (1.0 / (1.0 - beta_2.powi(k))) as f32;
+        gradient.copy_from(mean);
+        gradient.map_with(square, |m, v| m / ((v * grown).sqrt() + epsilon));
+        let t = (length / (1.0 - beta_1.powi(k))) as f32;
+        let sums = step.project_step(x, gradient, t, problem.bounds());
+        let mut taken = 0.0;
+        if sums.square != 0.0 {
+            problem.take(x, step, at)?;
+            taken = length;
+        }
+        self.fields = Some(fields);
+        Ok(Step {
+            projected_gradient: sums.square.sqrt() / length,
+            length: taken,
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        false
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::of("adam")
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        let arrays = self.fields.iter().flat_map(|fields| {
+            [("mean", &fields.mean), ("square", &fields.square)]
+                .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
+        });
+        Memory {
+            numbers: serde_json::json!({ "adam": self.steps }),
+            arrays: arrays.collect(),
+        }
+    }
+
+    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
+        let Kept { adam } = recall_numbers(memory)?;
+        self.steps = adam;
+        if adam > 0 {
+            let mut fields = Self::fields(x);
+            recall_field(memory, "mean", &mut fields.mean)?;
+            recall_field(memory, "square", &mut fields.square)?;
+            self.fields = Some(fields);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::follow::{Case, assert_near};
+    use tomolith_core::field::HostField;
+
+    #[test]
+    fn it_follows_algorithm_1_step_by_step() {
+        let case = Case::new();
+        let objective = case.objective("l2", serde_json::json!({}));
+        for schedule in [Schedule::Root, Schedule::Constant] {
+            let params = Params {
+                step: 0.03,
+                schedule,
+                beta_1: 0.8,
+                beta_2: 0.95,
+                epsilon: 1e-3,
+            };
+            let found = case.run(
+                &*objective,
+                &mut Adam::<HostField>::new(params).unwrap(),
+                8,
+                None,
+            );
+            let marked = case.marked_target();
+            let mut x = case.start();
+            let (mut m, mut v) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+            for k in 1..=8 {
+                let slopes: Vec<f64> = case
+                    .dense
+                    .forward(&x)
+                    .iter()
+                    .zip(&marked)
+                    .map(|(f, &t)| if t < 0.0 { 0.0 } else { 2.0 * (f - t) })
+                    .collect();
+                let g = case.dense.adjoint(&slopes);
+                let step = match schedule {
+                    Schedule::Root => 0.03 / f64::from(k).sqrt(),
+                    Schedule::Constant => 0.03,
+                };
+                for i in 0..x.len() {
+                    m[i] = 0.8 * m[i] + 0.2 * g[i];
+                    v[i] = 0.95 * v[i] + 0.05 * g[i] * g[i];
+                    let (mean, square) = (
+                        m[i] / (1.0 - 0.8f64.powi(k)),
+                        v[i] / (1.0 - 0.95f64.powi(k)),
+                    );
+                    x[i] = (x[i] - step * mean / (square.sqrt() + 1e-3)).max(0.0);
+                }
+                let at = usize::try_from(k).unwrap();
+                assert_near(
+                    &found.patterns[at],
+                    &x,
+                    1e-4,
+                    &format!("{schedule:?}, step {k}"),
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,333 @@
+//! BCLP's descent: projected gradient with a raw step, as published.
+//!
+//! **Step** with η = `step` and the projection P onto the bounds (and levels, with `bounds.bits`)
+//!
+//! ```text
+//! x ← P(x − η·∇L(x))
+//! ```
+//!
+//! **Alternate handling** (`alternate = true`): odd steps correct overdose only, even steps underdose only, by the positive or
+//! negative part of ∂L/∂dose. With one-sided bands that is the published weight w_k, 1 in the void in their even iterations
+//! (counted from 0) and 1 in the part in the others. A step that would find no error of its kind takes the other kind instead;
+//! no model call is spent on nothing. Each correction keeps the factor q·L^((q−p)/q) of the whole loss, which is 1 for p = q,
+//! the case they studied; they saw no benefit.
+//!
+//! **Units** η is in x² per unit of loss. A dose model that is α times another one needs η/α² of the other. A step given for
+//! line integrals in voxels, Aᵀ, becomes for F = φ·Aᵀ in our patterns x = b/φ: η_F = η_A/φ²; for pure Radon φ is pitch-free,
+//! 1 in each of the frames that are summed.
+//!
+//! **Source** Li, Toombs, Taylor and Wallin, Additive Manufacturing 94 (2024) 104447: eq. 5; S.10 and eqs. 25–27 for the
+//! alternate handling. Their stop rule, eq. 28, is `stop.change = 0.001`; their start, eqs. 2, 3 and S.5, is `[start.fbp]`
+//! with `scale = "analytic"`; their objective is [`bclp`](tomolith_objective::bclp).
+//!
+//! **Parameters** see [`Params`]. **Limits** a step that is too long makes the loss rise; the best patterns are kept. **Cost** one
+//! forward and one adjoint call a step; two pattern fields.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "bclp").unwrap();
+//! let build = |value| (row.build)(&Section::new("optimizer.bclp", value));
+//! assert!(build(serde_json::json!({"step": 0.5, "alternate": true})).is_ok()); // OSMO's η = ½
+//! let refusal = build(serde_json::json!({})).err().unwrap().to_string();
+//! assert!(refusal.starts_with("optimizer.bclp.step")); // no step fits all units, so it must be given
+//! ```
+
+use super::turns::Turn;
+use super::{
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, Step, recall_numbers,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// The parameters of BCLP's descent.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {
+    /// η: length of a step, above 0, in units of x per unit of gradient
+    pub step: f64,
+    /// Whether overdose and underdose are corrected in turn (default false: together)
+    #[serde(default)]
+    pub alternate: bool,
+}
+
+/// BCLP's descent; see the [module](self).
+pub struct Bclp<F> {
+    params: Params,
+    steps: u64,
+    fields: Option<Fields<F>>,
+}
+
+struct Fields<F> {
+    gradient: F,
+    step: F,
+}
+
+/// The numbers of a checkpoint: steps done, under the method's name.
+#[derive(Deserialize, Serialize)]
+struct Kept {
+    bclp: u64,
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "bclp",
+    summary: "BCLP's descent as published: a raw step, over- and underdose together or in turn",
+    example: "[optimizer.bclp]\nstep = 1.2",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        Ok(Box::new(
+            Bclp::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+        ))
+    },
+};
+
+impl<F: Field> Bclp<F> {
+    /// The method with these parameters.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a step that is not above 0.
+    pub fn new(params: Params) -> Result<Self> {
+        if !(params.step.is_finite() && params.step > 0.0) {
+            return Err(Error::config(
+                "step",
+                format!("found {}", exact(params.step)),
+                "a finite number above 0",
+            ));
+        }
+        Ok(Bclp {
+            params,
+            steps: 0,
+            fields: None,
+        })
+    }
+
+    /// The step that corrects one kind of error, all of it when None; returns its squared norm.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn aim(
+        &self,
+        turn: Option<Turn>,
+        problem: &mut Problem<F>,
+        x: &F,
+        at: &mut Position<F>,
+        fields: &mut Fields<F>,
+    ) -> Result<f64> {
+        if let Some(turn) = turn {
+            // The cotangent is taken anew after the step
+            turn.keep(&mut at.cotangent);
+            if at.cotangent.max_abs() == 0.0 {
+                return Ok(0.0);
+            }
+        }
+        problem.gradient(x, at, &mut fields.gradient)?;
+        let step = self.params.step as f32;
+        let sums = fields
+            .step
+            .project_step(x, &fields.gradient, step, problem.bounds());
+        Ok(sums.square)
+    }
+}
+
+impl<F: Field> Optimizer<F> for Bclp<F> {
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
+        let mut fields = self.fields.take().unwrap_or_else(|| Fields {
+            gradient: x.zeros_like(),
+            step: x.zeros_like(),
+        });
+        let turn = self.params.alternate.then(|| Turn::of(self.steps));
+        let mut square = self.aim(turn, problem, x, at, &mut fields)?;
+        if let (Some(turn), 0.0) = (turn, square) {
+            at.loss = problem.objective_at(&at.dose, &mut at.cotangent);
+            square = self.aim(Some(turn.other()), problem, x, at, &mut fields)?;
+        }
+        let mut length = 0.0;
+        if square > 0.0 || square.is_nan() {
+            problem.take(x, &fields.step, at)?;
+            length = self.params.step;
+        }
+        self.steps += 1;
+        self.fields = Some(fields);
+        Ok(Step {
+            projected_gradient: square.sqrt() / self.params.step,
+            length,
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        false
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::of("bclp")
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        Memory {
+            numbers: serde_json::json!({ "bclp": self.steps }),
+            arrays: Vec::new(),
+        }
+    }
+
+    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, _: &F) -> Result<()> {
+        let Kept { bclp } = recall_numbers(memory)?;
+        self.steps = bclp;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::follow::{Case, assert_near};
+    use tomolith_core::field::HostField;
+
+    /// Eq. 4 with the identity response, p and q, for the ring with ε: cotangent of every voxel.
+    fn cotangent(dose: &[f64], target: &[f64], [epsilon, p, q]: [f64; 3]) -> (f64, Vec<f64>) {
+        let error = |f: f64, t: f64| ((f - t).abs() - epsilon).max(0.0);
+        let counted = |t: f64| t >= 0.0;
+        let sum: f64 = dose
+            .iter()
+            .zip(target)
+            .filter(|(_, t)| counted(**t))
+            .map(|(&f, &t)| error(f, t).powf(p))
+            .sum();
+        let loss = sum.powf(q / p);
+        let factor = q * loss.powf((q - p) / q);
+        let slopes = dose.iter().zip(target).map(|(&f, &t)| {
+            if counted(t) && error(f, t) > 0.0 {
+                factor * error(f, t).powf(p - 1.0) * (f - t).signum()
+            } else {
+                0.0
+            }
+        });
+        (loss, slopes.collect())
+    }
+
+    #[test]
+    fn it_follows_equation_5_step_by_step() {
+        let (epsilon, p, q, step) = (0.05, 2.0, 1.0, 0.4);
+        let case = Case::new();
+        let objective = case.objective("bclp", serde_json::json!({"epsilon": epsilon}));
+        let params = Params {
+            step,
+            alternate: false,
+        };
+        let found = case.run(
+            &*objective,
+            &mut Bclp::<HostField>::new(params).unwrap(),
+            8,
+            None,
+        );
+        let (mut x, target) = (case.start(), case.marked_target());
+        for (found, row) in found.patterns.iter().zip(&found.outcome.history) {
+            assert_near(found, &x, 2e-5, "patterns");
+            let (loss, slopes) = cotangent(&case.dense.forward(&x), &target, [epsilon, p, q]);
+            assert!(
+                (row.loss - loss).abs() < 1e-5 * loss,
+                "{} for {loss}",
+                row.loss
+            );
+            let gradient = case.dense.adjoint(&slopes);
+            for (x, g) in x.iter_mut().zip(&gradient) {
+                *x = (*x - step * g).max(0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn alternate_handling_follows_s_10_step_by_step() {
+        // Part above 1.2, void below 0.4, p = q = 2, η = ½: even iterations of theirs correct the void, odd ones the part
+        let case = Case::new();
+        let objective = case.objective("osmo", serde_json::json!({"d_h": 1.2, "d_l": 0.4}));
+        let params = Params {
+            step: 0.5,
+            alternate: true,
+        };
+        let found = case.run(
+            &*objective,
+            &mut Bclp::<HostField>::new(params).unwrap(),
+            8,
+            None,
+        );
+        let (mut x, target) = (case.start(), case.marked_target());
+        for (k, found) in found.patterns.iter().enumerate() {
+            assert_near(found, &x, 2e-5, "patterns");
+            let dose = case.dense.forward(&x);
+            let correction: Vec<f64> = dose
+                .iter()
+                .zip(&target)
+                .map(|(&f, &t)| match (t, k % 2) {
+                    (0.0, 0) => -(f - 0.4).max(0.0),
+                    (1.0, 1) => (1.2 - f).max(0.0),
+                    _ => 0.0,
+                })
+                .collect();
+            assert!(
+                correction.iter().any(|c| *c != 0.0),
+                "iteration {k} has nothing to correct, so the test shows nothing"
+            );
+            let change = case.dense.adjoint(&correction);
+            for (x, change) in x.iter_mut().zip(&change) {
+                *x = (*x + change).max(0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn penalties_of_pm_follow_the_same_descent() {
+        // Li et al., section 3.2: PM as projected gradient, p = 1, both weights and a buffer of one voxel
+        let case = Case::new();
+        let json = serde_json::json!({"d_h": 0.8, "d_l": 0.3, "rho_1": 2.0, "rho_2": 0.5, "buffer_mm": 1.0});
+        let objective = case.objective("pm", json);
+        let step = 0.02;
+        let params = Params {
+            step,
+            alternate: false,
+        };
+        let found = case.run(
+            &*objective,
+            &mut Bclp::<HostField>::new(params).unwrap(),
+            8,
+            None,
+        );
+        let (mut x, target) = (case.start(), case.marked_target());
+        let eroded = case.without_neighbours_of_the_other_kind();
+        assert!(eroded.iter().any(|e| *e) && eroded.iter().any(|e| !e));
+        for (k, (found, row)) in found
+            .patterns
+            .iter()
+            .zip(&found.outcome.history)
+            .enumerate()
+        {
+            assert_near(found, &x, 5e-5, "patterns");
+            let dose = case.dense.forward(&x);
+            let (mut loss, mut slopes) = (0.0, vec![0.0; dose.len()]);
+            for i in 0..dose.len() {
+                match target[i] {
+                    1.0 if eroded[i] && dose[i] < 0.8 => {
+                        loss += 2.0 * (0.8 - dose[i]);
+                        slopes[i] = -2.0;
+                    }
+                    0.0 if eroded[i] && dose[i] > 0.3 => {
+                        loss += 0.5 * (dose[i] - 0.3);
+                        slopes[i] = 0.5;
+                    }
+                    _ => {}
+                }
+            }
+            assert!(
+                (row.loss - loss).abs() < 1e-4 * loss,
+                "step {k}: {} for {loss}",
+                row.loss
+            );
+            let gradient = case.dense.adjoint(&slopes);
+            for (x, g) in x.iter_mut().zip(&gradient) {
+                *x = (*x - step * g).max(0.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,388 @@
+//! CAL: computed axial lithography's iteration, as published.
+//!
+//! **Step** with the target T, the logistic σ and the projection A = Fᵀ/φ in units of voxels
+//!
+//! ```text
+//! f = N F(b)                                  the dose of the patterns b, divided by its largest value
+//! δ = A( σ((f − d_h)/sigmoid) − T )           in voxels that count
+//! g = (1 − m)·δ + m/(1 − m^(k+1))·δ_before    k = 1, 2, …; m = momentum
+//! b ← max(b − learning_rate·g, 0)             rounded to `bounds.bits` levels between 0 and its largest pixel
+//! ```
+//!
+//! It is the gradient of no objective: the slope of σ is left out. The job's objective only watches; the iterate with the best
+//! print is [kept](super::keep). The average has two terms, since δ_before is the last δ itself, not a running mean.
+//!
+//! **Units** learning rates are published for sums over angles of line integrals in voxels. Here b is the pattern in units of the
+//! exact inversion ([`Projection::inverse`](super::filter::Projection::inverse)), c = π/(2Nφ²), in which the published step is
+//! learning_rate·c·Fᵀ(…). For pure Radon and pixels as large as voxels that is the published iteration.
+//!
+//! **Start** b = c·max(R Fᵀ T, 0) with the window `filter` of the [ramp](super::filter); the job's `[start]` is only row 0.
+//!
+//! **Scale** as [`osmo`](super::osmo): the patterns returned give the largest counted dose 1.
+//!
+//! **Source** Kelly et al., Science 363 (2019) 1075; the form, the sigmoid and the two-term average of the VAMToolbox family (2.0).
+//!
+//! **Parameters** see [`Params`]. **Limits** linear models; the loss may rise. **Cost** one forward and one adjoint call a step, one
+//! of each more at the first; three pattern fields and the target.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "cal").unwrap();
+//! let build = |value| (row.build)(&Section::new("optimizer.cal", value));
+//! assert!(build(serde_json::json!({"learning_rate": 0.02, "momentum": 0.5})).unwrap().normalises());
+//! assert!(build(serde_json::json!({"sigmoid": 0.0})).is_err()); // σ would be a jump without a width
+//! ```
+
+use super::filter::{Filter, target_projection};
+use super::gradient::momentum;
+use super::{
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
+    recall_field, recall_numbers,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Bounds, Field};
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// The parameters of CAL.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Window of the ramp that the target's projection is filtered with: "ram_lak" (default), "shepp_logan", "cosine", "hamming",
+    /// "hann", or "none"
+    pub filter: Filter,
+    /// Length of a step, above 0 (default 0.01)
+    pub learning_rate: f64,
+    /// Share of the last correction, 0 or above and below 1 (default 0)
+    pub momentum: f64,
+    /// Width of the logistic, in units of the largest dose, above 0 (default 0.01)
+    pub sigmoid: f64,
+    /// Threshold of the logistic, a share of the largest dose (default 0.8)
+    pub d_h: f64,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            filter: Filter::RamLak,
+            learning_rate: 0.01,
+            momentum: 0.0,
+            sigmoid: 0.01,
+            d_h: 0.8,
+        }
+    }
+}
+
+/// CAL; see the [module](self).
+pub struct Cal<F> {
+    params: Params,
+    kept: Kept,
+    fields: Option<Fields<F>>,
+}
+
+struct Fields<F> {
+    /// A(σ − T), to within its factor.
+    delta: F,
+    before: F,
+    scratch: F,
+}
+
+impl<F: Field> Fields<F> {
+    fn like(x: &F) -> Self {
+        Fields {
+            delta: x.zeros_like(),
+            before: x.zeros_like(),
+            scratch: x.zeros_like(),
+        }
+    }
+}
+
+/// The numbers of a checkpoint.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
+struct Kept {
+    /// Steps done.
+    cal: i32,
+    /// Largest dose of b: the patterns are b divided by it.
+    largest: f64,
+    /// c of the exact inversion.
+    inverse: f64,
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "cal",
+    summary: "CAL as published: steps along the projected error of a sigmoid, doses relative to the largest",
+    example: "[optimizer.cal]\nlearning_rate = 0.01\nd_h = 0.8",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        Ok(Box::new(
+            Cal::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+        ))
+    },
+};
+
+impl<F: Field> Cal<F> {
+    /// The method with these parameters.
+    ///
+    /// # Errors
+    /// [`Error::Config`] naming the key that is out of range.
+    pub fn new(params: Params) -> Result<Self> {
+        for (key, value) in [
+            ("learning_rate", params.learning_rate),
+            ("sigmoid", params.sigmoid),
+        ] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(Error::config(
+                    key,
+                    format!("found {}", exact(value)),
+                    "a finite number above 0",
+                ));
+            }
+        }
+        momentum(params.momentum)?;
+        if !params.d_h.is_finite() {
+            return Err(Error::config(
+                "d_h",
+                format!("found {}", exact(params.d_h)),
+                "a finite number",
+            ));
+        }
+        Ok(Cal {
+            params,
+            kept: Kept::default(),
+            fields: None,
+        })
+    }
+
+    /// The start as published.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn begin(
+        &mut self,
+        problem: &mut Problem<F>,
+        x: &mut F,
+        at: &mut Position<F>,
+    ) -> Result<Fields<F>> {
+        let projection = target_projection(problem, self.params.filter, x)?;
+        let mut fields = Fields::like(x);
+        self.kept.inverse = projection.inverse();
+        *x = projection.patterns;
+        x.clamp(0.0, f32::INFINITY);
+        x.scale(self.kept.inverse as f32);
+        self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        Ok(fields)
+    }
+
+    /// δ of the dose at hand, to within its factor; the cotangent is work space.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn error(
+        &self,
+        problem: &mut Problem<F>,
+        x: &F,
+        at: &mut Position<F>,
+        delta: &mut F,
+    ) -> Result<()> {
+        let (d_h, width) = (self.params.d_h as f32, self.params.sigmoid as f32);
+        at.cotangent.copy_from(&at.dose);
+        at.cotangent.map_with(problem.target()?, |dose, target| {
+            if target < 0.0 {
+                0.0
+            } else {
+                1.0 / (1.0 + ((d_h - dose) / width).exp()) - target
+            }
+        });
+        problem.project(x, &at.cotangent, delta)
+    }
+}
+
+impl<F: Field> Optimizer<F> for Cal<F> {
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
+        let mut fields = match self.fields.take() {
+            Some(fields) => fields,
+            None => self.begin(problem, x, at)?,
+        };
+        std::mem::swap(&mut fields.delta, &mut fields.before);
+        self.error(problem, x, at, &mut fields.delta)?;
+        let m = self.params.momentum;
+        let past = m / (1.0 - m.powi(self.kept.cal + 2));
+        let step = self.params.learning_rate * self.kept.inverse;
+        x.scale(self.kept.largest as f32);
+        x.axpy((-step * (1.0 - m)) as f32, &fields.delta);
+        if m > 0.0 {
+            x.axpy((-step * past) as f32, &fields.before);
+        }
+        x.clamp(0.0, f32::INFINITY);
+        if let Some(levels) = problem.levels() {
+            x.quantise(levels, &Bounds::uniform(x.len(), 0.0, f32::INFINITY));
+        }
+        self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        self.kept.cal += 1;
+        let projected_gradient = fields.delta.norm();
+        self.fields = Some(fields);
+        Ok(Step {
+            projected_gradient,
+            length: self.params.learning_rate,
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        false
+    }
+
+    fn needs(&self) -> Needs {
+        Needs {
+            linear: Some("the error of the object is projected to the patterns by the adjoint"),
+            unpenalised: Some("its step is the object's error, where patterns have no price"),
+            target: Some("it compares the dose with the target itself"),
+            ..Needs::of("cal")
+        }
+    }
+
+    fn normalises(&self) -> bool {
+        true
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        let arrays = self
+            .fields
+            .iter()
+            .map(|fields| ("delta".to_owned(), SavedArray::of_field(&fields.delta)));
+        Memory {
+            numbers: serde_json::json!(self.kept),
+            arrays: arrays.collect(),
+        }
+    }
+
+    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
+        self.kept = recall_numbers(memory)?;
+        if self.kept.cal > 0 {
+            let mut fields = Fields::like(x);
+            recall_field(memory, "delta", &mut fields.delta)?;
+            self.fields = Some(fields);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::follow::{Case, assert_near, ramp};
+    use std::f64::consts::PI;
+    use tomolith_core::field::HostField;
+
+    /// The iteration as the notes write it, with A = Fᵀ/φ and a dose that is a sum over angles.
+    fn published(case: &Case, params: &Params, levels: Option<f64>) -> Vec<Vec<f64>> {
+        let (target, marked) = (case.dense.target(), case.marked_target());
+        let projection = case.dense.adjoint(&target);
+        let frames = case.frames as f64;
+        let share = projection.iter().sum::<f64>() / (frames * target.iter().sum::<f64>());
+        let project =
+            |v: &[f64]| -> Vec<f64> { case.dense.adjoint(v).iter().map(|g| g / share).collect() };
+        let dose =
+            |b: &[f64]| -> Vec<f64> { case.dense.forward(b).iter().map(|f| f / share).collect() };
+        let top = |f: &[f64]| {
+            f.iter()
+                .zip(&marked)
+                .filter(|(_, t)| **t >= 0.0)
+                .fold(0.0, |m: f64, (f, _)| m.max(*f))
+        };
+        let mut b: Vec<f64> = ramp(&project(&target), case.n)
+            .iter()
+            .map(|v| v.max(0.0))
+            .collect();
+        let mut before = vec![0.0; b.len()];
+        let mut history = Vec::new();
+        for k in 1..=5 {
+            let f = dose(&b);
+            let largest = top(&f);
+            let error: Vec<f64> = f
+                .iter()
+                .zip(&marked)
+                .map(|(f, &t)| {
+                    if t < 0.0 {
+                        return 0.0;
+                    }
+                    let s = 1.0 / (1.0 + (-(f / largest - params.d_h) / params.sigmoid).exp());
+                    s - t
+                })
+                .collect();
+            let delta = project(&error);
+            let m = params.momentum;
+            for i in 0..b.len() {
+                let g = delta[i] * (1.0 - m) + before[i] * m / (1.0 - m.powi(k + 1));
+                b[i] = (b[i] - params.learning_rate * g).max(0.0);
+            }
+            before = delta;
+            if let Some(n) = levels {
+                let high = b.iter().copied().fold(0.0, f64::max);
+                for v in &mut b {
+                    *v = (*v / high * (n - 1.0) + 0.5).floor() / (n - 1.0) * high;
+                }
+            }
+            // Our patterns: largest dose 1 in the units of F
+            let largest = top(&case.dense.forward(&b));
+            history.push(b.iter().map(|v| v / largest).collect());
+        }
+        assert!(PI * frames * share > 0.0);
+        history
+    }
+
+    #[test]
+    fn it_follows_the_published_iteration_step_by_step() {
+        let case = Case::new();
+        let objective = case.objective("l2", serde_json::json!({}));
+        for (momentum, bits) in [(0.0, None), (0.4, None), (0.4, Some(7))] {
+            let params = Params {
+                learning_rate: 0.5,
+                sigmoid: 0.1,
+                d_h: 0.7,
+                momentum,
+                ..Params::default()
+            };
+            let expected = published(&case, &params, bits.map(|b: u32| f64::from(1 << b)));
+            let found = case.run(
+                &*objective,
+                &mut Cal::<HostField>::new(params).unwrap(),
+                5,
+                bits,
+            );
+            for (k, expected) in expected.iter().enumerate() {
+                assert_near(
+                    &found.patterns[k + 1],
+                    expected,
+                    5e-5,
+                    &format!("momentum {momentum}, {bits:?} bits, step {}", k + 1),
+                );
+            }
+            let change: f64 = expected[0]
+                .iter()
+                .zip(&expected[4])
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f64::max);
+            assert!(
+                change > 0.05,
+                "patterns barely move, so the test shows nothing"
+            );
+        }
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        for (json, key) in [
+            (serde_json::json!({"learning_rate": 0.0}), "learning_rate"),
+            (serde_json::json!({"sigmoid": -1.0}), "sigmoid"),
+            (serde_json::json!({"momentum": 1.0}), "momentum"),
+            (serde_json::json!({"filter": "ramlak"}), "filter"),
+        ] {
+            let section = tomolith_core::kind::Section::new("optimizer.cal", json);
+            let Err(Error::Config { key: found, .. }) = (KIND.build)(&section) else {
+                panic!("{key} was accepted")
+            };
+            assert_eq!(found, format!("optimizer.cal.{key}"));
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! What every optimiser must do.
+
+use crate::checkpoint::Params;
+use crate::{Checkpoints, Limits, Optimizer, Outcome, Problem, StepReport, Stop, run};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use tomolith_core::check::noise;
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::dose::{LinearOperator, Run};
+use tomolith_core::error::Error;
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::response::Identity;
+use tomolith_objective::{BandObjective, Bands};
+
+/// Builds the optimiser under test, anew each time.
+pub type Build<'a> = &'a (dyn Fn() -> Result<Box<dyn Optimizer<HostField>>, Error> + Sync);
+
+/// Checks an optimiser on a small convex problem whose least loss is known to be 0: least squares against the dose of patterns
+/// most of whose pixels are dark, within bounds.
+///
+/// - after 100 steps the loss is below a thousandth of its start (not asked of a method that normalises its doses, which follows a
+///   rule of its own; its largest wanted dose is 1);
+/// - no pixel ever leaves the bounds, and the loss never rises when the method says so;
+/// - a run that is cut off and resumed from its checkpoint has the bits of the uninterrupted one;
+/// - the same bits for 1, 2 and 8 threads.
+///
+/// # Errors
+/// What is wrong, in one sentence.
+pub fn optimizer(build: Build) -> Result<(), String> {
+    let normalises = build().map_err(text)?.normalises();
+    let trial = Trial::new(normalises)?;
+    let whole = trial.run(build, 100, None)?;
+    let losses: Vec<f64> = whole.1.history.iter().map(|row| row.loss).collect();
+    if !normalises && whole.1.loss > 1e-3 * losses[0] {
+        return Err(format!(
+            "the loss fell from {} to {} only",
+            losses[0], whole.1.loss
+        ));
+    }
+    trial.resumes(build)?;
+    trial.ignores_threads(build)
+}
+
+struct Trial {
+    model: SmallModel,
+    objective: BandObjective,
+    /// The dose that is wanted.
+    target: HostField,
+}
+
+const LIMITS: Limits = Limits { min: 0.0, max: 1.5 };
+
+type Done = (HostField, Outcome);
+
+impl Trial {
+    fn new(normalises: bool) -> Result<Self, String> {
+        let model = SmallModel::new(14, 20, 3);
+        let mut patterns = model.new_patterns().map_err(text)?;
+        let values = noise(patterns.as_slice().len(), 3);
+        for (x, v) in patterns.as_mut_slice().iter_mut().zip(values) {
+            *x = if v > 0.4 { v } else { 0.0 };
+        }
+        let mut dose = model.new_dose().map_err(text)?;
+        model
+            .add_forward(0..model.frames(), &patterns, &mut dose, &Run::new())
+            .map_err(text)?;
+        if normalises {
+            dose.scale(1.0 / dose.max_abs());
+        }
+        let values: Arc<[f32]> = dose.as_slice().into();
+        let weight = vec![1.0; values.len()].into();
+        let bands = Bands::Voxels {
+            lower: values.clone(),
+            upper: values,
+            weight,
+        };
+        let range = model.layout().range();
+        let objective =
+            BandObjective::new(range, bands, 2.0, 2.0, Arc::new(Identity)).map_err(text)?;
+        Ok(Trial {
+            model,
+            objective,
+            target: dose,
+        })
+    }
+
+    fn run(
+        &self,
+        build: Build,
+        iterations: usize,
+        checkpoints: Option<&mut Checkpoints>,
+    ) -> Result<Done, String> {
+        let run_flag = Run::new();
+        let mut optimizer = build().map_err(text)?;
+        let monotone = optimizer.is_monotone();
+        let mut problem =
+            Problem::new(&self.model, &self.objective, &[LIMITS], &run_flag).map_err(text)?;
+        problem = problem.with_target(self.target.clone());
+        let mut x = self.model.new_patterns().map_err(text)?;
+        x.as_mut_slice().fill(0.5);
+        let stop = Stop {
+            iterations,
+            ..Stop::default()
+        };
+        let (mut wrong, mut last) = (None, f64::INFINITY);
+        let mut watch = |report: &StepReport<HostField>| {
+            let inside = |&v: &f32| (0.0..=1.5).contains(&v);
+            if !report.patterns.as_slice().iter().all(inside) {
+                wrong = Some(format!(
+                    "a pixel left the bounds in step {}",
+                    report.row.iteration
+                ));
+            }
+            if monotone && report.row.loss > last {
+                wrong = Some(format!(
+                    "the loss rose from {last} to {} in step {}",
+                    report.row.loss, report.row.iteration
+                ));
+            }
+            last = report.row.loss;
+            if wrong.is_some() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let outcome = run(
+            &mut problem,
+            &mut *optimizer,
+            &mut x,
+            &stop,
+            checkpoints,
+            &mut [&mut watch],
+        );
+        let outcome = outcome.map_err(text)?;
+        wrong.map_or(Ok((x, outcome)), Err)
+    }
+
+    fn resumes(&self, build: Build) -> Result<(), String> {
+        let whole = self.run(build, 20, None)?;
+        let folder = Folder::new();
+        for iterations in [0, 1, 7, 8, 20] {
+            let params = Params::default();
+            let mut checkpoints = Checkpoints::new(&folder.0, 42, &params).map_err(text)?;
+            let part = self.run(build, iterations, Some(&mut checkpoints))?;
+            if iterations == 20 {
+                same("a resumed run", &whole, &part)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn ignores_threads(&self, build: Build) -> Result<(), String> {
+        let runs = [1, 2, 8].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.map_err(|e| e.to_string())?
+                .install(|| self.run(build, 12, None))
+        });
+        let [one, two, eight] = runs;
+        let one = one?;
+        same("two threads", &one, &two?)?;
+        same("eight threads", &one, &eight?)
+    }
+}
+
+/// Compares bit for bit, times apart.
+fn same(what: &str, a: &Done, b: &Done) -> Result<(), String> {
+    let bits = |x: &HostField| x.as_slice().iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+    if bits(&a.0) != bits(&b.0) {
+        return Err(format!("{what}: other patterns"));
+    }
+    let rows = |o: &Outcome| {
+        let row = |r: &crate::Row| {
+            (
+                r.iteration,
+                r.loss,
+                r.projected_gradient,
+                r.step,
+                r.forward,
+                r.adjoint,
+            )
+        };
+        o.history.iter().map(row).collect::<Vec<_>>()
+    };
+    if rows(&a.1) == rows(&b.1) {
+        Ok(())
+    } else {
+        Err(format!("{what}: another history"))
+    }
+}
+
+fn text(error: Error) -> String {
+    error.to_string()
+}
+
+/// A folder that is gone when the check is over.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new() -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let name = format!(
+            "tomolith-check-{}-{}",
+            std::process::id(),
+            COUNT.fetch_add(1, Ordering::Relaxed)
+        );
+        Folder(std::env::temp_dir().join(name))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // Nothing can be done about a folder that stays behind
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}

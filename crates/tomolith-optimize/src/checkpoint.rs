@@ -1,0 +1,649 @@
+//! Checkpoints: what a run needs to go on after it was cut off.
+//!
+//! One file, `state.safetensors`, holds the arrays and, as JSON under the key `tomolith` of its header, everything else. It is
+//! written aside and renamed, so it is always whole: a kill at any moment leaves the old one or the new one.
+//!
+//! `contents = "all"` holds patterns, dose and the optimiser's memory: the resumed run has the bits of the uninterrupted one.
+//! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
+//!
+//! Without a stated interval a checkpoint is written when at least fifty times the duration of the last one has passed
+//! (and ten seconds), so that they cost less than 2 % of the time. The first is taken to cost what its bytes take at
+//! 300 MB/s.
+
+use super::keep::Best;
+use super::run::Row;
+use super::{Counters, Memory, Recall, SavedArray};
+use safetensors::tensor::{Dtype, Metadata, View};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+use tomolith_core::units::exact;
+
+/// What a checkpoint holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Contents {
+    /// Everything: a resumed run has the bits of the uninterrupted one.
+    #[default]
+    All,
+    /// Only the patterns: a resumed run begins anew from them.
+    Patterns,
+}
+
+/// `[checkpoint]` of a job.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Seconds between checkpoints, above 0; "auto" (default): at least ten, and so that they cost less than 2 % of the time
+    #[serde(with = "seconds_or_auto")]
+    #[schemars(
+        schema_with = "seconds_or_auto_schema",
+        default = "seconds_or_auto::auto"
+    )]
+    pub every_s: Option<f64>,
+    /// What they hold: "all" (default; resuming is exact) or "patterns" (small; resuming begins anew from them)
+    pub contents: Contents,
+}
+
+/// `None` is written as "auto", so that a job with every default written out names it.
+mod seconds_or_auto {
+    use serde::de::{Error, Unexpected};
+    use serde::{Deserialize, Deserializer, Serializer};
+    use serde_json::Value;
+
+    const EXPECTED: &str = "seconds above 0, or \"auto\"";
+
+    pub(super) fn auto() -> &'static str {
+        "auto"
+    }
+
+    pub(super) fn serialize<S: Serializer>(every: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+        match every {
+            Some(seconds) => to.serialize_f64(*seconds),
+            None => to.serialize_str(auto()),
+        }
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+        let value = Value::deserialize(from)?;
+        match &value {
+            Value::String(word) if word == auto() => Ok(None),
+            Value::String(word) => Err(D::Error::invalid_value(Unexpected::Str(word), &EXPECTED)),
+            Value::Number(number) => Ok(number.as_f64()),
+            other => Err(D::Error::custom(format!(
+                "found {other}, expected {EXPECTED}"
+            ))),
+        }
+    }
+}
+
+fn seconds_or_auto_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({
+        "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "const": "auto" }]
+    })
+}
+
+/// Writes checkpoints to a folder from time to time, and reads one back.
+#[derive(Debug)]
+pub struct Checkpoints {
+    folder: PathBuf,
+    fingerprint: String,
+    job: Value,
+    every: Option<Duration>,
+    contents: Contents,
+    /// Of the levels of a job, the one that is optimised.
+    level: usize,
+    /// Whether a run goes on from what it finds in the folder.
+    resumes: bool,
+    last: Instant,
+    /// Of the last one written.
+    cost: Option<Duration>,
+    /// Whether the last one did not fit on the disk.
+    is_without_room: bool,
+}
+
+/// Bytes per second that the first checkpoint is taken to reach.
+const RATE: f64 = 3e8;
+
+/// Everything of a checkpoint but the arrays.
+#[derive(Debug, Deserialize, Serialize)]
+struct Header {
+    format: u32,
+    fingerprint: String,
+    /// The tables of the job, to say what has changed.
+    #[serde(default)]
+    job: Value,
+    contents: Contents,
+    level: usize,
+    best: Best,
+    counters: Counters,
+    history: Vec<Row>,
+    numbers: Value,
+}
+
+/// Name of the file.
+pub const CHECKPOINT: &str = "state.safetensors";
+
+/// The format of this file.
+const FORMAT: u32 = 3;
+
+/// What has become of the room for checkpoints.
+#[derive(Debug)]
+pub enum Room {
+    /// The disk is full: the run goes on without them.
+    None(Error),
+    /// There is room again, and a checkpoint is written.
+    Again,
+}
+
+/// What a run gives to a checkpoint.
+pub(super) struct Saved<'a, F> {
+    pub(super) patterns: &'a F,
+    pub(super) best: Best,
+    /// The best patterns, when they are others.
+    pub(super) best_patterns: Option<&'a F>,
+    pub(super) dose: &'a F,
+    pub(super) memory: Memory<'a>,
+    pub(super) counters: Counters,
+    pub(super) history: &'a [Row],
+}
+
+impl Checkpoints {
+    /// Checkpoints in a folder (made when the first is written). The fingerprint is that of the job: a checkpoint of another one
+    /// is refused.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for an interval that is not above 0.
+    pub fn new(folder: impl Into<PathBuf>, fingerprint: u64, params: &Params) -> Result<Self> {
+        if let Some(every) = params.every_s
+            && !(every.is_finite() && every > 0.0)
+        {
+            return Err(Error::config(
+                "checkpoint.every_s",
+                format!("found {}", exact(every)),
+                "a finite number above 0",
+            ));
+        }
+        Ok(Checkpoints {
+            folder: folder.into(),
+            fingerprint: format!("{fingerprint:016x}"),
+            job: Value::Null,
+            every: params.every_s.map(Duration::from_secs_f64),
+            contents: params.contents,
+            level: 0,
+            resumes: true,
+            last: Instant::now(),
+            cost: None,
+            is_without_room: false,
+        })
+    }
+
+    /// With the tables of the job: a checkpoint of another one is then refused by the names of the keys that differ.
+    #[must_use]
+    pub fn describing(mut self, job: Value) -> Self {
+        self.job = job;
+        self
+    }
+
+    /// From here on checkpoints are of this level, counted from 0: patterns of other levels may have other pixels.
+    pub fn begin_level(&mut self, level: usize) {
+        self.level = level;
+    }
+
+    /// The run begins anew: a checkpoint that the folder holds stays there until the first one of this run takes its place.
+    pub fn begin_anew(&mut self) {
+        self.resumes = false;
+    }
+
+    /// The checkpoint to go on from: one of the level at hand.
+    pub(super) fn open_of_level(&self) -> Result<Option<Checkpoint>> {
+        if !self.resumes {
+            return Ok(None);
+        }
+        let found = self.open()?;
+        Ok(found.filter(|found| found.level() == self.level))
+    }
+
+    /// The file.
+    #[must_use]
+    pub fn file(&self) -> PathBuf {
+        self.folder.join(CHECKPOINT)
+    }
+
+    /// Whether it is time for the next one, which would hold what is `saved`.
+    pub(super) fn is_due<F: Field>(&self, saved: &Saved<'_, F>) -> bool {
+        self.last.elapsed() >= self.wait(self.bytes(saved))
+    }
+
+    /// Time between two checkpoints of so many bytes: as asked, else 50 times what the last one took, or is expected to take,
+    /// and 10 s at least.
+    fn wait(&self, bytes: usize) -> Duration {
+        let expected = || Duration::from_secs_f64(bytes as f64 / RATE);
+        (self.every).unwrap_or_else(|| {
+            (self.cost.unwrap_or_else(expected) * 50).max(Duration::from_secs(10))
+        })
+    }
+
+    /// Size of the arrays.
+    fn bytes<F: Field>(&self, saved: &Saved<'_, F>) -> usize {
+        let fields = 1 + usize::from(saved.best_patterns.is_some());
+        let patterns = fields * saved.patterns.len() * size_of::<f32>();
+        let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
+        match self.contents {
+            Contents::All => {
+                patterns + saved.dose.len() * size_of::<f32>() + memory().sum::<usize>()
+            }
+            Contents::Patterns => patterns,
+        }
+    }
+
+    /// Writes a checkpoint where there is room for it; on a full disk the next one comes when it would have come anyway. Tells when
+    /// that begins and when it is over.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write), but for a full disk.
+    pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
+        let written = self.write(saved);
+        self.settle(written)
+    }
+
+    /// What a checkpoint that was or was not written means for the next ones.
+    fn settle(&mut self, written: Result<()>) -> Result<Option<Room>> {
+        let error = match written {
+            Ok(()) => {
+                let again = std::mem::take(&mut self.is_without_room);
+                return Ok(again.then_some(Room::Again));
+            }
+            Err(error) if error.is_full_disk() => error,
+            Err(error) => return Err(error),
+        };
+        // What was half written would keep the disk full
+        let _ = std::fs::remove_file(self.aside());
+        self.clear_leftovers();
+        self.last = Instant::now();
+        let before = std::mem::replace(&mut self.is_without_room, true);
+        Ok((!before).then_some(Room::None(error)))
+    }
+
+    /// Where a checkpoint is written before it takes its place.
+    fn aside(&self) -> PathBuf {
+        self.folder.join("state.safetensors.part")
+    }
+
+    /// Writes a checkpoint.
+    pub(super) fn write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<()> {
+        let begin = Instant::now();
+        std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
+        let header = Header {
+            format: FORMAT,
+            fingerprint: self.fingerprint.clone(),
+            job: self.job.clone(),
+            contents: self.contents,
+            level: self.level,
+            best: saved.best,
+            counters: saved.counters,
+            history: saved.history.to_vec(),
+            numbers: saved.memory.numbers,
+        };
+        let mut arrays = vec![("patterns".to_owned(), SavedArray::of_field(saved.patterns))];
+        arrays.extend(
+            saved
+                .best_patterns
+                .map(|best| ("best".to_owned(), SavedArray::of_field(best))),
+        );
+        if self.contents == Contents::All {
+            arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
+            let memory = saved.memory.arrays.into_iter();
+            arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
+        }
+        self.write_file(&header, arrays)?;
+        self.cost = Some(begin.elapsed());
+        self.last = Instant::now();
+        Ok(())
+    }
+
+    /// Removes what a killed run left half written: safetensors writes to `.tmp…` in this folder, which is ours alone.
+    fn clear_leftovers(&self) {
+        let Ok(entries) = std::fs::read_dir(&self.folder) else {
+            return;
+        };
+        let is_leftover = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with(".tmp");
+        for entry in entries
+            .flatten()
+            .filter(|entry| is_leftover(&entry.file_name()))
+        {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+
+    /// Writes aside, then renames.
+    fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
+        let file = self.file();
+        let aside = self.aside();
+        self.clear_leftovers();
+        let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
+        let arrays = arrays.into_iter().map(|(name, array)| {
+            (
+                name,
+                Tensor {
+                    shape: [array.len],
+                    array,
+                },
+            )
+        });
+        let info = HashMap::from([("tomolith".to_owned(), text)]);
+        safetensors::serialize_to_file(arrays, Some(info), &aside).map_err(|e| match e {
+            safetensors::SafeTensorError::IoError(source) => Error::io(&aside, source),
+            other => damaged(&aside, &other.to_string()),
+        })?;
+        let written = File::open(&aside).and_then(|f| f.sync_all());
+        written.map_err(|e| Error::io(&aside, e))?;
+        std::fs::rename(&aside, &file).map_err(|e| Error::io(&file, e))
+    }
+
+    /// The checkpoint of the folder, or None when there is none.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when it belongs to another job, version or is damaged; [`Error::Io`].
+    pub fn open(&self) -> Result<Option<Checkpoint>> {
+        let path = self.file();
+        let mut file = match File::open(&path) {
+            Ok(file) => file,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(Error::io(path, e)),
+        };
+        let (metadata, data_begin) = read_header(&path, &mut file)?;
+        let text = metadata.metadata().as_ref().and_then(|m| m.get("tomolith"));
+        let text = text.ok_or_else(|| damaged(&path, "no Tomolith header"))?;
+        let header: Header =
+            serde_json::from_str(text).map_err(|e| damaged(&path, &e.to_string()))?;
+        if header.format != FORMAT {
+            return Err(damaged(
+                &path,
+                &format!("a checkpoint of format {}", header.format),
+            ));
+        }
+        if header.fingerprint != self.fingerprint {
+            let mut changes = Vec::new();
+            differences("", &header.job, &self.job, &mut changes);
+            let changed = match (changes.as_slice(), &self.job) {
+                (_, Value::Null) => "another problem".to_owned(),
+                ([], _) => {
+                    "the target's voxels, or the content of a file that the job names, have changed"
+                        .to_owned()
+                }
+                (changes, _) => changes.join(", "),
+            };
+            return Err(Error::Format {
+                path,
+                found: format!("a checkpoint of another job: {changed}"),
+                accepted: "a checkpoint of this very job".to_owned(),
+            });
+        }
+        Ok(Some(Checkpoint {
+            path,
+            file,
+            metadata,
+            data_begin,
+            header,
+        }))
+    }
+}
+
+/// Key paths at which two jobs differ, with both values.
+pub fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>) {
+    if was == is {
+        return;
+    }
+    let inner = |key: &str| match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    };
+    match (was, is) {
+        (Value::Object(was), Value::Object(is)) => {
+            let keys: std::collections::BTreeSet<_> = was.keys().chain(is.keys()).collect();
+            for key in keys {
+                let of = |map: &serde_json::Map<_, _>| map.get(key).cloned().unwrap_or_default();
+                differences(&inner(key), &of(was), &of(is), found);
+            }
+        }
+        (Value::Array(was), Value::Array(is)) if was.len() == is.len() => {
+            for (i, (was, is)) in was.iter().zip(is).enumerate() {
+                differences(&format!("{path}[{i}]"), was, is, found);
+            }
+        }
+        _ => {
+            let word = |value: &Value| match value {
+                Value::Null => "not there".to_owned(),
+                Value::Object(_) => "there".to_owned(),
+                Value::Number(number) => exact(number.as_f64().unwrap_or_default()),
+                other => other.to_string(),
+            };
+            found.push(format!("{path} was {}, is {}", word(was), word(is)));
+        }
+    }
+}
+
+fn damaged(path: &Path, found: &str) -> Error {
+    Error::Format {
+        path: path.to_owned(),
+        found: format!("a damaged checkpoint ({found})"),
+        accepted: format!("a whole Tomolith checkpoint of format {FORMAT}"),
+    }
+}
+
+/// Reads the header of a safetensors file, not the arrays.
+fn read_header(path: &Path, file: &mut File) -> Result<(Metadata, u64)> {
+    let io = |e| Error::io(path, e);
+    let size = file.metadata().map_err(io)?.len();
+    let mut length = [0u8; 8];
+    file.read_exact(&mut length)
+        .map_err(|e| damaged(path, &e.to_string()))?;
+    let length = u64::from_le_bytes(length);
+    if length > size.saturating_sub(8) {
+        return Err(damaged(path, "a file cut short"));
+    }
+    let mut text = Vec::new();
+    file.take(length).read_to_end(&mut text).map_err(io)?;
+    let metadata: Metadata =
+        serde_json::from_slice(&text).map_err(|e| damaged(path, &e.to_string()))?;
+    if metadata.data_len() as u64 != size - 8 - length {
+        return Err(damaged(path, "a file cut short"));
+    }
+    Ok((metadata, 8 + length))
+}
+
+/// A checkpoint, opened.
+pub struct Checkpoint {
+    path: PathBuf,
+    file: File,
+    metadata: Metadata,
+    data_begin: u64,
+    header: Header,
+}
+
+impl Checkpoint {
+    /// What it holds.
+    #[must_use]
+    pub fn contents(&self) -> Contents {
+        self.header.contents
+    }
+
+    /// The level at which it was written.
+    #[must_use]
+    pub fn level(&self) -> usize {
+        self.header.level
+    }
+
+    /// Steps done when it was written.
+    #[must_use]
+    pub fn iteration(&self) -> usize {
+        self.header.history.last().map_or(0, |row| row.iteration)
+    }
+
+    pub(super) fn history(&self) -> &[Row] {
+        &self.header.history
+    }
+
+    pub(super) fn counters(&self) -> Counters {
+        self.header.counters
+    }
+
+    pub(super) fn best(&self) -> Best {
+        self.header.best
+    }
+
+    /// Fills a field from an array of the file.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when there is none of that name and length; [`Error::Io`].
+    pub fn read_field<F: Field>(&mut self, name: &str, field: &mut F) -> Result<()> {
+        let mut values = vec![0.0f32; field.len()];
+        self.read(name, bytemuck::cast_slice_mut(&mut values))?;
+        field.copy_from_host(&values);
+        Ok(())
+    }
+
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.metadata.info(name).is_some()
+    }
+
+    fn read(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
+        let info = self.metadata.info(name);
+        let (begin, end) = info.map_or((0, usize::MAX), |info| info.data_offsets);
+        if end - begin != bytes.len() {
+            let found = info.map_or_else(
+                || format!("no array `{name}`"),
+                |_| format!("`{name}` has another size"),
+            );
+            return Err(damaged(&self.path, &found));
+        }
+        let read = self
+            .file
+            .seek(SeekFrom::Start(self.data_begin + begin as u64))
+            .and_then(|_| self.file.read_exact(bytes));
+        read.map_err(|e| Error::io(&self.path, e))
+    }
+}
+
+impl Recall for Checkpoint {
+    fn numbers(&self) -> &serde_json::Value {
+        &self.header.numbers
+    }
+
+    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()> {
+        self.read(&format!("memory.{name}"), bytes)
+    }
+}
+
+struct Tensor<'a> {
+    shape: [usize; 1],
+    array: SavedArray<'a>,
+}
+
+impl View for Tensor<'_> {
+    fn dtype(&self) -> Dtype {
+        self.array.dtype
+    }
+
+    fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    fn data(&self) -> Cow<'_, [u8]> {
+        (self.array.bytes)()
+    }
+
+    fn data_len(&self) -> usize {
+        self.array.size()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn an_interval_is_seconds_or_auto_and_is_written_out() {
+        let read = |text: &str| toml::from_str::<Params>(text);
+        assert_eq!(read("").unwrap().every_s, None);
+        assert_eq!(read("every_s = \"auto\"").unwrap().every_s, None);
+        assert_eq!(read("every_s = 2.5").unwrap().every_s, Some(2.5));
+        assert_eq!(read("every_s = 3").unwrap().every_s, Some(3.0));
+        assert!(read("every_s = \"often\"").is_err() && read("every_s = true").is_err());
+        let written = toml::to_string(&Params::default()).unwrap();
+        assert!(written.contains("every_s = \"auto\""), "{written}");
+    }
+
+    #[test]
+    fn the_first_checkpoint_waits_as_its_bytes_say_and_later_ones_as_it_took() {
+        let with = |every_s| {
+            let params = Params {
+                every_s,
+                ..Params::default()
+            };
+            Checkpoints::new("nowhere", 0, &params).unwrap()
+        };
+        // 50 times 600 MB at 300 MB/s; ten seconds at least
+        let mut auto = with(None);
+        assert_eq!(auto.wait(600_000_000), Duration::from_secs(100));
+        assert_eq!(auto.wait(1000), Duration::from_secs(10));
+        auto.cost = Some(Duration::from_secs(3));
+        assert_eq!(auto.wait(600_000_000), Duration::from_secs(150));
+        let asked = with(Some(2.5));
+        assert_eq!(asked.wait(600_000_000), Duration::from_millis(2500));
+    }
+
+    #[test]
+    fn a_full_disk_is_told_once_and_once_when_it_is_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
+        let failed = |kind: std::io::ErrorKind| Err(Error::io("state", kind.into()));
+        let full = || failed(std::io::ErrorKind::StorageFull);
+        // Half of a checkpoint would keep the disk full
+        std::fs::write(checkpoints.aside(), "half").unwrap();
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        assert!(matches!(
+            checkpoints.settle(full()),
+            Ok(Some(Room::None(_)))
+        ));
+        assert!(!checkpoints.aside().exists());
+        assert!(matches!(checkpoints.settle(full()), Ok(None)));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(Some(Room::Again))));
+        assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
+        // Anything else ends the run
+        assert!(
+            checkpoints
+                .settle(failed(std::io::ErrorKind::PermissionDenied))
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn differences_are_named_by_their_keys() {
+        let was =
+            json!({ "resin": { "n": 1.5 }, "light": [{ "angles": 3 }, {}], "vial": { "a": {} } });
+        let is =
+            json!({ "resin": { "n": 1.6 }, "light": [{ "angles": 4 }, {}], "vial": { "b": {} } });
+        let mut found = Vec::new();
+        differences("", &was, &is, &mut found);
+        assert_eq!(
+            found,
+            [
+                "light[0].angles was 3, is 4",
+                "resin.n was 1.5, is 1.6",
+                "vial.a was there, is not there",
+                "vial.b was not there, is there"
+            ]
+        );
+    }
+}

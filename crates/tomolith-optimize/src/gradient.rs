@@ -1,0 +1,239 @@
+//! Projected gradient: the plain method, every step of it easy to understand.
+//!
+//! **Step** p = P(x − t·g) − x with the gradient g and the projection P onto the bounds; then x ← x + α·p.
+//!
+//! **Automatic length** t is the Barzilai–Borwein length of the last step, s·s/s·y and s·y/y·y in turn (s the change of x, y that
+//! of the gradient, both only where x moved), and α the exact minimum on the feasible segment: the loss never rises.
+//! **Fixed length** t is given, α = 1, and the loss may rise. With momentum m the gradient is replaced by its running mean
+//! u ← m·u + (1 − m)·g, u = 0 at the start: the heavy ball as the VAMToolbox family writes it.
+//!
+//! **Source** Barzilai and Borwein, IMA J. Numer. Anal. 8 (1988) 141; Birgin, Martínez and Raydan, SIAM J. Optim. 10 (2000) 1196.
+//!
+//! **Parameters** see [`Params`]. **Cost** one forward and one adjoint call a step; 12 bytes read and 4 written per pixel to make
+//! the step, 12 for its secant, 12 to move. Memory: three pattern vectors (step and two gradients).
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "gradient").unwrap();
+//! let fixed = Section::new("optimizer.gradient", serde_json::json!({"step": 0.5, "momentum": 0.9}));
+//! assert!(!(row.build)(&fixed).unwrap().is_monotone()); // a fixed step may raise the loss
+//! let lost = Section::new("optimizer.gradient", serde_json::json!({"momentum": 0.9}));
+//! assert!((row.build)(&lost).is_err()); // an automatic length has no use for momentum
+//! ```
+
+use super::{
+    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
+    recall_field, recall_numbers,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+use tomolith_core::kind::Kind;
+use tomolith_core::units::exact;
+
+/// The parameters of the projected gradient.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Fixed length t of a step, above 0, in units of x per unit of gradient; automatic when it is not given
+    pub step: Option<f64>,
+    /// Share of the past in the running mean of gradients, 0 or above and below 1 (default 0); needs a fixed step
+    pub momentum: f64,
+}
+
+/// The projected gradient method.
+pub struct Gradient<F> {
+    params: Params,
+    length: f64,
+    alpha: f64,
+    steps: u64,
+    fields: Option<Fields<F>>,
+}
+
+struct Fields<F> {
+    gradient: F,
+    before: F,
+    step: F,
+}
+
+impl<F: Field> Fields<F> {
+    fn like(x: &F) -> Self {
+        Fields {
+            gradient: x.zeros_like(),
+            before: x.zeros_like(),
+            step: x.zeros_like(),
+        }
+    }
+}
+
+/// The numbers of a checkpoint.
+#[derive(Deserialize, Serialize)]
+struct Kept {
+    length: f64,
+    alpha: f64,
+    steps: u64,
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "gradient",
+    summary: "projected gradient, step length automatic or fixed",
+    example: "[optimizer.gradient]",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        Ok(Box::new(
+            Gradient::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+        ))
+    },
+};
+
+impl<F: Field> Gradient<F> {
+    /// The method with these parameters.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a step that is not above 0.
+    pub fn new(params: Params) -> Result<Self> {
+        if let Some(step) = params.step
+            && !(step.is_finite() && step > 0.0)
+        {
+            return Err(Error::config(
+                "step",
+                format!("found {}", exact(step)),
+                "a finite number above 0",
+            ));
+        }
+        momentum(params.momentum)?;
+        if params.momentum > 0.0 && params.step.is_none() {
+            return Err(Error::config(
+                "momentum",
+                format!("found {} without `step`", exact(params.momentum)),
+                "momentum with a fixed step; the automatic length has its own memory",
+            ));
+        }
+        Ok(Gradient {
+            params,
+            length: 0.0,
+            alpha: 0.0,
+            steps: 0,
+            fields: None,
+        })
+    }
+
+    /// t of the next step from the secant of the last one.
+    fn next_length(&self, fields: &Fields<F>) -> f64 {
+        let secant = fields.step.secant(&fields.before, &fields.gradient);
+        if secant.py <= 0.0 {
+            return self.length * 4.0;
+        }
+        // The step was α·p, so s·s/s·y carries one α, and s·y/y·y another
+        let length = if self.steps.is_multiple_of(2) {
+            secant.pp / secant.py
+        } else {
+            secant.py / secant.yy
+        };
+        (self.alpha * length).clamp(self.length * 1e-3, self.length * 1e3)
+    }
+}
+
+/// Refuses a momentum outside [0, 1).
+///
+/// # Errors
+/// [`Error::Config`] naming the key.
+pub(super) fn momentum(value: f64) -> Result<()> {
+    if (0.0..1.0).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::config(
+        "momentum",
+        format!("found {}", exact(value)),
+        "0 or above, below 1",
+    ))
+}
+
+impl<F: Field> Optimizer<F> for Gradient<F> {
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step> {
+        let mut fields = self.fields.take().unwrap_or_else(|| Fields::like(x));
+        std::mem::swap(&mut fields.gradient, &mut fields.before);
+        problem.gradient(x, at, &mut fields.gradient)?;
+        if self.params.momentum > 0.0 {
+            let m = self.params.momentum as f32;
+            fields.gradient.scale(1.0 - m);
+            fields.gradient.axpy(m, &fields.before);
+        }
+        self.length = match self.params.step {
+            Some(step) => step,
+            None if self.steps == 0 => {
+                problem.first_length(x, &fields.gradient, &mut fields.step, at)?
+            }
+            None => self.next_length(&fields),
+        };
+        let sums =
+            fields
+                .step
+                .project_step(x, &fields.gradient, self.length as f32, problem.bounds());
+        let projected_gradient = if self.length == 0.0 {
+            0.0
+        } else {
+            sums.square.sqrt() / self.length
+        };
+        let length = if sums.square == 0.0 {
+            0.0
+        } else if self.params.step.is_some() {
+            problem.take(x, &fields.step, at)?;
+            self.length
+        } else {
+            self.alpha = f64::from(problem.search(x, &fields.step, sums.slope, at)?.alpha);
+            self.alpha
+        };
+        self.steps += 1;
+        self.fields = Some(fields);
+        Ok(Step {
+            projected_gradient,
+            length,
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        self.params.step.is_none()
+    }
+
+    fn needs(&self) -> Needs {
+        Needs {
+            continuous: self.params.step.is_none().then_some(
+                "the automatic step length is searched along a line, which rounded patterns leave; give `step`",
+            ),
+            ..Needs::of("gradient")
+        }
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        let kept = Kept {
+            length: self.length,
+            alpha: self.alpha,
+            steps: self.steps,
+        };
+        let arrays = self.fields.iter().flat_map(|fields| {
+            [("gradient", &fields.gradient), ("step", &fields.step)]
+                .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
+        });
+        Memory {
+            numbers: serde_json::json!(kept),
+            arrays: arrays.collect(),
+        }
+    }
+
+    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
+        let kept: Kept = recall_numbers(memory)?;
+        (self.length, self.alpha, self.steps) = (kept.length, kept.alpha, kept.steps);
+        if self.steps > 0 {
+            let mut fields = Fields::like(x);
+            recall_field(memory, "gradient", &mut fields.gradient)?;
+            recall_field(memory, "step", &mut fields.step)?;
+            self.fields = Some(fields);
+        }
+        Ok(())
+    }
+}

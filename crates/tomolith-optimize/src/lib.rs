@@ -1,0 +1,188 @@
+//! Optimisers: from a problem to patterns.
+//!
+//! *What must it do, and who does it.* An [`Optimizer`] improves patterns step by step; it knows a [`Problem`] (model,
+//! objective, bounds) and [`Field`]s, no optics and no files. The loop around it, with stopping, history and checkpoints, is
+//! [`run()`]; where it begins is [`start`].
+
+pub mod adam;
+pub mod bclp;
+pub mod cal;
+pub mod check;
+pub mod checkpoint;
+pub mod filter;
+pub mod fista;
+#[cfg(test)]
+pub(crate) mod follow;
+pub mod gradient;
+pub mod keep;
+pub mod lbfgs;
+pub mod levels;
+pub mod needs;
+pub mod osmo;
+#[cfg(test)]
+mod penalised;
+pub mod pm;
+pub mod problem;
+pub mod published;
+pub mod run;
+pub mod start;
+mod turns;
+
+pub use checkpoint::{Checkpoints, Contents, Room};
+pub use keep::{Keep, Kept, KeptBy};
+pub use needs::Needs;
+pub use problem::{Counters, Limits, Position, Problem};
+pub use published::PublishedScale;
+pub use run::{
+    Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run, run_after,
+};
+pub use start::{STARTS, Start, StartInput};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::{Kind, Section};
+
+/// One method of solving a problem.
+///
+/// What it remembers between steps, beyond the patterns and the [`Position`], is its memory: it is saved to checkpoints, and
+/// a run resumed from one continues with the same bits.
+pub trait Optimizer<F: Field>: Send {
+    /// From x to a better x inside the bounds; `at` follows. Costs one adjoint and, with a linear model, one forward call.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`]; then x and `at` may be lost.
+    fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
+    /// Whether no step raises the loss.
+    fn is_monotone(&self) -> bool;
+    /// What it needs of a problem: [`run()`] refuses another one before any work.
+    fn needs(&self) -> Needs;
+    /// Whether it is published with doses divided by their largest: then its patterns have that scale, it follows a rule of its
+    /// own, and the loss only watches.
+    fn normalises(&self) -> bool {
+        false
+    }
+    /// Forgets what it has learned of curvature: the model has become another one, and the patterns stay.
+    fn forget(&mut self) {}
+    /// What must be saved. Between steps only.
+    fn memory(&self) -> Memory<'_>;
+    /// Takes back what [`memory`](Self::memory) gave; `x` shows where fields live.
+    ///
+    /// # Errors
+    /// A sentence, when the memory is another method's or of other settings.
+    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()>;
+}
+
+/// What a step did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Norm of the projected gradient at the beginning of the step: ‖P(x − t·g) − x‖/t; that of the correction, for methods
+    /// with a rule of their own.
+    pub projected_gradient: f64,
+    /// α of the feasible segment, or the step length of a fixed step; 0 when no better point was found.
+    pub length: f64,
+}
+
+/// The saved memory of an optimiser: numbers and arrays.
+#[derive(Default)]
+pub struct Memory<'a> {
+    /// Anything small.
+    pub numbers: serde_json::Value,
+    /// Large arrays with their names.
+    pub arrays: Vec<(String, SavedArray<'a>)>,
+}
+
+/// Element type and bytes (little-endian) of a saved array.
+pub struct SavedArray<'a> {
+    /// What the elements are.
+    pub dtype: safetensors::Dtype,
+    /// How many there are.
+    pub len: usize,
+    /// Gives the bytes; called once, when the array is written.
+    pub bytes: Box<dyn Fn() -> std::borrow::Cow<'a, [u8]> + 'a>,
+}
+
+impl<'a> SavedArray<'a> {
+    /// A field, as f32.
+    pub fn of_field<F: Field>(field: &'a F) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::F32,
+            len: field.len(),
+            bytes: Box::new(|| field.host_bytes()),
+        }
+    }
+
+    /// Bytes that it takes.
+    pub fn size(&self) -> usize {
+        self.len * self.dtype.bitsize() / 8
+    }
+
+    /// Bytes that only their writer understands.
+    pub fn of_bytes(bytes: std::borrow::Cow<'a, [u8]>) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::U8,
+            len: bytes.len(),
+            bytes: Box::new(move || bytes.clone()),
+        }
+    }
+}
+
+/// A saved memory, read back.
+pub trait Recall {
+    /// The numbers.
+    fn numbers(&self) -> &serde_json::Value;
+    /// Fills a buffer with the bytes of an array.
+    ///
+    /// # Errors
+    /// When there is no array of that name and size.
+    fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()>;
+}
+
+/// Reads a field back from a saved memory.
+///
+/// # Errors
+/// When there is no array of that name and size.
+pub fn recall_field<F: Field>(recall: &mut dyn Recall, name: &str, field: &mut F) -> Result<()> {
+    let mut values = vec![0.0f32; field.len()];
+    recall.array(name, bytemuck::cast_slice_mut(&mut values))?;
+    field.copy_from_host(&values);
+    Ok(())
+}
+
+/// Reads the numbers of a saved memory.
+///
+/// # Errors
+/// When they are those of another method.
+pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Result<T> {
+    T::deserialize(recall.numbers()).map_err(|_| Error::Unsupported {
+        what: "the checkpoint".to_owned(),
+        reason: "its memory is that of another optimiser".to_owned(),
+    })
+}
+
+/// Builds an optimiser from its section.
+pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
+
+/// Every optimiser.
+pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[
+    lbfgs::KIND,
+    gradient::KIND,
+    fista::KIND,
+    adam::KIND,
+    osmo::KIND,
+    cal::KIND,
+    pm::KIND,
+    bclp::KIND,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+
+    #[test]
+    fn every_row_passes_the_check() {
+        for row in OPTIMIZERS {
+            check::optimizer(&|| (row.build)(&tomolith_core::check::example(row)))
+                .unwrap_or_else(|e| panic!("{}: {e}", row.name));
+        }
+    }
+}

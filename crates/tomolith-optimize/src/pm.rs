@@ -1,0 +1,57 @@
+//! Penalty minimisation's solver: a quasi-Newton method with ten pairs within bounds.
+//!
+//! **Method** [L-BFGS with bounds](super::lbfgs), `memory = 10`. The penalties themselves, ρ₁, ρ₂ and the buffer zone by
+//! erosion, are the objective [`pm`](tomolith_objective::pm); doses are absolute, so `bounds.max` is in their units.
+//!
+//! **Source** Bhattacharya, Toombs and Taylor, Additive Manufacturing 47 (2021) 102299, in the form that the VAMToolbox family
+//! runs: L-BFGS-B of Byrd, Lu, Nocedal and Zhu with ten pairs on pixels between 0 and 1. Here the search is exact along the
+//! feasible segment (one forward call) where theirs spends up to thirty model calls; the raw descent that Li et al. (2024),
+//! section 3.2, read into the scheme is [`bclp`](super::bclp) on the objective `pm`.
+//!
+//! **Parameters** see [`Params`]. **Limits** as [`lbfgs`]: with p = 1 the loss never rises but the method may stop
+//! early, at a kink. **Cost** as there, at most 128 bytes per pixel a step.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_optimize::OPTIMIZERS;
+//! let row = OPTIMIZERS.iter().find(|row| row.name == "pm").unwrap();
+//! let pm = (row.build)(&Section::new("optimizer.pm", serde_json::json!({}))).unwrap();
+//! assert!(pm.is_monotone() && !pm.normalises()); // it searches, and doses stay absolute
+//! ```
+
+use super::BuildOptimizer;
+use super::lbfgs::{self, Lbfgs};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::kind::Kind;
+
+/// The parameters of penalty minimisation's solver.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Number of pairs remembered, 1 to 30 (default 10)
+    pub memory: usize,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params { memory: 10 }
+    }
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildOptimizer> = Kind {
+    name: "pm",
+    summary: "penalty minimisation as published: quasi-Newton with ten pairs (use [objective.pm])",
+    example: "[optimizer.pm]",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let Params { memory } = section.parse()?;
+        let params = lbfgs::Params {
+            memory,
+            ..lbfgs::Params::default()
+        };
+        let solver = Lbfgs::new(params).map_err(|e| e.under(&section.path))?;
+        Ok(Box::new(solver.named(KIND.name)))
+    },
+};

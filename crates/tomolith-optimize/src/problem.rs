@@ -1,0 +1,717 @@
+//! The problem an optimiser solves, and the one line search.
+//!
+//! ```text
+//! min over x   L( F(x) ) + Σ λᵢ·Rᵢ(x)   subject to   min ≤ x ≤ max          (L contains the response)
+//! ```
+//!
+//! A search walks the *feasible segment* x + α·(x̄ − x), α ∈ [0, 1], whose end x̄ lies within the bounds; no point of it needs
+//! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
+//! then costs passes over the dose only; for waves it is a quadratic in α, whose three coefficients serve it. (Searching first and clamping afterwards promises losses that are not delivered.)
+
+use std::time::Instant;
+use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Bounds, Field};
+use tomolith_objective::Objective;
+use tomolith_objective::penalty::{PatternPenalty, Penalties};
+
+/// Smallest and largest value of a light's pixels, mJ/mm² (energy, also for models whose unknown is the amplitude).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Smallest energy, 0 or above.
+    pub min: f64,
+    /// Largest energy, +∞ for none.
+    pub max: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            min: 0.0,
+            max: f64::INFINITY,
+        }
+    }
+}
+
+/// What was done so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Counters {
+    /// Dose calls.
+    pub forward: u64,
+    /// Pullback calls.
+    pub adjoint: u64,
+    /// Seconds in the model.
+    pub model_s: f64,
+    /// Seconds in passes over the dose: loss, gradient, line search.
+    pub objective_s: f64,
+}
+
+/// Model, objective and bounds; see the [module](self).
+pub struct Problem<'a, F: Field> {
+    model: &'a dyn DoseModel<Field = F>,
+    objective: &'a dyn Objective<F>,
+    penalties: Penalties<F>,
+    bounds: Bounds,
+    /// Levels of a pixel, when patterns are rounded in every step.
+    levels: Option<u32>,
+    /// Target per element of the dose field, below 0 where a voxel does not count.
+    target: Option<F>,
+    /// 1 at the part's surface, else 0.
+    edges: Option<F>,
+    run: &'a Run,
+    /// What was done so far.
+    pub counters: Counters,
+}
+
+/// Where the patterns are: their dose, and what an optimiser needs of it.
+pub struct Position<F> {
+    /// F(x)
+    pub dose: F,
+    /// ∂L/∂dose at x; a search uses it as its work space.
+    pub cotangent: F,
+    /// L at x, penalties included.
+    pub loss: f64,
+}
+
+/// What a search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Place on the segment, 0 when nothing better was found.
+    pub alpha: f32,
+    /// Slope at the end of the search relative to that at its beginning; 1 when α = 0.
+    pub slope: f64,
+}
+
+impl<'a, F: Field> Problem<'a, F> {
+    /// A problem; `limits` has one entry per light of the model.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them.
+    pub fn new(
+        model: &'a dyn DoseModel<Field = F>,
+        objective: &'a dyn Objective<F>,
+        limits: &[Limits],
+        run: &'a Run,
+    ) -> Result<Self> {
+        let bounds = bounds(model.patterns(), limits)?;
+        Ok(Problem {
+            model,
+            objective,
+            penalties: Penalties::default(),
+            bounds,
+            levels: None,
+            target: None,
+            edges: None,
+            run,
+            counters: Counters::default(),
+        })
+    }
+
+    /// The same problem with penalties on the patterns.
+    #[must_use]
+    pub fn with_penalties(mut self, penalties: Penalties<F>) -> Self {
+        self.penalties = penalties;
+        self
+    }
+
+    /// The penalties on the patterns.
+    #[must_use]
+    pub fn penalties(&self) -> &Penalties<F> {
+        &self.penalties
+    }
+
+    /// The same problem with patterns of so many bits: every step ends on one of 2^bits levels, even between the bounds
+    /// (without an upper one, up to the largest pixel). None: no rounding.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for other than 1 to 16 bits.
+    pub fn with_bits(mut self, bits: Option<u32>) -> Result<Self> {
+        if let Some(bits) = bits
+            && !(1..=16).contains(&bits)
+        {
+            return Err(Error::config(
+                "bounds.bits",
+                format!("found {bits}"),
+                "1 to 16 bits, or no such key for patterns that are not rounded",
+            ));
+        }
+        self.levels = bits.map(|bits| 1 << bits);
+        Ok(self)
+    }
+
+    /// The same problem with its target as a dose field, for methods that [need](super::Needs::target) one: 1 in the part and 0
+    /// in the void, or grey values; below 0 where a voxel does not count.
+    #[must_use]
+    pub fn with_target(mut self, target: F) -> Self {
+        self.target = Some(target);
+        self
+    }
+
+    /// The same problem with marks per element of the dose field, for methods that [need](super::Needs::edges) them: 1 where a voxel
+    /// has a neighbour of the other kind, part or void, by a face, else 0.
+    #[must_use]
+    pub fn with_edges(mut self, edges: F) -> Self {
+        self.edges = Some(edges);
+        self
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &'a dyn DoseModel<Field = F> {
+        self.model
+    }
+
+    /// The objective.
+    #[must_use]
+    pub fn objective(&self) -> &'a dyn Objective<F> {
+        self.objective
+    }
+
+    /// The bounds of every pixel.
+    #[must_use]
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
+    /// The levels that pixels are rounded to in every step, or None.
+    #[must_use]
+    pub fn levels(&self) -> Option<u32> {
+        self.levels
+    }
+
+    /// The target, as given to [`with_target`](Self::with_target).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when there is none.
+    pub fn target(&self) -> Result<&F> {
+        self.target.as_ref().ok_or_else(|| Error::Unsupported {
+            what: "a method that looks at the target".to_owned(),
+            reason: "the problem was built without one".to_owned(),
+        })
+    }
+
+    /// The marks given to [`with_edges`](Self::with_edges).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when there are none.
+    pub fn edges(&self) -> Result<&F> {
+        self.edges.as_ref().ok_or_else(|| Error::Unsupported {
+            what: "a method that looks at the part's surface".to_owned(),
+            reason: "the problem was built without its marks".to_owned(),
+        })
+    }
+
+    /// Whether there is a target.
+    #[must_use]
+    pub fn has_target(&self) -> bool {
+        self.target.is_some()
+    }
+
+    /// Whether the user asked to stop.
+    #[must_use]
+    pub fn is_stop_asked(&self) -> bool {
+        self.run.is_stop_asked()
+    }
+
+    /// Whether a first request to stop waits for the end of a step.
+    pub fn set_patient(&self, patient: bool) {
+        self.run.set_patient(patient);
+    }
+
+    /// F(x), counted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn dose(&mut self, x: &F, dose: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.dose(x, dose, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.forward += 1;
+        done
+    }
+
+    /// ∂L/∂x at a position, penalties included; counted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn gradient(&mut self, x: &F, at: &Position<F>, gradient: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.pullback(x, &at.cotangent, gradient, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.adjoint += 1;
+        done?;
+        self.penalties.add_gradient(x, 1.0, gradient);
+        Ok(())
+    }
+
+    /// F′(x)ᵀ d: a dose field as the pixels see it, counted; with a linear model x may be any patterns.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn project(&mut self, x: &F, dose: &F, patterns: &mut F) -> Result<()> {
+        let begin = Instant::now();
+        let done = self.model.pullback(x, dose, patterns, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        self.counters.adjoint += 1;
+        done
+    }
+
+    /// L at any dose, and ∂L/∂dose written over `cotangent`; no model call.
+    pub fn objective_at(&mut self, dose: &F, cotangent: &mut F) -> f64 {
+        self.timed(|objective, _| objective.value_and_gradient(dose, cotangent))
+    }
+
+    /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn evaluate(&mut self, x: &mut F, at: &mut Position<F>) -> Result<()> {
+        self.settle(x);
+        self.measure(x, at)
+    }
+
+    /// Dose, loss and cotangent of patterns that need no bringing into the bounds.
+    pub(super) fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        self.dose(x, dose)?;
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
+        Ok(())
+    }
+
+    /// Evaluates patterns of any scale after scaling them so that the largest dose of the voxels that count is 1; returns the
+    /// largest dose before. Patterns that the bounds cut then cost a second forward call, and the largest dose is another.
+    /// `scratch` is overwritten.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when the dose is zero everywhere, or there is no target; [`Error::Cancelled`].
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    pub fn evaluate_scaled(
+        &mut self,
+        x: &mut F,
+        scratch: &mut F,
+        at: &mut Position<F>,
+    ) -> Result<f64> {
+        self.dose(x, &mut at.dose)?;
+        let counted = |dose: f32, target: f32| if target < 0.0 { 0.0 } else { dose };
+        let largest = f64::from(at.dose.largest_with(self.target()?, counted));
+        if largest == 0.0 {
+            return Err(Error::Unsupported {
+                what: "normalising by the largest dose".to_owned(),
+                reason: "the dose became zero everywhere; thresholds nearer to 1, fewer steps, or another method"
+                    .to_owned(),
+            });
+        }
+        let scale = (1.0 / largest) as f32;
+        x.scale(scale);
+        at.dose.scale(scale);
+        let cut = scratch.project_step(x, x, 0.0, &self.bounds).square > 0.0;
+        if cut {
+            x.move_along(scratch, 1.0, &self.bounds);
+            self.dose(x, &mut at.dose)?;
+        }
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
+        Ok(largest)
+    }
+
+    /// Into the bounds, and to the levels.
+    fn settle(&self, x: &mut F) {
+        let zero = x.zeros_like();
+        x.move_along(&zero, 0.0, &self.bounds);
+        self.round(x);
+    }
+
+    /// To the levels, when there are any.
+    fn round(&self, x: &mut F) {
+        if let Some(levels) = self.levels {
+            x.quantise(levels, &self.bounds);
+        }
+    }
+
+    /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], or not enough memory.
+    pub fn place(&mut self, x: &mut F) -> Result<Position<F>> {
+        self.settle(x);
+        let mut dose = self.model.new_dose()?;
+        self.dose(x, &mut dose)?;
+        self.place_at(x, dose)
+    }
+
+    /// The position of patterns whose dose is known.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    pub fn place_at(&mut self, x: &F, dose: F) -> Result<Position<F>> {
+        let mut cotangent = self.model.new_dose()?;
+        let loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(&dose, &mut cotangent) + penalties.value(x)
+        });
+        Ok(Position {
+            dose,
+            cotangent,
+            loss,
+        })
+    }
+
+    /// Takes a full step, `step` = x̄ − x, whatever the loss does; one forward call.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn take(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
+        x.move_along(step, 1.0, &self.bounds);
+        self.round(x);
+        self.measure(x, at)
+    }
+
+    /// Goes to the best place found on the feasible segment of `step` = x̄ − x; `slope` is the gradient times the step and
+    /// must be negative. Never raises the loss.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn search(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        at: &mut Position<F>,
+    ) -> Result<Found> {
+        if !self.model.is_linear() {
+            return match self.along(x, step)? {
+                Some(curve) => Ok(self.search_curve(x, step, slope, (&curve, at))),
+                None => self.backtrack(x, step, slope, at),
+            };
+        }
+        self.dose(step, &mut at.cotangent)?;
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let found = self.timed(|objective, penalties| {
+            let found = segment_minimum(*loss, slope, |alpha| {
+                sum(
+                    objective.slope_along(dose, cotangent, alpha),
+                    penalties.slope_along(x, step, alpha),
+                )
+            });
+            *loss = if found.alpha == 0.0 {
+                objective.value_and_gradient(dose, cotangent)
+            } else {
+                objective.advance(dose, cotangent, found.alpha)
+            };
+            found
+        });
+        if found.alpha != 0.0 {
+            x.move_along(step, found.alpha, &self.bounds);
+        }
+        at.loss += self.timed(|_, penalties| penalties.value(x));
+        Ok(found)
+    }
+
+    /// α ↦ F(x + αd) − F(x) where it is a polynomial; counted as a forward call for each coefficient.
+    fn along(&mut self, x: &F, d: &F) -> Result<Option<Vec<F>>> {
+        let begin = Instant::now();
+        let curve = self.model.along(x, d, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        if let Ok(Some(curve)) = &curve {
+            self.counters.forward += curve.len() as u64;
+        }
+        curve
+    }
+
+    /// The search where the dose along the segment is a polynomial of α: exact, as for a linear model.
+    fn search_curve(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        (curve, at): (&[F], &mut Position<F>),
+    ) -> Found {
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let mut place = dose.clone();
+        let found = self.timed(|objective, penalties| {
+            let found = segment_minimum(*loss, slope, |alpha| {
+                place.clone_from(dose);
+                advance_on(curve, alpha, &mut place, cotangent);
+                sum(
+                    objective.slope_along(&place, cotangent, 0.0),
+                    penalties.slope_along(x, step, alpha),
+                )
+            });
+            if found.alpha != 0.0 {
+                advance_on(curve, found.alpha, dose, cotangent);
+            }
+            *loss = objective.value_and_gradient(dose, cotangent);
+            found
+        });
+        if found.alpha != 0.0 {
+            x.move_along(step, found.alpha, &self.bounds);
+        }
+        at.loss += self.timed(|_, penalties| penalties.value(x));
+        found
+    }
+
+    /// The search for models whose dose is no polynomial of the step: shrinks the step until the loss falls enough (Armijo), one
+    /// forward call a trial.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn backtrack(
+        &mut self,
+        x: &mut F,
+        step: &F,
+        slope: f64,
+        at: &mut Position<F>,
+    ) -> Result<Found> {
+        let before = at.loss;
+        let mut alpha = 1.0f64;
+        let mut found = Found {
+            alpha: 0.0,
+            slope: 1.0,
+        };
+        for _ in 0..20 {
+            let mut trial = x.clone();
+            trial.move_along(step, alpha as f32, &self.bounds);
+            let Position { cotangent, .. } = &mut *at;
+            self.dose(&trial, cotangent)?;
+            let loss = self
+                .timed(|objective, penalties| objective.value(cotangent) + penalties.value(&trial));
+            if loss <= before + 1e-4 * alpha * slope {
+                found = Found {
+                    alpha: alpha as f32,
+                    slope: 0.0,
+                };
+                *x = trial;
+                at.dose.copy_from(&at.cotangent);
+                break;
+            }
+            // Minimum of the parabola through both losses and the slope, kept inside the segment
+            let curvature = loss - before - alpha * slope;
+            let parabola = -0.5 * slope * alpha * alpha / curvature;
+            let inside = parabola.is_finite() && curvature > 0.0;
+            alpha = if inside {
+                parabola.clamp(0.1 * alpha, 0.5 * alpha)
+            } else {
+                0.1 * alpha
+            };
+        }
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        *loss = self.timed(|objective, penalties| {
+            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+        });
+        Ok(found)
+    }
+
+    /// A length t for a first projected gradient step x − t·g: where the loss stops falling along −g, bounds apart. Costs one
+    /// forward call. `direction` is overwritten with the negative gradient, without pixels that the bounds hold.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn first_length(
+        &mut self,
+        x: &F,
+        gradient: &F,
+        direction: &mut F,
+        at: &mut Position<F>,
+    ) -> Result<f64> {
+        // A tiny step tells which pixels the bounds hold
+        let size = f64::from(x.max_abs()).max(f64::from(f32::MIN_POSITIVE));
+        let largest = f64::from(gradient.max_abs());
+        if largest == 0.0 || !largest.is_finite() {
+            return Ok(if largest == 0.0 { 0.0 } else { f64::NAN });
+        }
+        let unit = if x.max_abs() > 0.0 {
+            1e-3 * size / largest
+        } else {
+            1.0 / largest
+        };
+        let sums = direction.project_step(x, gradient, unit as f32, &self.bounds);
+        if sums.slope >= 0.0 {
+            return Ok(unit);
+        }
+        let curve = if self.model.is_linear() {
+            None
+        } else {
+            self.along(x, direction)?
+        };
+        if curve.is_none() {
+            self.dose(direction, &mut at.cotangent)?;
+        }
+        let Position {
+            dose,
+            cotangent,
+            loss,
+        } = at;
+        let mut place = curve.as_ref().map(|_| dose.clone());
+        let length = self.timed(|objective, penalties| {
+            let length = ray_minimum(*loss, sums.slope, |a| {
+                let of_dose = match (&curve, &mut place) {
+                    (Some(curve), Some(place)) => {
+                        place.clone_from(dose);
+                        advance_on(curve, a, place, cotangent);
+                        objective.slope_along(place, cotangent, 0.0)
+                    }
+                    _ => objective.slope_along(dose, cotangent, a),
+                };
+                sum(of_dose, penalties.slope_along(x, direction, a))
+            });
+            *loss = objective.value_and_gradient(dose, cotangent) + penalties.value(x);
+            length
+        });
+        Ok(unit * length)
+    }
+
+    fn timed<T>(&mut self, work: impl FnOnce(&dyn Objective<F>, &Penalties<F>) -> T) -> T {
+        let begin = Instant::now();
+        let result = work(self.objective, &self.penalties);
+        self.counters.objective_s += begin.elapsed().as_secs_f64();
+        result
+    }
+}
+
+/// Adds what a polynomial gains up to α; its derivative there.
+fn advance_on<F: Field>(curve: &[F], alpha: f32, place: &mut F, slope: &mut F) {
+    slope.fill(0.0);
+    for (power, term) in (1..).zip(curve) {
+        place.axpy(alpha.powi(power), term);
+        slope.axpy(power as f32 * alpha.powi(power - 1), term);
+    }
+}
+
+/// Value and slope of L and R together.
+fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0 + b.0, a.1 + b.1)
+}
+
+/// The bounds of every pixel of these lights.
+///
+/// # Errors
+/// [`Error::Config`] for limits that are no range, [`Error::Shape`] for another number of them than lights.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+pub fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
+    if limits.len() != lights.len() {
+        return Err(Error::Shape {
+            what: "limits, one per light".to_owned(),
+            expected: vec![lights.len()],
+            found: vec![limits.len()],
+        });
+    }
+    let pieces = lights.iter().zip(limits).map(|(light, limits)| {
+        // Also refuses NaN
+        if !(limits.min >= 0.0 && limits.min < limits.max) {
+            return Err(Error::config(
+                "bounds.min",
+                format!("min {} and max {}", limits.min, limits.max),
+                "0 ≤ min < max",
+            ));
+        }
+        let value = |energy: f64| match light.quantity {
+            Quantity::Energy => energy,
+            Quantity::Amplitude => energy.sqrt(),
+        };
+        Ok((
+            light.len(),
+            value(limits.min) as f32,
+            value(limits.max) as f32,
+        ))
+    });
+    Ok(Bounds::of_pieces(pieces.collect::<Result<Vec<_>>>()?))
+}
+
+/// The slope at which a search is content, relative to that at its beginning.
+const CONTENT: f64 = 0.1;
+
+/// Where on [0, 1] a function falls most: the root of its slope for a convex one, some lower place for any other. `at` gives
+/// value and slope; `value` and `slope` (negative) are those at 0.
+fn segment_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> Found {
+    let mut best = Found {
+        alpha: 0.0,
+        slope: 1.0,
+    };
+    let mut lowest = value;
+    // Ends of the bracket with their slopes; the right end is the first one that is too far
+    let (mut left, mut right) = ((0.0f32, slope), None::<(f32, f64)>);
+    let mut alpha = 1.0f32;
+    for _ in 0..40 {
+        let (v, s) = at(alpha);
+        if v < lowest {
+            lowest = v;
+            best = Found {
+                alpha,
+                slope: s / slope,
+            };
+        }
+        let content = v < value && (s.abs() <= CONTENT * slope.abs() || (alpha == 1.0 && s <= 0.0));
+        if content {
+            return Found {
+                alpha,
+                slope: s / slope,
+            };
+        }
+        if v <= value && s < 0.0 {
+            left = (alpha, s);
+        } else {
+            // A slope that is no number, or a higher place, only says "nearer"
+            right = Some((alpha, if v <= value { s } else { f64::NAN }));
+        }
+        let Some(end) = right else { break };
+        alpha = between(left, end);
+        if alpha <= left.0 || alpha >= end.0 {
+            break;
+        }
+    }
+    best
+}
+
+/// A place inside a bracket: where the slopes, joined by a line, cross 0, kept away from the ends.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+fn between(left: (f32, f64), right: (f32, f64)) -> f32 {
+    let width = f64::from(right.0) - f64::from(left.0);
+    let share = left.1 / (left.1 - right.1);
+    let share = if share.is_finite() {
+        share.clamp(0.02, 0.98)
+    } else {
+        0.25
+    };
+    (f64::from(left.0) + share * width) as f32
+}
+
+/// Where on [0, ∞) a function falls most, to within a tenth of its slope.
+#[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+fn ray_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> f64 {
+    // A loss that is nowhere negative falls no longer than this at its first slope
+    let mut reach = (value / slope.abs()).clamp(1e-30, 1e30);
+    for _ in 0..20 {
+        let (v, s) = at(reach as f32);
+        // A saturating response flattens out without ever rising
+        if v > value || s >= CONTENT * slope || s.is_nan() {
+            break;
+        }
+        reach *= 4.0;
+    }
+    let found = segment_minimum(value, slope * reach, |alpha| {
+        let (v, s) = at((f64::from(alpha) * reach) as f32);
+        (v, s * reach)
+    });
+    f64::from(found.alpha) * reach
+}

@@ -1,0 +1,508 @@
+//! The loop around an optimiser: stopping, history, observers, the best patterns, checkpoints.
+
+use super::checkpoint::{Checkpoints, Contents, Room, Saved};
+use super::keep::{Keep, Keeper, Kept, KeptBy};
+use super::{Counters, Optimizer, Position, Problem};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
+use std::time::Instant;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+use tomolith_core::units::exact;
+
+/// `[stop]` of a job: when to stop. A loss of zero always stops.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Stop {
+    /// Largest number of steps (default 40)
+    pub iterations: usize,
+    /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
+    pub projected_gradient: f64,
+    /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
+    /// never); 0.001 is Li et al. (2024), eq. 28
+    pub change: f64,
+    /// Stop after this many seconds, above 0; no limit when it is not given
+    pub seconds: Option<f64>,
+    /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
+    pub keep: Keep,
+}
+
+impl Default for Stop {
+    fn default() -> Self {
+        Stop {
+            iterations: 40,
+            projected_gradient: 0.0,
+            change: 0.0,
+            seconds: None,
+            keep: Keep::Best,
+        }
+    }
+}
+
+/// Steps over which the change of the loss is averaged.
+const STEADY: usize = 5;
+
+impl Stop {
+    /// Refuses numbers out of range.
+    ///
+    /// # Errors
+    /// [`Error::Config`] naming the key.
+    pub fn validate(&self) -> Result<()> {
+        let refuse = |key: &str, value: f64, accepted: &str| {
+            Err(Error::config(
+                format!("stop.{key}"),
+                format!("found {}", exact(value)),
+                accepted,
+            ))
+        };
+        if !(self.projected_gradient.is_finite() && self.projected_gradient >= 0.0) {
+            return refuse(
+                "projected_gradient",
+                self.projected_gradient,
+                "a finite number, 0 or above",
+            );
+        }
+        if !(self.change.is_finite() && self.change >= 0.0) {
+            return refuse("change", self.change, "a finite number, 0 or above");
+        }
+        match self.seconds {
+            Some(s) if !(s.is_finite() && s > 0.0) => {
+                refuse("seconds", s, "a finite number above 0")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Why a run stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StopReason {
+    /// All iterations are done.
+    Iterations,
+    /// The loss is zero.
+    ZeroLoss,
+    /// The projected gradient is small enough.
+    ProjectedGradient,
+    /// The loss hardly changes any more.
+    Steady,
+    /// No better point was found: as good as f32 gets.
+    NoProgress,
+    /// An observer asked for it (a metric reached its goal).
+    Observer,
+    /// The time is over.
+    WallTime,
+    /// The user asked for it.
+    Cancelled,
+}
+
+impl StopReason {
+    /// Whether a limit ended the run, not what it had reached.
+    #[must_use]
+    pub fn is_a_limit(self) -> bool {
+        matches!(self, StopReason::Iterations | StopReason::WallTime)
+    }
+}
+
+/// A row of the history; row 0 is the start.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Row {
+    /// Steps done.
+    pub iteration: usize,
+    /// Loss after the step.
+    pub loss: f64,
+    /// Norm of the projected gradient before the step (None in row 0).
+    pub projected_gradient: Option<f64>,
+    /// Length of the step (None in row 0).
+    pub step: Option<f64>,
+    /// Forward calls so far.
+    pub forward: u64,
+    /// Adjoint calls so far.
+    pub adjoint: u64,
+    /// Seconds so far, those before a resume included.
+    pub seconds: f64,
+}
+
+/// The projected gradient of a row relative to the first of the history; none where there is none, or the first is 0.
+#[must_use]
+pub fn relative_gradient(history: &[Row], row: &Row) -> Option<f64> {
+    let first = history.iter().find_map(|row| row.projected_gradient)?;
+    row.projected_gradient
+        .map(|norm| norm / first)
+        .filter(|ratio| ratio.is_finite())
+}
+
+/// What observers see after each step, and once at the start.
+pub struct StepReport<'a, F> {
+    /// The newest row of the history.
+    pub row: &'a Row,
+    /// The projected gradient of the newest row, relative to the first; a resumed run knows the first of the run before.
+    pub relative_gradient: Option<f64>,
+    /// Loss of the best patterns so far.
+    pub best_loss: f64,
+    /// The patterns.
+    pub patterns: &'a F,
+    /// Their dose.
+    pub dose: &'a F,
+    /// Model calls and where the time went.
+    pub counters: &'a Counters,
+}
+
+/// Watches a run: progress, history files, metrics that stop it.
+pub trait Observer<F> {
+    /// Called at the start and after every step; `Break` ends the run.
+    fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()>;
+    /// Called when checkpoints no longer fit on the disk, and when they do again.
+    fn on_room(&mut self, _room: &Room) {}
+}
+
+impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
+    fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()> {
+        self(report)
+    }
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Loss of the patterns that were kept.
+    pub loss: f64,
+    /// Which patterns these are.
+    pub kept: Kept,
+    /// Why it stopped.
+    pub reason: StopReason,
+    /// A row per step, and one for the start.
+    pub history: Vec<Row>,
+    /// Model calls and where the time went.
+    pub counters: Counters,
+}
+
+/// Runs an optimiser from `x` until something stops it; `x` is left at the best patterns found ([`Keep`]), also after an error.
+///
+/// With checkpoints, a checkpoint of the same job in their folder is resumed first (`x` is then overwritten).
+///
+/// # Errors
+/// [`Error::Unsupported`] when the optimiser [needs](super::Needs) what the problem lacks;
+/// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
+/// A cancelled run is no error; cancelled before its first loss, that is NaN and the history empty.
+pub fn run<F: Field>(
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    stop: &Stop,
+    checkpoints: Option<&mut Checkpoints>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<Outcome> {
+    run_after(
+        Vec::new(),
+        problem,
+        optimizer,
+        x,
+        stop,
+        checkpoints,
+        observers,
+    )
+}
+
+/// As [`run`], after the steps of another run, on other voxels perhaps: its history goes on, and so do the numbers of iterations. The last
+/// of its rows is replaced by the same patterns' loss here.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_after<F: Field>(
+    earlier: Vec<Row>,
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    stop: &Stop,
+    checkpoints: Option<&mut Checkpoints>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<Outcome> {
+    stop.validate()?;
+    optimizer.needs().check(problem)?;
+    let Some(mut state) = begin(
+        earlier,
+        problem,
+        optimizer,
+        x,
+        stop.keep,
+        checkpoints.as_deref(),
+    )?
+    else {
+        let history = Vec::new();
+        return Ok(Outcome {
+            loss: f64::NAN,
+            kept: Kept {
+                iteration: 0,
+                by: KeptBy::Last,
+            },
+            reason: StopReason::Cancelled,
+            history,
+            counters: problem.counters,
+        });
+    };
+    let mut checkpoints = checkpoints;
+    problem.set_patient(true);
+    let result = loop {
+        if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
+            if let Some(checkpoints) = checkpoints.as_deref_mut() {
+                keep(checkpoints, state.saved(problem, optimizer, x), observers)?;
+            }
+            break Ok(reason);
+        }
+        match state.step(problem, optimizer, x) {
+            Ok(()) => {}
+            // A step that was broken into has lost the position: the last checkpoint stays
+            Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
+            Err(error) => break Err(error),
+        }
+        if let Some(checkpoints) = checkpoints.as_deref_mut() {
+            let saved = state.saved(problem, optimizer, x);
+            if checkpoints.is_due(&saved) {
+                keep(checkpoints, saved, observers)?;
+            }
+        }
+    };
+    problem.set_patient(false);
+    let loss = state.keeper.best().loss;
+    let kept = state.keeper.end(x);
+    Ok(Outcome {
+        loss,
+        kept,
+        reason: result?,
+        history: state.history,
+        counters: problem.counters,
+    })
+}
+
+/// Writes a checkpoint, and tells where there is no room for it.
+fn keep<F: Field>(
+    checkpoints: &mut Checkpoints,
+    saved: Saved<'_, F>,
+    observers: &mut [&mut dyn Observer<F>],
+) -> Result<()> {
+    if let Some(room) = checkpoints.try_write(saved)? {
+        observers
+            .iter_mut()
+            .for_each(|observer| observer.on_room(&room));
+    }
+    Ok(())
+}
+
+/// A run between two steps.
+struct State<F> {
+    at: Position<F>,
+    history: Vec<Row>,
+    keeper: Keeper<F>,
+    begin: Instant,
+    /// Seconds before a resume.
+    before_s: f64,
+}
+
+/// Resumes, or starts anew; None when cancelled before the first loss.
+fn begin<F: Field>(
+    mut earlier: Vec<Row>,
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    keep: Keep,
+    checkpoints: Option<&Checkpoints>,
+) -> Result<Option<State<F>>> {
+    let begin = Instant::now();
+    let checkpoint = checkpoints
+        .map(Checkpoints::open_of_level)
+        .transpose()?
+        .flatten();
+    if let Some(mut checkpoint) = checkpoint {
+        checkpoint.read_field("patterns", x)?;
+        if checkpoint.contents() == Contents::All {
+            let mut dose = problem.model().new_dose()?;
+            checkpoint.read_field("dose", &mut dose)?;
+            let at = problem.place_at(x, dose)?;
+            optimizer.restore(&mut checkpoint, problem, x)?;
+            problem.counters = checkpoint.counters();
+            let mut keeper = Keeper::new(problem, optimizer, keep, &at);
+            let mut best = None;
+            if checkpoint.has("best") {
+                let mut field = x.zeros_like();
+                checkpoint.read_field("best", &mut field)?;
+                best = Some(field);
+            }
+            keeper.resume(checkpoint.best(), best);
+            let history = checkpoint.history().to_vec();
+            let done = history.last().map_or(0, |row| row.iteration);
+            problem.model().renew(done.max(1));
+            let before_s = history.last().map_or(0.0, |row| row.seconds);
+            return Ok(Some(State {
+                at,
+                history,
+                keeper,
+                begin,
+                before_s,
+            }));
+        }
+        if checkpoint.has("best") {
+            checkpoint.read_field("best", x)?;
+        }
+    }
+    let at = match problem.place(x) {
+        Err(Error::Cancelled) => return Ok(None),
+        other => other?,
+    };
+    if !at.loss.is_finite() {
+        return Err(Error::NonFinite {
+            what: "the loss".to_owned(),
+            value: at.loss,
+            iteration: 0,
+        });
+    }
+    let last = earlier.pop();
+    for row in &mut earlier {
+        // Gradients of other voxels are no measure of these
+        row.projected_gradient = None;
+    }
+    let mut state = State {
+        keeper: Keeper::new(problem, optimizer, keep, &at),
+        at,
+        history: earlier,
+        begin,
+        before_s: last.map_or(0.0, |row| row.seconds),
+    };
+    state.record(problem, last.map_or(0, |row| row.iteration), None);
+    Ok(Some(state))
+}
+
+impl<F: Field> State<F> {
+    fn record(&mut self, problem: &Problem<F>, iteration: usize, step: Option<super::Step>) {
+        self.history.push(Row {
+            iteration,
+            loss: self.at.loss,
+            projected_gradient: step.map(|s| s.projected_gradient),
+            step: step.map(|s| s.length),
+            forward: problem.counters.forward,
+            adjoint: problem.counters.adjoint,
+            seconds: self.before_s + self.begin.elapsed().as_secs_f64(),
+        });
+    }
+
+    /// Asked before every step; tells the observers.
+    fn reason_to_stop(
+        &self,
+        problem: &Problem<F>,
+        x: &F,
+        stop: &Stop,
+        observers: &mut [&mut dyn Observer<F>],
+    ) -> Option<StopReason> {
+        let row = self.history.last()?;
+        let report = StepReport {
+            row,
+            relative_gradient: relative_gradient(&self.history, row),
+            best_loss: self.keeper.best().loss,
+            patterns: x,
+            dose: &self.at.dose,
+            counters: &problem.counters,
+        };
+        let mut broken = false;
+        for observer in observers.iter_mut() {
+            broken |= observer.on_step(&report).is_break();
+        }
+        let first = self.history.iter().find_map(|row| row.projected_gradient);
+        let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
+        // On other paths the loss may be above zero again
+        let goes_on = problem.model().is_renewed();
+        if problem.is_stop_asked() {
+            Some(StopReason::Cancelled)
+        } else if row.loss == 0.0 && !goes_on {
+            Some(StopReason::ZeroLoss)
+        } else if row.projected_gradient.is_some_and(small) {
+            Some(StopReason::ProjectedGradient)
+        } else if stop.change > 0.0 && self.change().is_some_and(|c| c <= stop.change * row.loss) {
+            Some(StopReason::Steady)
+        } else if row.step == Some(0.0) && !goes_on {
+            Some(StopReason::NoProgress)
+        } else if broken {
+            Some(StopReason::Observer)
+        } else if row.iteration >= stop.iterations {
+            Some(StopReason::Iterations)
+        } else if stop.seconds.is_some_and(|limit| row.seconds >= limit) {
+            Some(StopReason::WallTime)
+        } else {
+            None
+        }
+    }
+
+    /// Mean change of the loss over the last steps; None before there are enough.
+    fn change(&self) -> Option<f64> {
+        let last = self.history.len().checked_sub(STEADY + 1)?;
+        let losses = self.history[last..].windows(2);
+        let changes = losses.map(|pair| (pair[1].loss - pair[0].loss).abs());
+        Some(changes.sum::<f64>() / STEADY as f64)
+    }
+
+    /// One step, its row, and the best patterns.
+    fn step(
+        &mut self,
+        problem: &mut Problem<F>,
+        optimizer: &mut dyn Optimizer<F>,
+        x: &mut F,
+    ) -> Result<()> {
+        let iteration = self.history.last().map_or(0, |row| row.iteration) + 1;
+        if problem.model().renew(iteration) {
+            // Losses of other paths are no measure of these
+            optimizer.forget();
+            self.at = problem.place(x)?;
+            self.keeper.begin_anew(problem, &self.at, iteration - 1);
+        }
+        // A method that may raise the loss could lose its best patterns by the step
+        let before = self.keeper.before(x);
+        let step = optimizer.step(problem, x, &mut self.at);
+        let step = match step.and_then(|step| finite(step, self.at.loss, iteration)) {
+            Ok(step) => step,
+            Err(error) => {
+                self.keeper.go_back(before);
+                return Err(error);
+            }
+        };
+        self.keeper.after(problem, &self.at, iteration, before);
+        self.record(problem, iteration, Some(step));
+        Ok(())
+    }
+
+    fn saved<'a>(
+        &'a self,
+        problem: &Problem<F>,
+        optimizer: &'a dyn Optimizer<F>,
+        x: &'a F,
+    ) -> Saved<'a, F> {
+        Saved {
+            patterns: x,
+            best: self.keeper.best(),
+            best_patterns: self.keeper.patterns(),
+            dose: &self.at.dose,
+            memory: optimizer.memory(),
+            counters: problem.counters,
+            history: &self.history,
+        }
+    }
+}
+
+/// A step that led to numbers.
+fn finite(step: super::Step, loss: f64, iteration: usize) -> Result<super::Step> {
+    for (what, value) in [
+        ("the loss", loss),
+        ("the gradient", step.projected_gradient),
+    ] {
+        if !value.is_finite() {
+            return Err(Error::NonFinite {
+                what: what.to_owned(),
+                value,
+                iteration,
+            });
+        }
+    }
+    Ok(step)
+}
+
+#[cfg(test)]
+mod tests;

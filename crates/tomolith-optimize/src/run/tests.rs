@@ -1,0 +1,693 @@
+use super::*;
+use crate::checkpoint::Params;
+use crate::gradient::{self, Gradient};
+use crate::lbfgs::{self, Lbfgs};
+use crate::{Limits, Memory, Needs, OPTIMIZERS, Recall, Step};
+use std::cell::Cell;
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::field::HostField;
+use tomolith_core::response::Identity;
+use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+
+type Observers<'a> = &'a mut [&'a mut dyn Observer<HostField>];
+
+fn objective(model: &SmallModel, name: &str) -> Box<dyn Objective<HostField>> {
+    let (target, labels) = model.ring();
+    let response = Arc::new(Identity);
+    let input = ObjectiveInput {
+        layout: model.layout(),
+        labels: &labels,
+        target: &target,
+        response,
+    };
+    let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
+    let section = tomolith_core::kind::Section::new("objective", serde_json::json!({}));
+    (row.build)(&section, &input).unwrap()
+}
+
+fn newton() -> Lbfgs<HostField> {
+    Lbfgs::new(lbfgs::Params::default()).unwrap()
+}
+
+/// A run on the ring from uniform patterns.
+fn go(
+    model: &dyn DoseModel<Field = HostField>,
+    objective: &dyn Objective<HostField>,
+    optimizer: &mut dyn Optimizer<HostField>,
+    stop: Stop,
+    checkpoints: Option<&mut Checkpoints>,
+    observers: Observers,
+) -> (HostField, Result<Outcome>) {
+    let flag = Run::new();
+    let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
+    let mut x = model.new_patterns().unwrap();
+    x.fill(0.5);
+    let outcome = run(
+        &mut problem,
+        optimizer,
+        &mut x,
+        &stop,
+        checkpoints,
+        observers,
+    );
+    (x, outcome)
+}
+
+fn steps(iterations: usize) -> Stop {
+    Stop {
+        iterations,
+        ..Stop::default()
+    }
+}
+
+#[test]
+fn every_reason_to_stop_stops() {
+    let model = SmallModel::new(16, 24, 1);
+    let (threshold, l2) = (objective(&model, "threshold"), objective(&model, "l2"));
+    let reason = |objective: &dyn Objective<HostField>, stop: Stop| {
+        go(&model, objective, &mut newton(), stop, None, &mut [])
+            .1
+            .unwrap()
+    };
+    assert_eq!(reason(&*l2, steps(3)).reason, StopReason::Iterations);
+    assert_eq!(reason(&*l2, steps(0)).history.len(), 1);
+    let zero = reason(&*threshold, steps(500));
+    assert_eq!((zero.reason, zero.loss), (StopReason::ZeroLoss, 0.0));
+    let small = reason(
+        &*l2,
+        Stop {
+            projected_gradient: 0.01,
+            ..steps(500)
+        },
+    );
+    assert_eq!(small.reason, StopReason::ProjectedGradient);
+    let norms: Vec<f64> = small
+        .history
+        .iter()
+        .filter_map(|row| row.projected_gradient)
+        .collect();
+    assert!(norms.last().unwrap() <= &(0.01 * norms[0]));
+    assert_eq!(
+        reason(
+            &*l2,
+            Stop {
+                seconds: Some(1e-9),
+                ..steps(500)
+            }
+        )
+        .reason,
+        StopReason::WallTime
+    );
+    let mut third = |report: &StepReport<HostField>| match report.row.iteration {
+        3 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    let (_, outcome) = go(
+        &model,
+        &*l2,
+        &mut newton(),
+        steps(9),
+        None,
+        &mut [&mut third],
+    );
+    let outcome = outcome.unwrap();
+    assert_eq!(
+        (outcome.reason, outcome.history.len()),
+        (StopReason::Observer, 4)
+    );
+    // One forward call at the start, one for the first length, and one of each a step
+    assert_eq!((outcome.counters.forward, outcome.counters.adjoint), (5, 3));
+    let flat = reason(&*l2, steps(5000));
+    assert_eq!(flat.reason, StopReason::NoProgress, "f32 ends somewhere");
+}
+
+#[test]
+fn cancelling_keeps_the_best() {
+    let model = SmallModel::new(16, 24, 1);
+    let objective = objective(&model, "l2");
+    let flag = Run::new();
+    let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag).unwrap();
+    let mut x = DoseModel::new_patterns(&model).unwrap();
+    x.fill(0.5);
+    let mut cancel = |report: &StepReport<HostField>| {
+        if report.row.iteration == 4 {
+            flag.cancel();
+        }
+        ControlFlow::Continue(())
+    };
+    let outcome = run(
+        &mut problem,
+        &mut newton(),
+        &mut x,
+        &steps(50),
+        None,
+        &mut [&mut cancel],
+    )
+    .unwrap();
+    assert_eq!(
+        (outcome.reason, outcome.history.len()),
+        (StopReason::Cancelled, 5)
+    );
+    assert_eq!(
+        loss_of(&model, &*objective, &x),
+        (outcome.loss * 1e4).round() / 1e4
+    );
+}
+
+fn loss_of(model: &SmallModel, objective: &dyn Objective<HostField>, x: &HostField) -> f64 {
+    let mut dose = DoseModel::new_dose(model).unwrap();
+    model.dose(x, &mut dose, &Run::new()).unwrap();
+    let loss = objective.value(&dose);
+    // The loop's dose is a sum of steps, this one is computed at once
+    (loss * 1e4).round() / 1e4
+}
+
+/// A method that walks straight ahead, to raise the loss or to break it.
+struct Straight {
+    steps: Cell<usize>,
+    losses: Vec<f64>,
+}
+
+impl Optimizer<HostField> for Straight {
+    fn step(
+        &mut self,
+        _: &mut Problem<HostField>,
+        x: &mut HostField,
+        at: &mut Position<HostField>,
+    ) -> Result<Step> {
+        let step = self.steps.get();
+        self.steps.set(step + 1);
+        at.loss = self.losses[step];
+        x.fill(step as f32 + 1.0);
+        Ok(Step {
+            projected_gradient: 1.0,
+            length: 1.0,
+        })
+    }
+
+    fn is_monotone(&self) -> bool {
+        false
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::of("straight")
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        Memory::default()
+    }
+
+    fn restore(&mut self, _: &mut dyn Recall, _: &Problem<HostField>, _: &HostField) -> Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
+    let model = SmallModel::new(6, 4, 1);
+    let objective = objective(&model, "l2");
+    let mut straight = Straight {
+        steps: Cell::new(0),
+        losses: vec![3.0, 2.0, 5.0, 2.5],
+    };
+    let (x, outcome) = go(&model, &*objective, &mut straight, steps(4), None, &mut []);
+    let outcome = outcome.unwrap();
+    let by = KeptBy::Loss;
+    assert_eq!(
+        (outcome.loss, outcome.kept),
+        (2.0, Kept { iteration: 2, by })
+    );
+    assert_eq!(x.as_slice()[0], 2.0);
+    let mut straight = Straight {
+        steps: Cell::new(0),
+        losses: vec![3.0, 2.0, 5.0, f64::NAN],
+    };
+    let (x, outcome) = go(&model, &*objective, &mut straight, steps(9), None, &mut []);
+    assert!(
+        matches!(outcome, Err(Error::NonFinite { iteration: 4, .. })),
+        "{outcome:?}"
+    );
+    assert_eq!(x.as_slice()[0], 2.0);
+}
+
+#[test]
+fn a_fixed_step_that_is_too_long_ends_at_the_best() {
+    let model = SmallModel::new(16, 24, 1);
+    let objective = objective(&model, "l2");
+    let params = gradient::Params {
+        step: Some(8.0),
+        ..gradient::Params::default()
+    };
+    let (x, outcome) = go(
+        &model,
+        &*objective,
+        &mut Gradient::new(params).unwrap(),
+        steps(12),
+        None,
+        &mut [],
+    );
+    let outcome = outcome.unwrap();
+    let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+    assert!(
+        losses.windows(2).any(|w| w[1] > w[0]),
+        "the step is not too long: {losses:?}"
+    );
+    assert_eq!(
+        outcome.loss,
+        losses.iter().copied().fold(f64::INFINITY, f64::min)
+    );
+    assert_eq!(
+        loss_of(&model, &*objective, &x),
+        (outcome.loss * 1e4).round() / 1e4
+    );
+}
+
+/// A model around another: dose of x², as for amplitudes; adjoints that are no numbers from some call on; and a fifth brighter
+/// after every so many iterations.
+struct Twisted {
+    inner: SmallModel,
+    every: Option<usize>,
+    round: AtomicU64,
+    squared: bool,
+    good_adjoints: u64,
+    adjoints: AtomicU64,
+}
+
+impl Twisted {
+    fn gain(&self) -> f64 {
+        1.0 + 0.2 * self.round.load(Ordering::Relaxed) as f64
+    }
+}
+
+impl DoseModel for Twisted {
+    type Field = HostField;
+
+    fn renew(&self, iteration: usize) -> bool {
+        let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
+        self.round.swap(round, Ordering::Relaxed) != round
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.every.is_some()
+    }
+
+    fn patterns(&self) -> &[PatternLayout] {
+        DoseModel::patterns(&self.inner)
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        DoseModel::outputs(&self.inner)
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        DoseModel::new_patterns(&self.inner)
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        DoseModel::new_dose(&self.inner)
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        let mut x = x.clone();
+        if self.squared {
+            x.as_mut_slice().iter_mut().for_each(|v| *v *= *v);
+        }
+        x.scale(self.gain() as f32);
+        self.inner.dose(&x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.inner.pullback(x, cotangent, grad, run)?;
+        grad.scale(self.gain() as f32);
+        if self.squared {
+            grad.as_mut_slice()
+                .iter_mut()
+                .zip(x.as_slice())
+                .for_each(|(g, x)| *g *= 2.0 * x);
+        }
+        if self.adjoints.fetch_add(1, Ordering::Relaxed) >= self.good_adjoints {
+            grad.as_mut_slice()[5] = f32::NAN;
+        }
+        Ok(())
+    }
+
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+        Err(Error::Cancelled)
+    }
+
+    fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
+        Ok(None)
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::None
+    }
+
+    fn is_linear(&self) -> bool {
+        !self.squared
+    }
+
+    fn updates(&self) -> u64 {
+        0
+    }
+
+    fn describe(&self) -> String {
+        "a twisted model".to_owned()
+    }
+}
+
+#[test]
+fn a_steady_loss_ends_the_run_by_equation_28() {
+    let model = SmallModel::new(16, 24, 1);
+    let l2 = objective(&model, "l2");
+    let stop = Stop {
+        change: 0.01,
+        ..steps(500)
+    };
+    let (_, outcome) = go(&model, &*l2, &mut newton(), stop, None, &mut []);
+    let outcome = outcome.unwrap();
+    assert_eq!(outcome.reason, StopReason::Steady);
+    let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+    let met = |k: usize| {
+        let changes = (k - 4..=k).map(|i| (losses[i] - losses[i - 1]).abs());
+        changes.sum::<f64>() / 5.0 <= 0.01 * losses[k]
+    };
+    let last = losses.len() - 1;
+    assert!(met(last) && (5..last).all(|k| !met(k)), "{losses:?}");
+}
+
+#[test]
+fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
+    let inner = SmallModel::new(10, 8, 1);
+    let l2 = objective(&inner, "l2");
+    let twisted = Twisted {
+        every: None,
+        round: AtomicU64::new(0),
+        inner,
+        squared: true,
+        good_adjoints: u64::MAX,
+        adjoints: AtomicU64::new(0),
+    };
+    let flag = Run::new();
+    let refusal = |row: &tomolith_core::kind::Kind<crate::BuildOptimizer>,
+                   model: &dyn DoseModel<Field = HostField>,
+                   bits: Option<u32>| {
+        let mut optimizer = (row.build)(&tomolith_core::check::example(row)).unwrap();
+        let mut problem = Problem::new(model, &*l2, &[Limits::default()], &flag)
+            .unwrap()
+            .with_bits(bits)
+            .unwrap();
+        let mut x = model.new_patterns().unwrap();
+        let outcome = run(
+            &mut problem,
+            &mut *optimizer,
+            &mut x,
+            &steps(1),
+            None,
+            &mut [],
+        );
+        assert!(outcome.is_ok() || problem.counters == Counters::default());
+        outcome.err().map(|e| e.to_string())
+    };
+    for row in OPTIMIZERS {
+        let bits = refusal(row, &twisted.inner, Some(8));
+        let curved = refusal(row, &twisted, None);
+        let expect = |found: &Option<String>, names: &[&str], word: &str| {
+            let found = found.as_deref().unwrap_or_default();
+            let told = found.starts_with(&format!("optimizer.{} ", row.name));
+            assert_eq!(
+                names.contains(&row.name),
+                found.contains(word) && told,
+                "{}: {found}",
+                row.name
+            );
+        };
+        expect(&bits, &["lbfgs", "gradient", "pm"], "bounds.bits");
+        expect(&curved, &["fista", "osmo", "cal"], "not linear");
+    }
+    for bits in [0, 17] {
+        let refused = Problem::new(&twisted.inner, &*l2, &[Limits::default()], &flag)
+            .unwrap()
+            .with_bits(Some(bits));
+        assert!(matches!(refused, Err(Error::Config { key, .. }) if key == "bounds.bits"));
+    }
+}
+
+#[test]
+fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
+    let model = SmallModel::new(16, 24, 1);
+    let l2 = objective(&model, "l2");
+    let flag = Run::new();
+    let limits = [Limits {
+        min: 0.25,
+        max: 1.75,
+    }];
+    for name in ["gradient", "bclp", "adam", "fista"] {
+        let row = OPTIMIZERS.iter().find(|row| row.name == name).unwrap();
+        let mut section = tomolith_core::check::example(row);
+        if name == "gradient" {
+            section.value["step"] = 0.5.into();
+        }
+        let mut optimizer = (row.build)(&section).unwrap();
+        let mut problem = Problem::new(&model, &*l2, &limits, &flag)
+            .unwrap()
+            .with_bits(Some(4))
+            .unwrap();
+        let mut x = DoseModel::new_patterns(&model).unwrap();
+        x.fill(0.5);
+        let mut off = None;
+        let mut watch = |report: &StepReport<HostField>| {
+            // 16 levels from 0.25 to 1.75 are 0.1 apart
+            let level = |v: f32| f64::from(v - 0.25) / 0.1;
+            let wrong = |&v: &f32| (level(v) - level(v).round()).abs() > 1e-4;
+            off = off.or_else(|| report.patterns.as_slice().iter().copied().find(wrong));
+            ControlFlow::Continue(())
+        };
+        let outcome = run(
+            &mut problem,
+            &mut *optimizer,
+            &mut x,
+            &steps(15),
+            None,
+            &mut [&mut watch],
+        );
+        let outcome = outcome.unwrap();
+        assert_eq!(off, None, "{name} leaves the levels");
+        assert!(
+            outcome.loss < 0.8 * outcome.history[0].loss,
+            "{name}: {} of {}",
+            outcome.loss,
+            outcome.history[0].loss
+        );
+    }
+}
+
+#[test]
+fn a_gradient_that_is_no_number_stops_the_run_and_keeps_what_was_good() {
+    for optimizer in [
+        &mut newton() as &mut dyn Optimizer<_>,
+        &mut Gradient::new(gradient::Params::default()).unwrap(),
+    ] {
+        let inner = SmallModel::new(16, 24, 1);
+        let objective = objective(&inner, "l2");
+        let model = Twisted {
+            every: None,
+            round: AtomicU64::new(0),
+            inner,
+            squared: false,
+            good_adjoints: 3,
+            adjoints: AtomicU64::new(0),
+        };
+        let (x, outcome) = go(&model, &*objective, optimizer, steps(9), None, &mut []);
+        assert!(
+            matches!(&outcome, Err(Error::NonFinite { what, iteration: 4, .. }) if what == "the gradient"),
+            "{outcome:?}"
+        );
+        assert!(x.as_slice().iter().all(|v| v.is_finite() && *v >= 0.0));
+        assert!(
+            loss_of(&model.inner, &*objective, &x)
+                < 0.5
+                    * loss_of(
+                        &model.inner,
+                        &*objective,
+                        &HostField::from_slice(&vec![0.5; x.len()])
+                    )
+        );
+    }
+}
+
+#[test]
+fn a_model_that_is_not_linear_is_searched_by_its_own_calls() {
+    for optimizer in [
+        &mut newton() as &mut dyn Optimizer<_>,
+        &mut Gradient::new(gradient::Params::default()).unwrap(),
+    ] {
+        let inner = SmallModel::new(16, 24, 1);
+        let objective = objective(&inner, "threshold");
+        let model = Twisted {
+            every: None,
+            round: AtomicU64::new(0),
+            inner,
+            squared: true,
+            good_adjoints: u64::MAX,
+            adjoints: AtomicU64::new(0),
+        };
+        let (_, outcome) = go(&model, &*objective, optimizer, steps(60), None, &mut []);
+        let losses: Vec<f64> = outcome
+            .unwrap()
+            .history
+            .iter()
+            .map(|row| row.loss)
+            .collect();
+        assert!(losses.windows(2).all(|w| w[1] <= w[0]), "{losses:?}");
+        assert!(losses.last().unwrap() < &(1e-2 * losses[0]), "{losses:?}");
+    }
+}
+
+#[test]
+fn a_model_that_becomes_another_is_measured_anew_and_resumed_to_the_same_bits() {
+    let brighter = || Twisted {
+        every: Some(3),
+        round: AtomicU64::new(0),
+        inner: SmallModel::new(10, 8, 2),
+        squared: false,
+        good_adjoints: u64::MAX,
+        adjoints: AtomicU64::new(0),
+    };
+    let objective = objective(&brighter().inner, "l2");
+    let solve = |iterations: usize, checkpoints: Option<&mut Checkpoints>| {
+        let stop = steps(iterations);
+        let model = brighter();
+        let (x, outcome) = go(
+            &model,
+            &*objective,
+            &mut newton(),
+            stop,
+            checkpoints,
+            &mut [],
+        );
+        (x, outcome.unwrap())
+    };
+    let (x, whole) = solve(7, None);
+    // A call at the start, one a step, one for the first length; both changes need a dose and a first length again
+    assert_eq!(whole.counters.forward, 9 + 4);
+    // The best patterns are the best of the last model
+    let last = &whole.history[7..];
+    assert_eq!(whole.loss, last[0].loss);
+    let folder = tempfile::tempdir().unwrap();
+    for part in [2, 3, 5, 7] {
+        let mut checkpoints = Checkpoints::new(folder.path(), 1, &Params::default()).unwrap();
+        let (again, outcome) = solve(part, Some(&mut checkpoints));
+        if part == 7 {
+            assert_eq!(again.as_slice(), x.as_slice());
+            assert_eq!(outcome.loss, whole.loss);
+        }
+    }
+}
+
+#[test]
+fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
+    let model = SmallModel::new(10, 8, 2);
+    let objective = objective(&model, "l2");
+    let folder = tempfile::tempdir().unwrap();
+    let checkpoints =
+        |fingerprint| Checkpoints::new(folder.path(), fingerprint, &Params::default()).unwrap();
+    let resume = |fingerprint| {
+        go(
+            &model,
+            &*objective,
+            &mut newton(),
+            steps(5),
+            Some(&mut checkpoints(fingerprint)),
+            &mut [],
+        )
+        .1
+    };
+    resume(1).unwrap();
+    let refusal = resume(2).unwrap_err().to_string();
+    assert!(refusal.contains("a checkpoint of another job"), "{refusal}");
+    let other = Lbfgs::new(lbfgs::Params {
+        memory: 3,
+        ..Default::default()
+    });
+    let (_, outcome) = go(
+        &model,
+        &*objective,
+        &mut other.unwrap(),
+        steps(9),
+        Some(&mut checkpoints(1)),
+        &mut [],
+    );
+    assert!(
+        matches!(outcome, Err(Error::Unsupported { .. })),
+        "{outcome:?}"
+    );
+    let plain = Gradient::new(gradient::Params::default());
+    let (_, outcome) = go(
+        &model,
+        &*objective,
+        &mut plain.unwrap(),
+        steps(9),
+        Some(&mut checkpoints(1)),
+        &mut [],
+    );
+    assert!(
+        matches!(outcome, Err(Error::Unsupported { .. })),
+        "{outcome:?}"
+    );
+    // Cut anywhere
+    let file = checkpoints(1).file();
+    let whole = std::fs::read(&file).unwrap();
+    for length in (0..whole.len()).step_by(whole.len() / 60) {
+        std::fs::write(&file, &whole[..length]).unwrap();
+        let refusal = resume(1).unwrap_err();
+        assert!(
+            matches!(refusal, Error::Format { .. }),
+            "{length} of {} bytes: {refusal}",
+            whole.len()
+        );
+    }
+}
+
+#[test]
+fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
+    let model = SmallModel::new(16, 24, 1);
+    let objective = objective(&model, "l2");
+    let folder = tempfile::tempdir().unwrap();
+    let params = Params {
+        every_s: Some(1e-9),
+        contents: Contents::Patterns,
+    };
+    let mut checkpoints = Checkpoints::new(folder.path(), 1, &params).unwrap();
+    let (x, first) = go(
+        &model,
+        &*objective,
+        &mut newton(),
+        steps(6),
+        Some(&mut checkpoints),
+        &mut [],
+    );
+    let size = std::fs::metadata(checkpoints.file()).unwrap().len();
+    assert!(size < 4 * x.len() as u64 + 8000, "{size} bytes");
+    let (_, second) = go(
+        &model,
+        &*objective,
+        &mut newton(),
+        steps(3),
+        Some(&mut checkpoints),
+        &mut [],
+    );
+    let (first, second) = (first.unwrap(), second.unwrap());
+    assert_eq!(second.history.len(), 4);
+    assert!((second.history[0].loss - first.loss).abs() < 1e-5 * first.loss);
+}

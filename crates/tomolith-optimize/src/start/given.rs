@@ -1,0 +1,276 @@
+//! Patterns that are given: those of an earlier run, of another program, or of a coarser level.
+//!
+//! **Equation** x at a pixel is the value of the given patterns at its place, linear between the middles of their frames, rows and
+//! columns and 0 beyond their field, times frames given / frames wanted: a frame that stands for a larger arc holds more dose. Patterns
+//! of the same shape are taken as they are. Frame 0 of both has the same azimuth, and both cover the same arc.
+//!
+//! **Parameters** see [`Params`]; the file is `patterns.npz` of a run folder, or any `.npz` with an array `patterns` \[angle, row,
+//! column\] (`patterns_<light>`, in the order of the job's lights, when there are several); `patterns_raw`, the values before
+//! quantisation, is preferred. Its field of view is that of the job's light.
+//!
+//! **Cost** no model call. **Limits** none on the model: patterns are energies, whatever its unknowns are.
+//!
+//! ```
+//! use tomolith_core::grid::{PatternGrid, Patterns};
+//! use tomolith_optimize::start::given::resample;
+//! // one row of two columns of 2 mm, two frames
+//! let mut coarse = Patterns::dark(PatternGrid::full_turn(2, 0.0, 1, 2, 2.0));
+//! coarse.values = vec![0.0, 4.0, 2.0, 2.0];
+//! let fine = resample(&coarse, &PatternGrid::full_turn(4, 0.0, 1, 4, 1.0));
+//! // four columns of 1 mm at −1.5 … 1.5, the two of before at ∓1; half the dose in each of twice as many frames
+//! assert_eq!(fine.frame(0), [0.0, 0.5, 1.5, 2.0]);
+//! assert_eq!(fine.frame(1)[1..3], [0.75, 1.25]); // between frames
+//! ```
+
+use super::{BuildStart, Start, StartInput};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use tomolith_core::dose::{PatternLayout, Run};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::HostField;
+use tomolith_core::grid::{PatternGrid, Patterns};
+use tomolith_core::kind::Kind;
+use tomolith_io::npy::read_patterns;
+
+/// The parameters of `patterns`.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {
+    /// The file with the patterns, `.npz`; relative to the job file
+    pub file: PathBuf,
+}
+
+/// The row of the table.
+pub const KIND: Kind<BuildStart> = Kind {
+    name: "patterns",
+    summary: "patterns of a file: those of an earlier run, or of another program",
+    example: "[start.patterns]\nfile = \"patterns.npz\"",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        let Params { file } = section.parse()?;
+        Ok(Box::new(OfFile(file)))
+    },
+};
+
+/// Patterns of a file, read when they are asked for.
+#[derive(Clone, Debug)]
+pub struct OfFile(pub PathBuf);
+
+/// Patterns at hand, one per light.
+#[derive(Clone, Debug)]
+pub struct Given(pub Vec<Patterns>);
+
+impl Start for OfFile {
+    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+        let lights = input.model.patterns();
+        let arrays = read_patterns(&self.0)?;
+        if arrays.len() != lights.len() {
+            return Err(Error::Format {
+                path: self.0.clone(),
+                found: format!("patterns of {} lights", arrays.len()),
+                accepted: format!("patterns of {}, one per light of the job", lights.len()),
+            });
+        }
+        let patterns = arrays.into_iter().zip(lights).map(|(array, light)| {
+            let grid = with_shape(&light.grid, array.shape);
+            Patterns {
+                values: array.raw.unwrap_or(array.shown),
+                grid,
+            }
+        });
+        Given(patterns.collect()).patterns(input, run)
+    }
+}
+
+impl Start for Given {
+    fn patterns(&self, input: &StartInput, _: &Run) -> Result<HostField> {
+        let lights = input.model.patterns();
+        if self.0.len() != lights.len() {
+            return Err(Error::Shape {
+                what: "lights of the given patterns".to_owned(),
+                expected: vec![lights.len()],
+                found: vec![self.0.len()],
+            });
+        }
+        let mut x = input.model.new_patterns()?;
+        for (given, light) in self.0.iter().zip(lights) {
+            fill(given, light, &mut x);
+        }
+        input.bounded(x)
+    }
+}
+
+/// The patterns of a light, in the quantity of the model.
+fn fill(given: &Patterns, light: &PatternLayout, x: &mut HostField) {
+    let patterns = resample(given, &light.grid);
+    light.fill_field(&patterns, x.as_mut_slice());
+}
+
+/// The grid of patterns with another shape on the same field of view and arc.
+fn with_shape(grid: &PatternGrid, [frames, rows, columns]: [usize; 3]) -> PatternGrid {
+    if grid.shape() == [frames, rows, columns] {
+        return grid.clone();
+    }
+    let first = grid.azimuths.first().copied().unwrap_or_default();
+    let arc = grid.frame_arc * grid.frames() as f64;
+    PatternGrid {
+        azimuths: (0..frames)
+            .map(|k| first + arc * k as f64 / frames as f64)
+            .collect(),
+        frame_arc: arc / frames.max(1) as f64,
+        rows,
+        columns,
+        pitch_mm: [
+            grid.pitch_mm[0] * grid.columns as f64 / columns.max(1) as f64,
+            grid.pitch_mm[1] * grid.rows as f64 / rows.max(1) as f64,
+        ],
+        offset_mm: grid.offset_mm,
+    }
+}
+
+/// Patterns on another grid; see the [module](self).
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "patterns are f32")]
+pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
+    let from = &given.grid;
+    if from.shape() == to.shape() {
+        return Patterns {
+            grid: to.clone(),
+            values: given.values.clone(),
+        };
+    }
+    let mut patterns = Patterns::dark(to.clone());
+    if given.values.is_empty() || patterns.values.is_empty() {
+        return patterns;
+    }
+    let per_frame = from.frames() as f64 / to.frames() as f64;
+    let axis = |n: usize, m: usize, wrap: bool, place: &dyn Fn(usize) -> f64| -> Vec<Taps> {
+        (0..n).map(|i| taps(place(i), m, wrap)).collect()
+    };
+    // Place in samples of the other grid, of a coordinate from its middle
+    let place = |mm: f64, axis: usize, m: usize| mm / from.pitch_mm[axis] + (m as f64 - 1.0) / 2.0;
+    let frames = axis(to.frames(), from.frames(), true, &|k| k as f64 * per_frame);
+    let rows = axis(to.rows, from.rows, false, &|i| {
+        place(from.offset_mm[1] - to.row_z(i), 1, from.rows)
+    });
+    let columns = axis(to.columns, from.columns, false, &|i| {
+        place(to.column_u(i) - from.offset_mm[0], 0, from.columns)
+    });
+    let image = |k: usize| given.frame(k);
+    patterns
+        .values
+        .par_chunks_mut(to.rows * to.columns)
+        .zip(&frames)
+        .for_each(|(out, frame)| {
+            for (line, row) in out.chunks_mut(to.columns).zip(&rows) {
+                for (value, column) in line.iter_mut().zip(&columns) {
+                    let mut sum = 0.0;
+                    for (k, wk) in frame.iter().filter(|t| t.1 > 0.0) {
+                        for (j, wj) in row.iter().filter(|t| t.1 > 0.0) {
+                            for (i, wi) in column.iter().filter(|t| t.1 > 0.0) {
+                                let v = image(*k)[j * from.columns + i];
+                                sum += wk * wj * wi * f64::from(v);
+                            }
+                        }
+                    }
+                    *value = (sum * per_frame) as f32;
+                }
+            }
+        });
+    patterns
+}
+
+/// Two samples and their weights.
+type Taps = [(usize, f64); 2];
+
+/// The neighbours of a place among `n` samples, which end half a sample beyond the outermost unless they wrap round.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "places brought into the range of the samples"
+)]
+fn taps(place: f64, n: usize, wrap: bool) -> Taps {
+    let last = n as f64 - 1.0;
+    if !wrap && !(-0.5..=last + 0.5).contains(&place) {
+        return [(0, 0.0); 2];
+    }
+    let place = if wrap {
+        place.rem_euclid(n as f64)
+    } else {
+        place.clamp(0.0, last)
+    };
+    let (index, part) = (place.floor() as usize, place.fract());
+    [(index % n, 1.0 - part), ((index + 1) % n, part)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Limits;
+    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::dose::DoseModel;
+    use tomolith_core::response::Identity;
+    use tomolith_io::npy::{PatternPair, write_patterns};
+
+    #[test]
+    fn a_smooth_pattern_keeps_its_dose_on_a_finer_grid() {
+        // cos² across, another by frame: linear interpolation of 24 columns and 40 frames errs by a few parts in a thousand
+        let smooth = |grid: &PatternGrid| {
+            let mut patterns = Patterns::dark(grid.clone());
+            let (rows, columns) = (grid.rows, grid.columns);
+            for (i, value) in patterns.values.iter_mut().enumerate() {
+                let (frame, column) = (i / (rows * columns), i % columns);
+                let u = grid.column_u(column) / 12.0;
+                let across = (0.4 * std::f64::consts::PI * u).cos().powi(2);
+                let turn = 1.0 + 0.5 * grid.azimuths[frame].sin();
+                *value = (across * turn / grid.frames() as f64) as f32;
+            }
+            patterns
+        };
+        let coarse = PatternGrid::full_turn(40, 0.0, 3, 24, 1.0);
+        let fine = PatternGrid::full_turn(80, 0.0, 6, 48, 0.5);
+        let (found, expected) = (resample(&smooth(&coarse), &fine), smooth(&fine));
+        for row in 1..5 {
+            for frame in 0..80 {
+                for column in 2..46 {
+                    let at = (frame * 6 + row) * 48 + column;
+                    let error = (found.values[at] - expected.values[at]).abs();
+                    assert!(error < 0.02 / 80.0, "{error} at {frame}, {row}, {column}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_file_of_the_same_shape_is_taken_bit_for_bit_and_of_another_count_refused() {
+        let model = SmallModel::new(8, 6, 2);
+        let (target, labels) = model.ring();
+        let input = StartInput {
+            model: &model,
+            target: &target,
+            labels: &labels,
+            response: &Identity,
+            limits: &[Limits::default()],
+        };
+        let light = &DoseModel::patterns(&model)[0];
+        let mut patterns = Patterns::dark(light.grid.clone());
+        for (i, v) in patterns.values.iter_mut().enumerate() {
+            *v = (i * 37 % 101) as f32 / 101.0;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("given.npz");
+        let pair = |light| PatternPair {
+            light,
+            shown: &patterns,
+            raw: None,
+        };
+        write_patterns(&file, &[pair(None)], &Run::new()).unwrap();
+        let x = OfFile(file.clone()).patterns(&input, &Run::new()).unwrap();
+        assert_eq!(light.patterns_of(x.as_slice()), patterns);
+        write_patterns(&file, &[pair(Some("a")), pair(Some("b"))], &Run::new()).unwrap();
+        let refusal = OfFile(file).patterns(&input, &Run::new()).unwrap_err();
+        assert!(matches!(refusal, Error::Format { .. }), "{refusal}");
+    }
+}

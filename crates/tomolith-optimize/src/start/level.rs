@@ -1,0 +1,68 @@
+//! Starts that do not look at the target's shape: `uniform`, every pixel alike, and `zero`, all dark.
+//!
+//! **Equation** x = c with c from least squares between the dose of the part and the wanted one; x = 0, or the lower bound.
+//!
+//! **Parameters** none. **Cost** one forward call; none for `zero`.
+
+use super::{BuildStart, Start, StartInput};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::dose::Run;
+use tomolith_core::error::Result;
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::Kind;
+
+/// They have no parameters.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Params {}
+
+/// Every pixel alike.
+#[derive(Clone, Copy, Debug)]
+pub struct Uniform;
+
+/// All dark.
+#[derive(Clone, Copy, Debug)]
+pub struct Zero;
+
+/// The row of `uniform`.
+pub const UNIFORM: Kind<BuildStart> = Kind {
+    name: "uniform",
+    summary: "every pixel alike, the part's mean dose right",
+    example: "[start.uniform]",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        section.parse::<Params>()?;
+        Ok(Box::new(Uniform))
+    },
+};
+
+/// The row of `zero`.
+pub const ZERO: Kind<BuildStart> = Kind {
+    name: "zero",
+    summary: "all pixels dark, or at their lower bound",
+    example: "[start.zero]",
+    schema: || schemars::schema_for!(Params),
+    build: |section| {
+        section.parse::<Params>()?;
+        Ok(Box::new(Zero))
+    },
+};
+
+impl Start for Uniform {
+    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+        input.require_linear("uniform")?;
+        let mut x = input.model.new_patterns()?;
+        x.fill(1.0);
+        input.scaled(x, &input.wanted_dose()?, run)
+    }
+}
+
+impl Start for Zero {
+    fn patterns(&self, input: &StartInput, _: &Run) -> Result<HostField> {
+        let mut x = input.model.new_patterns()?;
+        let zero = x.zeros_like();
+        x.move_along(&zero, 0.0, &input.bounds()?);
+        Ok(x)
+    }
+}

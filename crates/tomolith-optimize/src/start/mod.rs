@@ -1,0 +1,352 @@
+//! Where an optimiser begins.
+//!
+//! *What must it do, and who does it.* A [`Start`] makes first patterns from the target; the table [`STARTS`] holds them.
+//! Whatever the method, the patterns lie within the bounds, and one forward call scales them so that the part gets its dose.
+
+pub mod fbp;
+pub mod given;
+pub mod level;
+pub mod lsqr;
+
+use super::Limits;
+use rayon::prelude::*;
+use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Bounds, Field, HostField};
+use tomolith_core::grid::Volume;
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::response::Response;
+use tomolith_core::target::{Target, label};
+use tomolith_objective::buffer::near_the_other_kind;
+
+/// What first patterns are made from.
+pub struct StartInput<'a> {
+    /// The model.
+    pub model: &'a dyn DoseModel<Field = HostField>,
+    /// The target on the grid of the model's first output.
+    pub target: &'a Target,
+    /// Label of each voxel ([`label`]), array order.
+    pub labels: &'a Volume<u8>,
+    /// M of the one equation: the target is a response, and its inverse the dose that is wanted.
+    pub response: &'a dyn Response,
+    /// Smallest and largest value per light.
+    pub limits: &'a [Limits],
+}
+
+/// A way to make first patterns.
+pub trait Start: std::fmt::Debug + Send + Sync {
+    /// First patterns, within the bounds.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
+    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField>;
+}
+
+/// Builds a start from its section.
+pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
+
+/// Every start; the first is the default.
+pub static STARTS: &[Kind<BuildStart>] = &[
+    fbp::KIND,
+    level::UNIFORM,
+    level::ZERO,
+    given::KIND,
+    lsqr::KIND,
+];
+
+impl StartInput<'_> {
+    /// The layout of the model's first output, whose grid target and labels must share.
+    fn layout(&self) -> Result<&DoseLayout> {
+        let layout = self
+            .model
+            .outputs()
+            .first()
+            .ok_or_else(|| Error::Unsupported {
+                what: "a start from the target".to_owned(),
+                reason: "the model has no output".to_owned(),
+            })?;
+        for (what, found) in [
+            ("target", &self.target.inside.grid),
+            ("labels", &self.labels.grid),
+        ] {
+            if found.shape != layout.grid.shape {
+                return Err(Error::Shape {
+                    what: format!("{what} of the start"),
+                    expected: layout.grid.shape.to_vec(),
+                    found: found.shape.to_vec(),
+                });
+            }
+        }
+        Ok(layout)
+    }
+
+    /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
+    fn wanted_dose(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
+        let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
+        let (grey, part) = (self.target.grey, dose_of(1.0));
+        let mut wanted = Volume::filled(layout.grid.clone(), 0.0f32);
+        wanted
+            .values
+            .par_iter_mut()
+            .zip(&self.target.inside.values)
+            .zip(&self.labels.values)
+            .for_each(|((wanted, &inside), &label)| {
+                *wanted = match label {
+                    label::OUTSIDE => 0.0,
+                    _ if grey => dose_of(inside),
+                    label::PART => part,
+                    _ => 0.0,
+                };
+            });
+        let mut field = layout.field_of(&wanted);
+        if let Some(cells) = &layout.cells {
+            let mut labels = layout.field_of(self.labels);
+            cells.label(&mut labels);
+            let of = |&label: &u8| if label == label::PART { part } else { 0.0 };
+            field = labels.iter().map(of).collect();
+        }
+        let mut dose = self.model.new_dose()?;
+        dose.as_mut_slice()[layout.range()].copy_from_slice(&field);
+        Ok(dose)
+    }
+
+    /// A dose times the part of its voxel that each element has: what stands for integrals over the resin.
+    fn weighed(&self, dose: &HostField) -> HostField {
+        let mut dose = dose.clone();
+        for layout in self.model.outputs() {
+            if let Some(cells) = &layout.cells {
+                let shares = cells.shares(layout.len());
+                let own = dose.as_mut_slice()[layout.range()].iter_mut();
+                own.zip(shares).for_each(|(dose, share)| *dose *= share);
+            }
+        }
+        dose
+    }
+
+    /// Brings patterns into the bounds and scales them: least squares between their dose and the wanted one, over the voxels
+    /// that want any.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn scaled(&self, mut x: HostField, wanted: &HostField, run: &Run) -> Result<HostField> {
+        let mut dose = self.model.new_dose()?;
+        self.model.dose(&x, &mut dose, run)?;
+        dose.as_mut_slice()
+            .par_iter_mut()
+            .zip(wanted.as_slice())
+            .for_each(|(dose, &wanted)| *dose = if wanted > 0.0 { *dose } else { 0.0 });
+        let (both, square) = (dose.dot(wanted), dose.dot(&dose));
+        if both > 0.0 && square > 0.0 {
+            let factor = both / square;
+            let quantity = self.model.patterns()[0].quantity;
+            x.scale(if quantity == Quantity::Amplitude {
+                factor.sqrt()
+            } else {
+                factor
+            } as f32);
+        }
+        self.bounded(x)
+    }
+
+    /// Scales patterns that another model made, so that this one's dose is the wanted one as well as a factor can make it.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn scaled_anew(&self, x: HostField, run: &Run) -> Result<HostField> {
+        let wanted = self.wanted_dose()?;
+        self.scaled(x, &wanted, run)
+    }
+
+    /// Brings patterns into the bounds.
+    fn bounded(&self, mut x: HostField) -> Result<HostField> {
+        let zero = x.zeros_like();
+        x.move_along(&zero, 0.0, &self.bounds()?);
+        Ok(x)
+    }
+
+    /// The target per element of the dose field as a [`Problem`](super::Problem::with_target) wants it: 1 in the part and 0 in the
+    /// void, or grey values; −1 where a voxel does not count.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn target_field(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        let grey = self.target.grey;
+        let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
+        target
+            .values
+            .par_iter_mut()
+            .zip(&self.target.inside.values)
+            .zip(&self.labels.values)
+            .for_each(|((target, &inside), &label)| {
+                *target = match label {
+                    label::OUTSIDE => -1.0,
+                    _ if grey => inside,
+                    label::PART => 1.0,
+                    _ => 0.0,
+                };
+            });
+        let mut field = self.model.new_dose()?;
+        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&target));
+        Ok(field)
+    }
+
+    /// Marks at the part's surface as a [`Problem`](super::Problem::with_edges) wants them.
+    ///
+    /// # Errors
+    /// As [`Start::patterns`].
+    pub fn edge_field(&self) -> Result<HostField> {
+        let layout = self.layout()?;
+        let near = near_the_other_kind(self.target, layout.grid.pitch_mm);
+        let marks = Volume {
+            grid: layout.grid.clone(),
+            values: near.into_iter().map(f32::from).collect(),
+        };
+        let mut field = self.model.new_dose()?;
+        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
+        Ok(field)
+    }
+
+    fn bounds(&self) -> Result<Bounds> {
+        super::problem::bounds(self.model.patterns(), self.limits)
+    }
+
+    fn require_linear(&self, what: &str) -> Result<()> {
+        if self.model.is_linear() {
+            return Ok(());
+        }
+        Err(Error::Unsupported {
+            what: format!("start `{what}`"),
+            reason: format!("{} is not linear", self.model.describe()),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::check::example;
+    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::response::{Identity, Logistic};
+
+    /// Mean dose of part and of void.
+    fn contrast(model: &SmallModel, labels: &Volume<u8>, x: &HostField) -> [f64; 2] {
+        let mut dose = model.new_dose().unwrap();
+        model.dose(x, &mut dose, &Run::new()).unwrap();
+        let labels = model.layout().field_of(labels);
+        [label::PART, label::VOID].map(|wanted| {
+            let doses = dose
+                .as_slice()
+                .iter()
+                .zip(&labels)
+                .filter(|(_, l)| **l == wanted);
+            let doses: Vec<f64> = doses.map(|(&d, _)| f64::from(d)).collect();
+            doses.iter().sum::<f64>() / doses.len() as f64
+        })
+    }
+
+    /// A file of uniform patterns whose mean part dose is near 1.
+    fn saved(model: &SmallModel, labels: &Volume<u8>, folder: &tempfile::TempDir) -> String {
+        let mut x = model.new_patterns().unwrap();
+        x.fill(1.0);
+        let [part, _] = contrast(model, labels, &x);
+        x.fill(0.95 / part as f32);
+        let shown = DoseModel::patterns(model)[0].patterns_of(x.as_slice());
+        let file = folder.path().join("patterns.npz");
+        let pair = tomolith_io::npy::PatternPair {
+            light: None,
+            shown: &shown,
+            raw: None,
+        };
+        tomolith_io::npy::write_patterns(&file, &[pair], &Run::new()).unwrap();
+        file.to_string_lossy().into_owned()
+    }
+
+    #[test]
+    fn every_row_keeps_the_bounds_and_gives_the_part_its_dose() {
+        let model = SmallModel::new(32, 48, 3);
+        let (target, labels) = model.ring();
+        let folder = tempfile::tempdir().unwrap();
+        let responses: [&dyn Response; 2] =
+            [&Identity, &Logistic::new(Default::default()).unwrap()];
+        for row in STARTS {
+            for response in responses {
+                let limits = [Limits::default()];
+                let input = StartInput {
+                    model: &model,
+                    target: &target,
+                    labels: &labels,
+                    response,
+                    limits: &limits,
+                };
+                let mut section = example(row);
+                if row.name == "patterns" {
+                    section.value["file"] = saved(&model, &labels, &folder).into();
+                }
+                let start = (row.build)(&section).unwrap();
+                let x = start.patterns(&input, &Run::new()).unwrap();
+                assert!(
+                    x.as_slice().iter().all(|&v| v >= 0.0 && v.is_finite()),
+                    "{}",
+                    row.name
+                );
+                let [part, void] = contrast(&model, &labels, &x);
+                if row.name == "zero" {
+                    assert_eq!(part, 0.0);
+                } else {
+                    // Least squares, so the mean is a little below the wanted dose of 1
+                    assert!(
+                        (0.9..1.000_1).contains(&part),
+                        "{}: mean part dose {part}, void {void}",
+                        row.name
+                    );
+                }
+                let limits = [Limits { min: 0.1, max: 0.3 }];
+                let input = StartInput {
+                    limits: &limits,
+                    ..input
+                };
+                let x = start.patterns(&input, &Run::new()).unwrap();
+                assert!(
+                    x.as_slice().iter().all(|v| (0.1..=0.3).contains(v)),
+                    "{}",
+                    row.name
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn filtering_separates_part_and_void() {
+        let model = SmallModel::new(32, 48, 3);
+        let (target, labels) = model.ring();
+        let limits = [Limits::default()];
+        let input = StartInput {
+            model: &model,
+            target: &target,
+            labels: &labels,
+            response: &Identity,
+            limits: &limits,
+        };
+        let separation = |filter: &str| {
+            let section = Section::new(
+                "start.fbp",
+                serde_json::json!({"filter": filter, "negative": "clip"}),
+            );
+            let x = (STARTS[0].build)(&section)
+                .unwrap()
+                .patterns(&input, &Run::new())
+                .unwrap();
+            let [part, void] = contrast(&model, &labels, &x);
+            part - void
+        };
+        let plain = separation("none");
+        for filter in ["ram_lak", "shepp_logan", "cosine", "hamming", "hann"] {
+            let filtered = separation(filter);
+            assert!(
+                filtered > plain + 0.1,
+                "{filter} separates by {filtered}, none by {plain}"
+            );
+        }
+    }
+}

@@ -1,0 +1,740 @@
+//! The pictures of the page: slices, sinogram, frames.
+
+use super::number::{escape, significant};
+use super::picture::{Colour, Picture, hex, inferno, reduction, viridis};
+use super::{DARK, INSERT, ReportData};
+use rayon::prelude::*;
+use std::fmt::Write as _;
+use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
+use tomolith_core::target::label;
+
+/// Pixels of a slice's longer edge, at most.
+const SLICE_PIXELS: usize = 480;
+/// Pictures that are wider are not shown with sharp pixels.
+const SMOOTH_FROM: usize = 260;
+/// Pixels of the sinogram and of single frames, at most.
+const SINOGRAM_PIXELS: usize = 1200;
+const FRAME_PIXELS: usize = 320;
+/// Frames in the strip.
+const STRIP: usize = 8;
+/// Width of a slice in its own units, the height follows.
+const UNITS: f64 = 300.0;
+/// Palette index of the part's outline, and of what is not shown.
+const OUTLINE: u8 = 254;
+const NOTHING: u8 = 255;
+
+/// What a voxel becomes, against what it should.
+pub(super) const FATES: [(Colour, &str); 5] = [
+    ([0; 4], ""),
+    ([140, 150, 162, 34], "liquid, as it should"),
+    ([122, 135, 151, 190], "gelled, as it should"),
+    ([47, 111, 208, 255], "missing (undercured)"),
+    ([214, 69, 80, 255], "too much (overcured)"),
+];
+
+/// One plane of a grid, seen along an axis: columns to the right, rows upwards.
+struct Slice<'a> {
+    grid: &'a VolumeGrid,
+    /// Axis of the array that is fixed (0 z, 1 y, 2 x), and where.
+    axis: usize,
+    at: usize,
+}
+
+impl Slice<'_> {
+    /// Array axes of columns and rows.
+    fn axes(&self) -> [usize; 2] {
+        match self.axis {
+            0 => [2, 1],
+            1 => [2, 0],
+            _ => [1, 0],
+        }
+    }
+
+    fn size(&self) -> [usize; 2] {
+        self.axes().map(|axis| self.grid.shape[axis])
+    }
+
+    /// Position in the array of a column and a row from the top.
+    fn index(&self, column: usize, row: usize) -> usize {
+        let [right, up] = self.axes();
+        let mut at = [0; 3];
+        at[self.axis] = self.at;
+        at[right] = column;
+        at[up] = self.grid.shape[up] - 1 - row;
+        self.grid.index(at[0], at[1], at[2])
+    }
+
+    /// An image whose pixels join whole blocks of voxels; `index` sees the positions of a block.
+    fn picture(&self, index: impl Fn(&mut dyn Iterator<Item = usize>) -> u8 + Sync) -> Picture {
+        let [width, height] = self.size();
+        let factor = reduction(width, height, SLICE_PIXELS);
+        Picture::new(width.div_ceil(factor), height.div_ceil(factor), |x, y| {
+            let rows = y * factor..((y + 1) * factor).min(height);
+            let columns = x * factor..((x + 1) * factor).min(width);
+            index(
+                &mut rows
+                    .flat_map(|row| columns.clone().map(move |column| self.index(column, row))),
+            )
+        })
+    }
+
+    fn title(&self) -> String {
+        let (name, mm) = match self.axis {
+            0 => ("z", self.grid.z(self.at)),
+            1 => ("y", self.grid.y(self.at)),
+            _ => ("x", self.grid.x(self.at)),
+        };
+        let plane = ["x–y", "x–z", "y–z"][self.axis];
+        format!("{plane} plane at {name} = {} mm", significant(mm, 3))
+    }
+}
+
+/// Voxel `[z, y, x]` in the middle of the box of all that is wanted (or of the grid, when nothing is).
+fn middle_of_box(grid: &VolumeGrid, is_wanted: impl Fn(usize) -> bool + Sync) -> [usize; 3] {
+    let [nz, ny, nx] = grid.shape;
+    let empty = [[usize::MAX, 0]; 3];
+    let join = |a: [[usize; 2]; 3], b: [[usize; 2]; 3]| -> [[usize; 2]; 3] {
+        std::array::from_fn(|i| [a[i][0].min(b[i][0]), a[i][1].max(b[i][1])])
+    };
+    let found = (0..nz)
+        .into_par_iter()
+        .map(|z| {
+            (0..ny * nx)
+                .filter(|i| is_wanted(z * ny * nx + i))
+                .map(|i| [z, i / nx, i % nx].map(|at| [at, at]))
+                .fold(empty, join)
+        })
+        .reduce(|| empty, join);
+    std::array::from_fn(|axis| match found[axis] {
+        [low, high] if low <= high => usize::midpoint(low, high),
+        _ => grid.shape[axis] / 2,
+    })
+}
+
+/// Voxels that get dose: the part, or what is not black in a grey image.
+fn is_wanted(data: &ReportData<'_>, i: usize) -> bool {
+    match (data.labels.values[i], data.inside) {
+        (label::PART, _) => true,
+        (label::VOID, Some(inside)) => {
+            data.evaluation.half_width.is_some() && inside.values[i] > 0.0
+        }
+        _ => false,
+    }
+}
+
+/// Three planes: target, dose, error.
+pub(super) fn slices(data: &ReportData<'_>) -> String {
+    let grid = &data.labels.grid;
+    if grid.is_empty() {
+        return String::new();
+    }
+    let high = data.evaluation.histogram.range[1];
+    let mut out = String::new();
+    let middle = middle_of_box(grid, |i| is_wanted(data, i));
+    for (axis, at) in middle.into_iter().enumerate() {
+        let slice = Slice { grid, axis, at };
+        let pictures = [
+            ("Target", target_uri(data, &slice, high)),
+            (
+                "Dose",
+                dose_picture(data, &slice, high).data_uri(&dose_palette()),
+            ),
+            ("Error", error_uri(data, &slice)),
+        ];
+        let _ = write!(
+            out,
+            "<div class=\"plane\"><h3>{}</h3><div class=\"trio\">",
+            slice.title()
+        );
+        for (name, uri) in pictures {
+            let _ = write!(
+                out,
+                "<figure>{}<figcaption>{name}</figcaption></figure>",
+                slice_svg(&slice, &uri, name)
+            );
+        }
+        out.push_str("</div></div>");
+    }
+    out
+}
+
+/// Shares of the largest dose up to which two doses count as equal, and from which on their difference has its full colour.
+const EQUAL: f64 = 0.05;
+const APART: f64 = DIFFERENCE_REACH * EQUAL;
+
+/// The middle planes of the doses of several runs beside each other, on one scale; below those on the grid of the first, what they have more or
+/// less than it.
+pub(super) fn doses(runs: &[(&str, &Volume<f32>)]) -> String {
+    let largest = |dose: &Volume<f32>| dose.values.iter().copied().fold(0.0, f32::max);
+    let high = runs
+        .iter()
+        .map(|(_, dose)| largest(dose))
+        .fold(0.0, f32::max);
+    let high = f64::from(high).max(f64::MIN_POSITIVE);
+    let differences: Vec<Colour> = (0..=255u8)
+        .map(|i| difference(f64::from(i) / 254.0))
+        .collect();
+    let mut out = String::new();
+    for axis in [0, 1] {
+        let mut figures = [String::new(), String::new()];
+        let (_, first) = runs[0];
+        for (i, (name, dose)) in runs.iter().enumerate() {
+            let slice = Slice {
+                grid: &dose.grid,
+                axis,
+                at: dose.grid.shape[axis] / 2,
+            };
+            let mean = |value: &dyn Fn(usize) -> f64, voxels: &mut dyn Iterator<Item = usize>| {
+                let (sum, count) = voxels.fold((0.0, 0.0), |(s, n), i| (s + value(i), n + 1.0));
+                sum / count / high
+            };
+            let own = |i: usize| f64::from(dose.values[i]);
+            let picture = slice.picture(|v| (mean(&own, v) * 253.0).clamp(0.0, 253.0) as u8);
+            add_figure(
+                &mut figures[0],
+                &slice,
+                &picture.data_uri(&dose_palette()),
+                name,
+            );
+            if i > 0 && dose.grid == first.grid {
+                let more = |i: usize| own(i) - f64::from(first.values[i]);
+                let place = |share: f64| 127.0 + 127.0 * (share / APART).clamp(-1.0, 1.0);
+                let picture = slice.picture(|v| place(mean(&more, v)).round() as u8);
+                let caption = format!("{name}, less {}", runs[0].0);
+                add_figure(
+                    &mut figures[1],
+                    &slice,
+                    &picture.data_uri(&differences),
+                    &caption,
+                );
+            }
+        }
+        let title = ["x–y", "x–z"][axis];
+        let _ = write!(out, "<div class=\"plane\"><h3>Middle {title} plane</h3>");
+        for row in figures.iter().filter(|row| !row.is_empty()) {
+            let _ = write!(out, "<div class=\"beside\">{row}</div>");
+        }
+        out.push_str("</div>");
+    }
+    out + &colour_bar(viridis, high, "dose", None)
+}
+
+fn add_figure(row: &mut String, slice: &Slice<'_>, uri: &str, caption: &str) {
+    let caption = escape(caption);
+    let svg = slice_svg(slice, uri, &caption);
+    let _ = write!(
+        row,
+        "<figure>{svg}<figcaption>{caption}</figcaption></figure>"
+    );
+}
+
+/// Bodies that are not printed, in pictures of the target: their mark, colour and name.
+pub(super) const BODIES: [(u8, Colour, &str); 2] = [
+    (DARK, [38, 44, 54, 255], "to stay dark"),
+    (INSERT, [201, 148, 46, 255], "insert"),
+];
+
+fn target_palette() -> Vec<Colour> {
+    (0..=255u8)
+        .map(|i| match i {
+            NOTHING => [0; 4],
+            i if i > FULL => BODIES[usize::from(i - FULL) - 1].1,
+            i => [
+                122,
+                135,
+                151,
+                34 + (f64::from(i) / f64::from(FULL) * 156.0) as u8,
+            ],
+        })
+        .collect()
+}
+
+/// A pixel that lies wholly in the part; those above stand for [`BODIES`].
+const FULL: u8 = NOTHING - 1 - BODIES.len() as u8;
+
+fn target_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
+    let inside = |i: usize| match (data.labels.values[i], data.inside) {
+        (_, Some(inside)) => inside.values[i].clamp(0.0, 1.0),
+        (label, None) => f32::from(u8::from(label == label::PART)),
+    };
+    let body = |i: usize| data.bodies.map_or(0, |bodies| bodies.values[i]);
+    slice.picture(|voxels| {
+        let (mut sum, mut count, mut marked) = (0.0, 0.0, [0.0; BODIES.len()]);
+        for i in voxels {
+            let found = BODIES.iter().position(|(mark, ..)| *mark == body(i));
+            if let Some(at) = found {
+                marked[at] += 1.0;
+            } else if data.labels.values[i] != label::OUTSIDE {
+                sum += inside(i);
+                count += 1.0;
+            }
+        }
+        let most = (0..BODIES.len()).max_by(|a, b| f32::total_cmp(&marked[*a], &marked[*b]));
+        match most.filter(|&at| marked[at] > count) {
+            Some(at) => FULL + 1 + at as u8,
+            None if count == 0.0 => NOTHING,
+            None => (f32::from(FULL) * sum / count) as u8,
+        }
+    })
+}
+
+fn dose_palette() -> Vec<Colour> {
+    (0..=255u8)
+        .map(|i| match i {
+            NOTHING => [0; 4],
+            OUTLINE => [255, 255, 255, 255],
+            i => viridis(f64::from(i) / 253.0),
+        })
+        .collect()
+}
+
+/// The target; grey values in the colours of the response, so that the two can be compared.
+fn target_uri(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> String {
+    match (data.evaluation.half_width, data.inside) {
+        (Some(_), Some(wanted)) => {
+            mean_picture(data, &wanted.values, slice, high).data_uri(&dose_palette())
+        }
+        _ => target_picture(data, slice).data_uri(&target_palette()),
+    }
+}
+
+/// Means over the voxels that count, on the scale of the dose.
+fn mean_picture(data: &ReportData<'_>, values: &[f32], slice: &Slice<'_>, high: f64) -> Picture {
+    slice.picture(|voxels| {
+        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
+        let (sum, count) =
+            counted.fold((0.0, 0.0), |(s, n), i| (s + f64::from(values[i]), n + 1.0));
+        if count == 0.0 {
+            NOTHING
+        } else {
+            (sum / count / high * 253.0).clamp(0.0, 253.0) as u8
+        }
+    })
+}
+
+fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture {
+    let part = |i: usize| data.labels.values[i] == label::PART;
+    let mut picture = mean_picture(data, &data.response.values, slice, high);
+    if data.evaluation.half_width.is_some() {
+        return picture;
+    }
+    // The part's outline: pixels of the void that are close to a pixel of the part; two wide in large pictures, which
+    // may be shown smaller than they are
+    let inside = slice.picture(|voxels| {
+        let (parts, all) = voxels.fold((0, 0), |(p, n), i| (p + usize::from(part(i)), n + 1));
+        u8::from(2 * parts >= all)
+    });
+    let (w, h) = (inside.width, inside.height);
+    let reach = if w > SMOOTH_FROM { 2 } else { 1 };
+    for i in (0..w * h).filter(|&i| inside.pixels[i] == 0) {
+        let (x, y) = (i % w, i / w);
+        let near = (1..=reach).any(|d| {
+            x >= d && inside.pixels[i - d] == 1
+                || x + d < w && inside.pixels[i + d] == 1
+                || y >= d && inside.pixels[i - d * w] == 1
+                || y + d < h && inside.pixels[i + d * w] == 1
+        });
+        if near {
+            picture.pixels[i] = OUTLINE;
+        }
+    }
+    picture
+}
+
+fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
+    match (data.evaluation.half_width, data.inside) {
+        (Some(half_width), Some(wanted)) => {
+            let palette: Vec<Colour> = (0..=255u8)
+                .map(|i| match i {
+                    NOTHING => [0; 4],
+                    i => difference(f64::from(i) / 254.0),
+                })
+                .collect();
+            difference_picture(data, wanted, slice, half_width).data_uri(&palette)
+        }
+        _ => fate_picture(data, slice).data_uri(&FATES.map(|f| f.0)),
+    }
+}
+
+/// Differences are drawn up to this many half widths of the band.
+const DIFFERENCE_REACH: f64 = 4.0;
+
+/// From too little (0, blue) over none (½, grey) to too much (1, red); grey in the band.
+fn difference(at: f64) -> Colour {
+    let off = 2.0 * at - 1.0;
+    let in_band = 1.0 / DIFFERENCE_REACH;
+    let share = ((off.abs() - in_band) / (1.0 - in_band)).clamp(0.0, 1.0);
+    let end = if off < 0.0 { FATES[3].0 } else { FATES[4].0 };
+    let middle = [200u8, 205, 211];
+    let blend = |i: usize| {
+        let (from, to) = (f64::from(middle[i]), f64::from(end[i]));
+        (from + (to - from) * share).round() as u8
+    };
+    [blend(0), blend(1), blend(2), 255]
+}
+
+/// The largest difference of each block, with its sign.
+fn difference_picture(
+    data: &ReportData<'_>,
+    wanted: &Volume<f32>,
+    slice: &Slice<'_>,
+    half_width: f64,
+) -> Picture {
+    let reach = DIFFERENCE_REACH * half_width.max(f64::MIN_POSITIVE);
+    slice.picture(|voxels| {
+        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
+        let differences =
+            counted.map(|i| f64::from(data.response.values[i]) - f64::from(wanted.values[i]));
+        let largest = differences.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        largest.map_or(NOTHING, |off| {
+            (127.0 + 127.0 * (off / reach).clamp(-1.0, 1.0)).round() as u8
+        })
+    })
+}
+
+/// The worst fate of each block: errors stay visible.
+fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
+    let threshold = data.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
+    slice.picture(|voxels| {
+        voxels
+            .map(|i| {
+                let gelled = f64::from(data.response.values[i]) > threshold;
+                match (data.labels.values[i], gelled) {
+                    (label::VOID, false) => 1,
+                    (label::PART, true) => 2,
+                    (label::PART, false) => 3,
+                    (label::VOID, true) => 4,
+                    _ => 0,
+                }
+            })
+            .max()
+            .unwrap_or(0)
+    })
+}
+
+/// A picture with its scale bar.
+fn slice_svg(slice: &Slice<'_>, uri: &str, name: &str) -> String {
+    let [width, height] = slice.size();
+    let tall = UNITS * height as f64 / width as f64;
+    let mm = width as f64 * slice.grid.pitch_mm;
+    let length = nice_length(mm / 4.0);
+    let bar = UNITS * length / mm;
+    let (x, y) = (10.0, tall + 20.0);
+    format!(
+        "<svg class=\"slice{}\" viewBox=\"0 0 {UNITS} {:.1}\" role=\"img\" aria-label=\"{name}, {}\">\
+         <image href=\"{uri}\" width=\"{UNITS}\" height=\"{tall:.2}\" preserveAspectRatio=\"none\"/>\
+         <path class=\"scale\" d=\"M{x} {y:.1}h{bar:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\">{} mm</text></svg>",
+        if width > SMOOTH_FROM { "" } else { " sharp" },
+        tall + 36.0,
+        escape(&slice.title()),
+        x + bar + 8.0,
+        y + 7.0,
+        significant(length, 2),
+    )
+}
+
+/// 1, 2 or 5 times a power of ten, not larger than `length`.
+pub(super) fn nice_length(length: f64) -> f64 {
+    let power = 10f64.powf(length.log10().floor());
+    [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|m| m * power)
+        .find(|l| *l <= length)
+        .unwrap_or(power)
+}
+
+/// A colour bar from 0 to `high`, with marks.
+pub(super) fn colour_bar(
+    map: fn(f64) -> Colour,
+    high: f64,
+    label: &str,
+    mark: Option<(f64, &str)>,
+) -> String {
+    bar_svg(
+        map,
+        label,
+        &marked_at(high, mark),
+        ["0".to_owned(), significant(high, 3)],
+    )
+}
+
+/// The colour bar of the differences.
+pub(super) fn error_bar(half_width: f64) -> String {
+    let reach = significant(DIFFERENCE_REACH * half_width, 3);
+    let ends = [format!("−{reach}"), format!("+{reach}")];
+    bar_svg(difference, "response − grey value", "", ends)
+}
+
+fn marked_at(high: f64, mark: Option<(f64, &str)>) -> String {
+    mark.map_or(String::new(), |(at, name)| {
+        let x = 10.0 + 300.0 * (at / high).clamp(0.0, 1.0);
+        let anchor = if x > 250.0 { "end" } else { "middle" };
+        format!(
+            "<path class=\"mark\" d=\"M{x:.1} 14v20\"/><text x=\"{x:.1}\" y=\"11\" text-anchor=\"{anchor}\">{}</text>",
+            escape(name)
+        )
+    })
+}
+
+pub(super) fn bar_svg(
+    map: fn(f64) -> Colour,
+    label: &str,
+    marked: &str,
+    [low, high]: [String; 2],
+) -> String {
+    let stops: String = (0..=20)
+        .map(|i| {
+            format!(
+                "<stop offset=\"{}%\" stop-color=\"{}\"/>",
+                i * 5,
+                hex(map(f64::from(i) / 20.0))
+            )
+        })
+        .collect();
+    let id = label
+        .chars()
+        .filter(char::is_ascii_alphanumeric)
+        .collect::<String>();
+    format!(
+        "<svg class=\"bar\" viewBox=\"0 0 320 62\" role=\"img\" aria-label=\"{label}\"><defs><linearGradient id=\"{id}\">{stops}\
+         </linearGradient></defs><rect x=\"10\" y=\"18\" width=\"300\" height=\"12\" rx=\"2\" fill=\"url(#{id})\"/>{marked}\
+         <text x=\"10\" y=\"46\">{low}</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{}</text>\
+         <text x=\"310\" y=\"46\" text-anchor=\"end\">{high}</text></svg>",
+        escape(label),
+    )
+}
+
+pub(super) fn dose_bar(data: &ReportData<'_>) -> String {
+    let high = data.evaluation.histogram.range[1];
+    let mark = data
+        .evaluation
+        .gel_threshold
+        .filter(|_| data.evaluation.half_width.is_none())
+        .map(|t| (t, format!("gel threshold {}", significant(t, 3))));
+    colour_bar(
+        viridis,
+        high,
+        "response to the dose",
+        mark.as_ref().map(|(t, name)| (*t, name.as_str())),
+    )
+}
+
+fn light_palette() -> Vec<Colour> {
+    (0..=255u8).map(|i| inferno(f64::from(i) / 255.0)).collect()
+}
+
+fn grey_palette() -> Vec<Colour> {
+    (0..=255u8).map(|i| [i, i, i, 255]).collect()
+}
+
+/// Means over blocks, on the scale of the brightest pixel.
+fn light_picture(
+    size: [usize; 2],
+    most: usize,
+    full: f32,
+    value: impl Fn(usize, usize) -> f32 + Sync,
+) -> Picture {
+    let [width, height] = size;
+    let factor = reduction(width, height, most);
+    let scale = if full > 0.0 {
+        255.0 / f64::from(full)
+    } else {
+        0.0
+    };
+    Picture::new(width.div_ceil(factor), height.div_ceil(factor), |x, y| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in y * factor..((y + 1) * factor).min(height) {
+            for column in x * factor..((x + 1) * factor).min(width) {
+                sum += f64::from(value(column, row));
+                count += 1.0;
+            }
+        }
+        (sum / count * scale).clamp(0.0, 255.0) as u8
+    })
+}
+
+/// The row that carries most light.
+fn brightest_row(patterns: &Patterns) -> usize {
+    let grid = &patterns.grid;
+    let mut sums = vec![0.0f64; grid.rows];
+    for frame in patterns
+        .values
+        .chunks_exact((grid.rows * grid.columns).max(1))
+    {
+        for (row, pixels) in frame.chunks_exact(grid.columns).enumerate() {
+            sums[row] += pixels.iter().map(|&v| f64::from(v)).sum::<f64>();
+        }
+    }
+    (0..grid.rows)
+        .max_by(|&a, &b| sums[a].total_cmp(&sums[b]).then(b.cmp(&a)))
+        .unwrap_or(0)
+}
+
+/// All frames of one row: angle to the right, column upwards.
+pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
+    let grid = &patterns.grid;
+    if grid.is_empty() {
+        return String::new();
+    }
+    let row = brightest_row(patterns);
+    let (frames, columns) = (grid.frames(), grid.columns);
+    let picture = light_picture([frames, columns], SINOGRAM_PIXELS, full, |frame, up| {
+        patterns.values[(frame * grid.rows + row) * columns + columns - 1 - up]
+    });
+    let uri = picture.data_uri(&light_palette());
+    let half = 0.5 * columns as f64 * grid.pitch_mm[0];
+    let tick = nice_length(half);
+    let (left, top, width, height) = (56.0, 8.0, 606.0, 236.0);
+    let bottom = top + height;
+    let mut axes = String::new();
+    let first = grid.azimuths[0].to_degrees();
+    let arc = (grid.azimuths[frames - 1] - grid.azimuths[0]).to_degrees() * frames as f64
+        / (frames as f64 - 1.0).max(1.0);
+    let evenly = grid.azimuths.windows(2).all(|w| {
+        let step = arc.to_radians() / frames as f64;
+        (w[1] - w[0] - step).abs() <= 1e-6 + 1e-3 * step.abs()
+    });
+    for i in 0..=4 {
+        let x = left + width * f64::from(i) / 4.0;
+        // Unevenly spaced frames are counted, not measured
+        let label = if evenly && frames > 1 {
+            format!("{}°", significant(first + arc * f64::from(i) / 4.0, 3))
+        } else {
+            significant(frames as f64 * f64::from(i) / 4.0, 3)
+        };
+        let _ = write!(
+            axes,
+            "<path class=\"tick\" d=\"M{x:.1} {bottom}v5\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{label}</text>",
+            bottom + 19.0
+        );
+    }
+    for u in [-tick, 0.0, tick] {
+        let y = top + height * (0.5 - 0.5 * u / half);
+        let _ = write!(
+            axes,
+            "<path class=\"tick\" d=\"M{left} {y:.1}h-5\"/><text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+            left - 8.0,
+            y + 4.0,
+            significant(grid.offset_mm[0] + u, 2)
+        );
+    }
+    let x_label = if evenly {
+        "azimuth of the light"
+    } else {
+        "frame"
+    };
+    format!(
+        "<svg class=\"plot wide\" viewBox=\"0 0 690 296\" role=\"img\" aria-label=\"Sinogram of row {row}\">\
+         <image href=\"{uri}\" x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\"/>{axes}\
+         <text class=\"label\" x=\"{}\" y=\"290\" text-anchor=\"middle\">{x_label}</text>\
+         <text class=\"label\" transform=\"translate(12 {}) rotate(-90)\" text-anchor=\"middle\">column, mm</text></svg>\
+         <p class=\"note\">Row {row} of {} (z = {} mm), the one that carries most light.</p>",
+        left + width / 2.0,
+        top + height / 2.0,
+        grid.rows,
+        significant(grid.row_z(row), 3),
+    )
+}
+
+/// Some frames, evenly spread.
+pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
+    let grid = &patterns.grid;
+    let frames = grid.frames();
+    if grid.is_empty() {
+        return String::new();
+    }
+    let shown = frames.min(STRIP);
+    let mut out = String::from("<div class=\"strip\">");
+    for i in 0..shown {
+        let frame = i * frames / shown;
+        let values = patterns.frame(frame);
+        let picture = light_picture(
+            [grid.columns, grid.rows],
+            FRAME_PIXELS,
+            full,
+            |column, row| values[row * grid.columns + column],
+        );
+        let _ = write!(
+            out,
+            "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"Frame {frame}\"><figcaption>{frame} · {}°</figcaption></figure>",
+            picture.data_uri(&grey_palette()),
+            picture.width,
+            picture.height,
+            significant((grid.azimuths[frame].to_degrees() * 10.0).round() / 10.0, 4),
+        );
+    }
+    out + "</div>"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slices_are_seen_from_the_right_side() {
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let top = Slice {
+            grid: &grid,
+            axis: 0,
+            at: 1,
+        };
+        assert_eq!(top.size(), [4, 3]);
+        assert_eq!(top.index(0, 0), grid.index(1, 2, 0)); // left and highest y on top
+        let front = Slice {
+            grid: &grid,
+            axis: 1,
+            at: 2,
+        };
+        assert_eq!(
+            (front.size(), front.index(3, 1)),
+            ([4, 2], grid.index(0, 2, 3))
+        );
+        let side = Slice {
+            grid: &grid,
+            axis: 2,
+            at: 0,
+        };
+        assert_eq!(
+            (side.size(), side.index(1, 0)),
+            ([3, 2], grid.index(1, 1, 0))
+        );
+    }
+
+    #[test]
+    fn the_middle_is_that_of_the_box_not_of_the_mass() {
+        let grid = VolumeGrid::centered([5, 6, 7], 0.1);
+        assert_eq!(middle_of_box(&grid, |_| false), [2, 3, 3]);
+        // Much at x = 0, a single voxel at x = 6 and z = 4
+        let spike = grid.index(4, 5, 6);
+        let wanted = |i: usize| i == spike || (i.is_multiple_of(7) && i < 3 * 42);
+        assert_eq!(middle_of_box(&grid, wanted), [2, 2, 3]);
+    }
+
+    #[test]
+    fn differences_in_the_band_are_grey_and_beyond_it_coloured_by_their_sign() {
+        let [low, middle, high] = [0.0, 0.5, 1.0].map(difference);
+        assert_eq!((low, high), (FATES[3].0, FATES[4].0));
+        assert_eq!(difference(0.5 + 0.49 / DIFFERENCE_REACH), middle);
+        assert_ne!(difference(0.5 + 0.6 / DIFFERENCE_REACH), middle);
+    }
+
+    #[test]
+    fn scale_bars_have_round_lengths() {
+        for (length, bar) in [(2.4, 2.0), (0.99, 0.5), (1.0, 1.0), (70.0, 50.0)] {
+            assert!((nice_length(length) - bar).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn one_wrong_voxel_is_seen_in_a_reduced_picture() {
+        let grid = VolumeGrid::centered([1, 1, 3 * SLICE_PIXELS], 0.1);
+        let slice = Slice {
+            grid: &grid,
+            axis: 0,
+            at: 0,
+        };
+        let picture = slice.picture(|voxels| voxels.map(|i| u8::from(i == 700)).max().unwrap_or(0));
+        assert_eq!(picture.width, SLICE_PIXELS);
+        assert_eq!(picture.pixels.iter().filter(|p| **p == 1).count(), 1);
+    }
+}

@@ -1,0 +1,183 @@
+//! `report.json`.
+//!
+//! ```text
+//! schema        "tomolith.report/1"
+//! part          name of the part
+//! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
+//!               with gel_threshold, farthest (the place of hausdorff_mm, and whether print or target is without the other there),
+//!               band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
+//!               and standing_still: the same without turning
+//! optimisation  the same on the optimisation's grid
+//! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of grey targets), best (its value
+//!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
+//!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for grey targets; the
+//!               highest belongs to the shortest exposure); reported_percent (the exposure of all other numbers: 100, unless the job sets a
+//!               threshold or is grey). An end without limit is null; all of it is null where it cannot be said
+//! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
+//!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
+//! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
+//!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
+//!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
+//!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
+//! lights        frames, size and scale of each light's patterns
+//! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
+//!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
+//! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
+//!               model calls; else null
+//! movies        what a decoder makes of each movie
+//! notes         sentences: choices that were made
+//! warnings      sentences
+//! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
+//! ```
+//!
+//! What is not defined is null; no number is infinite or not a number.
+
+use super::ReportData;
+use serde_json::{Map, Value, json};
+use tomolith_metrics::Evaluation;
+use tomolith_metrics::evaluation::Histogram;
+use tomolith_metrics::spread::Spread;
+
+/// A number, or null.
+fn number(value: impl Into<Option<f64>>) -> Value {
+    value
+        .into()
+        .filter(|v| v.is_finite())
+        .map_or(Value::Null, Value::from)
+}
+
+/// The report as JSON.
+#[must_use]
+pub fn report_json(data: &ReportData<'_>) -> Value {
+    let mut evaluation = evaluation_json(data.evaluation);
+    let standing = data
+        .standing
+        .map_or(Value::Null, |s| Value::Object(evaluation_json(s)));
+    evaluation.insert("standing_still".to_owned(), standing);
+    let lights: Vec<Value> = data
+        .lights
+        .iter()
+        .map(|light| {
+            let grid = &light.patterns.grid;
+            json!({
+                "name": light.name,
+                "wavelength_nm": number(light.wavelength_nm),
+                "frames": grid.frames(),
+                "rows": grid.rows,
+                "columns": grid.columns,
+                "pitch_mm": grid.square_pitch_mm().map_or_else(|| json!(grid.pitch_mm), number),
+                "bits": light.bits,
+                "full_scale": number(f64::from(light.full_scale)),
+                "canvas": light.canvas,
+                "budget": light.budget,
+            })
+        })
+        .collect();
+    let history = data.history.last().map(|last| {
+        json!({
+            "iterations": last.iteration,
+            "loss": number(last.loss),
+            "projected_gradient": number(last.projected_gradient),
+            "forward_calls": last.forward_calls,
+            "adjoint_calls": last.adjoint_calls,
+            "kept": data.kept,
+        })
+    });
+    let movies: Vec<Value> = data
+        .movies
+        .iter()
+        .map(|movie| {
+            json!({
+                "file": movie.file,
+                "frames": movie.check.frames,
+                "frame_rate": number(movie.check.frame_rate),
+                "width": movie.check.width,
+                "height": movie.check.height,
+                "largest_error_of_255": movie.check.largest_error,
+                "rms_error_of_255": number(movie.check.rms_error),
+            })
+        })
+        .collect();
+    let timings: Map<String, Value> = data
+        .timings
+        .iter()
+        .map(|t| (t.name.clone(), number(t.seconds)))
+        .collect();
+    let models: Map<String, Value> = data
+        .models
+        .iter()
+        .map(|(stage, model)| ((*stage).to_owned(), json!(model)))
+        .collect();
+    json!({
+        "schema": "tomolith.report/1",
+        "part": data.part,
+        "evaluation": evaluation,
+        "optimisation": data.optimisation.map(evaluation_json),
+        "exposure": data.exposure,
+        "limits": data.limits.causes,
+        "published": data.published,
+        "lights": lights,
+        "history": history,
+        "levels": data.levels,
+        "movies": movies,
+        "notes": data.notes,
+        "warnings": data.warnings,
+        "run": {
+            "program": data.program,
+            "models": models,
+            "created": data.created,
+            "timings_s": timings,
+        },
+    })
+}
+
+/// The numbers and curves of an evaluation.
+#[must_use]
+pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
+    let mut map: Map<String, Value> = evaluation
+        .measures
+        .0
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), number(*value)))
+        .collect();
+    let grid = &evaluation.grid;
+    let rest = [
+        ("gel_threshold", number(evaluation.gel_threshold)),
+        ("farthest", json!(evaluation.farthest)),
+        ("band_half_width", number(evaluation.half_width)),
+        ("sub_angles", evaluation.sub_angles.into()),
+        (
+            "grid",
+            json!({
+                "shape_zyx": grid.shape,
+                "pitch_mm": number(grid.pitch_mm),
+                "center_xyz_mm": grid.center_mm.map(number),
+            }),
+        ),
+        ("part", spread_json(evaluation.part)),
+        ("void", spread_json(evaluation.void)),
+        ("notes", json!(evaluation.notes)),
+        ("iou_curve", json!(evaluation.curve)),
+        ("histogram", histogram_json(&evaluation.histogram)),
+    ];
+    map.extend(rest.map(|(name, value)| (name.to_owned(), value)));
+    map
+}
+
+/// Voxels per bin of part and void.
+fn histogram_json(histogram: &Histogram) -> Value {
+    let column = |i: usize| histogram.counts.iter().map(|n| n[i]).collect::<Vec<u64>>();
+    json!({ "range": histogram.range, "part": column(0), "void": column(1) })
+}
+
+fn spread_json(spread: Option<Spread>) -> Value {
+    spread.map_or(Value::Null, |s| {
+        json!({
+            "voxels": s.count,
+            "min": number(f64::from(s.min)),
+            "max": number(f64::from(s.max)),
+            "mean": number(s.mean),
+            "deviation": number(s.deviation),
+        })
+    })
+}

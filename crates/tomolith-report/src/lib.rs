@@ -1,0 +1,502 @@
+//! What a run has found: `report.json` for programs, `report.html` for people.
+//!
+//! *What must it do, and who does it.* [`ReportData`] is everything a report shows, put together by whoever ran the job;
+//! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
+//! dark, and fits a desk and a telephone.
+
+pub mod compare;
+mod figures;
+pub mod html;
+pub mod json;
+pub mod latitude;
+pub mod limits;
+pub mod number;
+mod picture;
+mod plot;
+mod relief;
+
+pub use latitude::ExposureWindow;
+pub use limits::{Cause, Limit, Limits};
+use std::io::Write;
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::{Patterns, Volume};
+use tomolith_io::csv::HistoryRow;
+use tomolith_io::mp4::MovieCheck;
+use tomolith_io::write_whole;
+use tomolith_metrics::Evaluation;
+use tomolith_metrics::surface::Deviation;
+use tomolith_optics::exposure::Budget;
+use tomolith_optimize::Kept;
+use tomolith_optimize::levels::Gain;
+
+/// The patterns of one light.
+#[derive(Clone, Copy, Debug)]
+pub struct LightReport<'a> {
+    /// Its name; may be empty when there is only one.
+    pub name: &'a str,
+    /// What the projector shows: quantised, as pattern values.
+    pub patterns: &'a Patterns,
+    /// Bit depth.
+    pub bits: u32,
+    /// The pattern value of the highest level.
+    pub full_scale: f32,
+    /// Wavelength, when known.
+    pub wavelength_nm: Option<f64>,
+    /// Columns and rows of the device, when a printer is named.
+    pub canvas: Option<[usize; 2]>,
+    /// Time, energy and use of the light.
+    pub budget: Budget,
+}
+
+/// A movie that was written, and what a decoder made of it.
+#[derive(Clone, Debug)]
+pub struct MovieReport {
+    /// File name in the run folder.
+    pub file: String,
+    /// What a decoder makes of it.
+    pub check: MovieCheck,
+}
+
+/// Wall time of a part of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timing {
+    /// What took the time.
+    pub name: String,
+    /// How long, s.
+    pub seconds: f64,
+}
+
+/// Everything a report shows.
+pub struct ReportData<'a> {
+    /// Name of the part.
+    pub part: &'a str,
+    /// Program and version.
+    pub program: &'a str,
+    /// Date and time, as text; may be empty.
+    pub created: &'a str,
+    /// Short facts for the head of the page: `("Vial", "cylinder, 7.6 mm")`.
+    pub facts: Vec<(String, String)>,
+    /// What gave the doses: `("optimisation", "parallel (…): …")`.
+    pub models: Vec<(&'static str, String)>,
+    /// Over which exposures the print is nearly as good as at the best one, where that can be said.
+    pub exposure: Option<&'a ExposureWindow>,
+    /// What limits the print.
+    pub limits: &'a Limits,
+    /// The patterns of each light.
+    pub lights: Vec<LightReport<'a>>,
+    /// Labels of the evaluation's voxels ([`tomolith_core::target::label`]).
+    pub labels: &'a Volume<u8>,
+    /// Response of the same voxels, vial turning.
+    pub response: &'a Volume<f32>,
+    /// Inside fraction of the same voxels.
+    pub inside: Option<&'a Volume<f32>>,
+    /// Which of the same voxels belong to a body that is not printed: [`DARK`] or [`INSERT`], else 0. None without such bodies.
+    pub bodies: Option<&'a Volume<u8>>,
+    /// Thresholds of the objective `[lower, upper]`, where it has any: void below, part above.
+    pub window: Option<[f64; 2]>,
+    /// The headline: finer grid, written patterns, vial turning.
+    pub evaluation: &'a Evaluation,
+    /// The same with the vial standing still during each frame.
+    pub standing: Option<&'a Evaluation>,
+    /// On the optimisation's grid.
+    pub optimisation: Option<&'a Evaluation>,
+    /// Numbers with other authors' signs or normalisations.
+    pub published: serde_json::Map<String, serde_json::Value>,
+    /// What happened in the optimisation.
+    pub history: &'a [HistoryRow],
+    /// Which of its iterates the patterns are.
+    pub kept: Option<Kept>,
+    /// The print's surface and how far it is off, where there is one.
+    pub deviation: Option<&'a Deviation>,
+    /// What was gained on few levels of the machine, where patterns were improved on them.
+    pub levels: Option<Gain>,
+    /// Movies.
+    pub movies: Vec<MovieReport>,
+    /// The resolved job.
+    pub job_text: &'a str,
+    /// Choices that were made, one sentence each.
+    pub notes: Vec<String>,
+    /// What people should know, one sentence each.
+    pub warnings: Vec<String>,
+    /// Where the time went.
+    pub timings: Vec<Timing>,
+}
+
+/// Of [`ReportData::bodies`]: a body that is to stay dark.
+pub const DARK: u8 = 1;
+/// Of [`ReportData::bodies`]: an insert.
+pub const INSERT: u8 = 2;
+
+impl ReportData<'_> {
+    /// Whether volumes belong together.
+    fn check(&self) -> Result<()> {
+        let expected = self.labels.grid.len();
+        let lengths = [
+            ("labels", self.labels.values.len()),
+            ("response", self.response.values.len()),
+            (
+                "inside fraction",
+                self.inside.map_or(expected, |v| v.values.len()),
+            ),
+            ("bodies", self.bodies.map_or(expected, |v| v.values.len())),
+        ];
+        for (what, found) in lengths {
+            if found != expected {
+                return Err(Error::Shape {
+                    what: format!("{what} of the report"),
+                    expected: self.labels.grid.shape.to_vec(),
+                    found: vec![found],
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Writes `report.json`; see [`json`].
+///
+/// # Errors
+/// [`Error::Io`].
+pub fn write_json(path: &Path, data: &ReportData<'_>) -> Result<()> {
+    let value = json::report_json(data);
+    write_whole(path, |file| {
+        serde_json::to_writer_pretty(&mut *file, &value).map_err(std::io::Error::from)?;
+        Ok(file.write_all(b"\n")?)
+    })
+}
+
+/// Writes `print.ply`: the print's surface in mm, with colours, and `deviation_um` at each corner (positive where the print is too large).
+///
+/// # Errors
+/// [`Error::Io`].
+pub fn write_print(path: &Path, part: &str, deviation: &Deviation) -> Result<()> {
+    relief::write(path, part, deviation)
+}
+
+/// Writes `report.html`; see [`html`].
+///
+/// # Errors
+/// [`Error::Io`], or [`Error::Shape`] when the volumes do not belong together.
+pub fn write_html(path: &Path, data: &ReportData<'_>) -> Result<()> {
+    data.check()?;
+    let page = html::report_html(data);
+    write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+    use tomolith_metrics::evaluate;
+    use tomolith_metrics::print::{PatternStats, Print};
+
+    /// A disc in a blurred dose, with everything a report can hold.
+    struct Sample {
+        labels: Volume<u8>,
+        response: Volume<f32>,
+        patterns: Patterns,
+        history: Vec<HistoryRow>,
+        limits: Limits,
+    }
+
+    impl Sample {
+        fn new() -> Self {
+            let grid = VolumeGrid::centered([6, 20, 22], 0.1);
+            let radius = |i: usize| (grid.x(i % 22).powi(2) + grid.y(i / 22 % 20).powi(2)).sqrt();
+            let label = |i: usize| match radius(i) {
+                r if r > 1.0 => OUTSIDE,
+                r if r > 0.5 => VOID,
+                _ => PART,
+            };
+            let labels = (0..grid.len()).map(label).collect();
+            let response = (0..grid.len()).map(|i| (1.3 - radius(i)) as f32).collect();
+            let mut patterns = Patterns::dark(PatternGrid::full_turn(9, 0.0, 4, 6, 0.1));
+            patterns
+                .values
+                .iter_mut()
+                .enumerate()
+                .for_each(|(i, v)| *v = (i % 7) as f32);
+            let row = |i: usize| HistoryRow {
+                iteration: i,
+                loss: 10.0 / (1 + i) as f64,
+                projected_gradient: (i > 0).then_some(1.0),
+                step: (i > 0).then_some(1.0),
+                forward_calls: 2 * i,
+                adjoint_calls: i,
+                seconds: i as f64,
+                iou: Some(1.0 - 0.5f64.powi(1 + i as i32)),
+                process_window: i.is_multiple_of(2).then_some(0.01 * i as f64),
+            };
+            Sample {
+                labels: Volume {
+                    grid: grid.clone(),
+                    values: labels,
+                },
+                response: Volume {
+                    grid,
+                    values: response,
+                },
+                patterns,
+                history: (0..5).map(row).collect(),
+                limits: Limits {
+                    sentence: "Predicted IoU 1.".to_owned(),
+                    causes: vec![Limit {
+                        cause: Cause::Turning,
+                        measure: "iou",
+                        loss: 0.25,
+                        key: "light.angles".to_owned(),
+                        advice: "It turns. Raise `light.angles`.".to_owned(),
+                    }],
+                },
+            }
+        }
+
+        fn evaluation(&self) -> Evaluation {
+            let stats = PatternStats::of([&self.patterns]);
+            evaluate(
+                &Print::new(&self.labels, &self.response)
+                    .unwrap()
+                    .with_patterns(stats),
+            )
+        }
+
+        fn data<'a>(&'a self, evaluation: &'a Evaluation) -> ReportData<'a> {
+            ReportData {
+                part: "disc <script>alert(1)</script>",
+                program: "Tomolith",
+                created: "",
+                facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
+                models: vec![("evaluation", "parallel: one slice serves all".to_owned())],
+                exposure: None,
+                limits: &self.limits,
+                lights: vec![LightReport {
+                    name: "",
+                    patterns: &self.patterns,
+                    bits: 8,
+                    full_scale: 6.0,
+                    wavelength_nm: None,
+                    canvas: Some([32, 20]),
+                    budget: Budget {
+                        light_used: 0.25,
+                        white_mj_per_mm2: Some(40.0),
+                        time_s: Some(75.0),
+                        turns: Some(12.5),
+                        energy_per_turn_mj: Some(3.0),
+                        energy_mj: Some(37.5),
+                    },
+                }],
+                labels: &self.labels,
+                response: &self.response,
+                inside: None,
+                bodies: None,
+                window: Some([0.7, 0.9]),
+                evaluation,
+                standing: Some(evaluation),
+                optimisation: None,
+                published: serde_json::Map::new(),
+                history: &self.history,
+                kept: None,
+                deviation: None,
+                levels: None,
+                movies: Vec::new(),
+                job_text: "a = \"</pre><b>\"",
+                notes: vec!["z is moved".to_owned()],
+                warnings: vec!["x < y".to_owned()],
+                timings: vec![Timing {
+                    name: "all".to_owned(),
+                    seconds: 2.0,
+                }],
+            }
+        }
+    }
+
+    #[test]
+    fn json_holds_the_numbers_and_no_others_change_between_runs() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.json");
+        write_json(&path, &sample.data(&evaluation)).unwrap();
+        let json: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+        assert_eq!(json["schema"], "tomolith.report/1");
+        for (name, value) in &evaluation.measures.0 {
+            assert_eq!(json["evaluation"][name].as_f64(), *value, "{name}");
+            assert_eq!(
+                json["evaluation"]["standing_still"][name].as_f64(),
+                *value,
+                "{name}"
+            );
+        }
+        assert!((json["evaluation"]["iou"].as_f64().unwrap() - 1.0).abs() < 1e-12);
+        assert_eq!(json["optimisation"], serde_json::Value::Null);
+        assert_eq!(json["published"], serde_json::json!({}));
+        let farthest = evaluation.farthest.unwrap();
+        let place = &json["evaluation"]["farthest"];
+        assert_eq!(place["at_xyz_mm"], serde_json::json!(farthest.at_mm));
+        assert_eq!(place["side"], serde_json::json!(farthest.side));
+        assert_eq!(
+            json["run"]["models"]["evaluation"],
+            "parallel: one slice serves all"
+        );
+        assert_eq!(json["history"]["forward_calls"], 8);
+        assert_eq!(json["run"]["timings_s"]["all"], 2.0);
+        assert_eq!(json["lights"][0]["budget"]["turns"], 12.5);
+        assert_eq!(json["lights"][0]["canvas"], serde_json::json!([32, 20]));
+        assert_eq!(json["limits"][0]["loss_in_iou"], 0.25);
+        assert_eq!(json["limits"][0]["cause"], "turning");
+        assert_eq!(json["exposure"], serde_json::Value::Null);
+        let mut other = sample.data(&evaluation);
+        (other.created, other.timings[0].seconds) = ("tomorrow", 9.0);
+        let mut other = json::report_json(&other);
+        assert_ne!(other, json);
+        other["run"] = json["run"].clone();
+        assert_eq!(other, json);
+    }
+
+    #[test]
+    fn the_page_is_whole_and_nothing_gets_out_of_its_text() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.html");
+        write_html(&path, &sample.data(&evaluation)).unwrap();
+        let page = std::fs::read_to_string(&path).unwrap();
+        assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
+        for bad in [
+            "<script",
+            "alert(1)</h1>",
+            "</pre><b>",
+            "x < y",
+            "NaN",
+            "inf",
+            "http:",
+            "https:",
+            "src=\"/",
+        ] {
+            assert!(!page.contains(bad), "{bad}");
+        }
+        assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
+        let side = evaluation.farthest.unwrap().side.words();
+        assert!(page.contains("It is at x = ") && page.contains(&format!(" mm: {side}.")));
+        assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
+        // Nine slices, a sinogram, eight frames
+        assert_eq!(page.matches("data:image/png;base64,").count(), 18);
+        for tag in ["section", "figure", "svg", "table", "div", "details"] {
+            assert_eq!(
+                page.matches(&format!("<{tag}")).count(),
+                page.matches(&format!("</{tag}>")).count(),
+                "{tag}"
+            );
+        }
+    }
+
+    #[test]
+    fn exposure_and_limits_stand_before_all_else_and_the_surface_in_two_views() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let window =
+            ExposureWindow::new(&evaluation, &tomolith_core::response::Identity, Some(75.0));
+        let print = Print::new(&sample.labels, &sample.response).unwrap();
+        let deviation = print.deviation().unwrap();
+        let mut data = sample.data(&evaluation);
+        let pictures = |data: &ReportData<'_>| {
+            let page = html::report_html(data);
+            (page.matches("data:image/png;base64,").count(), page)
+        };
+        let (before, _) = pictures(&data);
+        (data.exposure, data.deviation) = (window.as_ref(), Some(&deviation));
+        let (after, page) = pictures(&data);
+        assert_eq!(after, before + 2);
+        let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text}"));
+        assert!(place("<h2>Best exposure</h2>") < place("<h2>What limits the print</h2>"));
+        assert!(place("Raise <code>light.angles</code>") < place("class=\"cards\""));
+        assert!(page.contains("<td>Time to print</td>") && page.contains("1 min 15 s"));
+        let json = json::report_json(&data);
+        assert_eq!(json["exposure"]["time_s"]["best"], 75.0);
+        assert_eq!(json["exposure"]["percent"]["best"], 100.0);
+        assert_eq!(json["exposure"]["measure"], "iou");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("print.ply");
+        write_print(&path, "größer", &deviation).unwrap();
+        let mesh = tomolith_io::mesh::read_mesh(&path).unwrap();
+        assert_eq!(mesh.triangles.len(), deviation.surface.triangles.len());
+    }
+
+    #[test]
+    fn bodies_that_are_not_printed_are_drawn_and_named() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let without = html::report_html(&data);
+        let labels = sample.labels.values.iter();
+        let bodies = Volume {
+            grid: sample.labels.grid.clone(),
+            values: labels
+                .map(|l| if *l == PART { 0 } else { INSERT })
+                .collect(),
+        };
+        data.bodies = Some(&bodies);
+        let with = html::report_html(&data);
+        assert!(with.contains("</i>insert<") && !without.contains("</i>insert<"));
+        assert!(!with.contains("</i>to stay dark<"));
+        let target = |page: &str| page.split("<image href=").nth(1).map(str::to_owned);
+        assert_ne!(target(&with), target(&without));
+    }
+
+    #[test]
+    fn a_grey_target_is_judged_by_its_errors() {
+        let sample = Sample::new();
+        let mut wanted = sample.response.clone();
+        wanted.values.iter_mut().for_each(|v| *v += 0.04);
+        let print = Print::new(&sample.labels, &sample.response).unwrap();
+        let evaluation = evaluate(&print.with_grey(&wanted, 0.05).unwrap());
+        let mut data = sample.data(&evaluation);
+        data.inside = Some(&wanted);
+        let page = html::report_html(&data);
+        assert!(
+            page.contains("<b>100 %</b> of the voxels lies within ±0.05"),
+            "{page}"
+        );
+        assert!(page.contains("How far the response is off") && page.contains("Rms error"));
+        assert!(!page.contains("How much the threshold matters") && !page.contains("NaN"));
+        let json = json::report_json(&data);
+        let rms = json["evaluation"]["rms_error"].as_f64().unwrap();
+        assert!((rms - 0.04).abs() < 1e-6, "{rms}");
+        assert_eq!(json["evaluation"]["band_half_width"], 0.05);
+    }
+
+    #[test]
+    fn an_empty_print_still_has_a_page() {
+        let mut sample = Sample::new();
+        sample.response.values.fill(0.0);
+        sample.history.clear();
+        let evaluation = sample.evaluation();
+        let page = html::report_html(&sample.data(&evaluation));
+        assert!(page.contains("No threshold prints any of the part."));
+        assert!(!page.contains("NaN") && !page.contains("inf"));
+        let json = json::report_json(&sample.data(&evaluation));
+        assert_eq!(
+            (
+                &json["evaluation"]["iou"],
+                &json["evaluation"]["hausdorff_mm"]
+            ),
+            (&serde_json::json!(0.0), &serde_json::Value::Null)
+        );
+    }
+
+    #[test]
+    fn volumes_that_do_not_belong_together_are_refused() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let small = Volume::filled(VolumeGrid::centered([1, 1, 1], 1.0), 0.0f32);
+        data.inside = Some(&small);
+        assert!(matches!(
+            write_html(Path::new("r.html"), &data),
+            Err(Error::Shape { .. })
+        ));
+    }
+}

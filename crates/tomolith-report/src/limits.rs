@@ -1,0 +1,114 @@
+//! What keeps a print from being perfect, one cause at a time, with the key that changes it.
+
+use super::number::escape;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::fmt::Write as _;
+
+/// Why a print is worse than the target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cause {
+    /// The optimisation does not see inside of its voxels.
+    Grid,
+    /// Patterns are written with grey levels, on the pixels of a machine.
+    Levels,
+    /// The vial turns during each frame.
+    Turning,
+    /// The light: pixels, frames, what they can do at all.
+    Optics,
+    /// The optimisation ended while its loss was still falling.
+    Iterations,
+    /// The part's flat ends lie within rows of pixels.
+    Ends,
+    /// The exposure that was asked for is not the best one.
+    Exposure,
+}
+
+/// One cause.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Which.
+    pub cause: Cause,
+    /// What it costs was measured in: `iou` or `rms_error`.
+    pub measure: &'static str,
+    /// By how much it makes the print worse; below 0: better. Of `iterations`: at most.
+    pub loss: f64,
+    /// The key to change.
+    pub key: String,
+    /// What was found, and what to do.
+    pub advice: String,
+}
+
+/// As `{cause, loss_in_iou, key, advice}`, or `loss_in_rms_error`.
+impl Serialize for Limit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(4))?;
+        map.serialize_entry("cause", &self.cause)?;
+        map.serialize_entry(&format!("loss_in_{}", self.measure), &self.loss)?;
+        map.serialize_entry("key", &self.key)?;
+        map.serialize_entry("advice", &self.advice)?;
+        map.end()
+    }
+}
+
+/// All causes that were measured.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Limits {
+    /// All of it in one line.
+    pub sentence: String,
+    /// The largest loss first.
+    pub causes: Vec<Limit>,
+}
+
+/// The section of the page; empty where nothing was measured.
+pub(super) fn section(limits: &Limits) -> String {
+    if limits.causes.is_empty() {
+        return String::new();
+    }
+    let mut items = String::new();
+    for limit in &limits.causes {
+        let _ = write!(items, "<li>{}</li>", code(&limit.advice));
+    }
+    format!(
+        "<section><h2>What limits the print</h2><p>{}</p><ol class=\"limits\">{items}</ol></section>",
+        code(&limits.sentence)
+    )
+}
+
+/// Text whose keys stand between grave accents.
+fn code(text: &str) -> String {
+    let pieces = text.split('`').enumerate();
+    pieces
+        .map(|(i, piece)| match i % 2 {
+            0 => escape(piece),
+            _ => format!("<code>{}</code>", escape(piece)),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_has_four_keys_and_its_key_is_set_as_code() {
+        let limit = Limit {
+            cause: Cause::Grid,
+            measure: "iou",
+            loss: 0.026,
+            key: "grid.pitch_mm".to_owned(),
+            advice: "A < B. Lower `grid.pitch_mm`.".to_owned(),
+        };
+        let json = serde_json::to_value(&limit).unwrap();
+        assert_eq!(
+            json,
+            serde_json::json!({ "cause": "grid", "loss_in_iou": 0.026, "key": "grid.pitch_mm", "advice": "A < B. Lower `grid.pitch_mm`." })
+        );
+        let limits = Limits {
+            sentence: "All.".to_owned(),
+            causes: vec![limit],
+        };
+        assert!(section(&limits).contains("<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>"));
+        assert_eq!(section(&Limits::default()), "");
+    }
+}

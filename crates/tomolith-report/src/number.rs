@@ -1,0 +1,117 @@
+//! Numbers as people read them.
+//!
+//! ```
+//! use tomolith_report::number::{exponent, significant};
+//! assert_eq!(significant(0.998_76, 4), "0.9988");
+//! assert_eq!(significant(12345.6, 3), "12,300");
+//! assert_eq!(significant(0.000_021, 2), "2.1·10⁻⁵");
+//! assert_eq!(exponent(-3), "10⁻³");
+//! ```
+
+/// A power of ten.
+#[must_use]
+pub fn exponent(power: i32) -> String {
+    let digits: String = power
+        .to_string()
+        .chars()
+        .map(|c| match c {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or(0)).unwrap_or('⁰'),
+        })
+        .collect();
+    format!("10{digits}")
+}
+
+/// A number with `digits` significant digits: plain between 10⁻³ and 10⁶, as a power of ten beyond. A true minus sign,
+/// thousands set apart.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let rounded = format!("{:.*e}", digits.saturating_sub(1), value.abs());
+    let (mantissa, power) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
+    let size = if (-3..6).contains(&power) {
+        let decimals = (digits as i32 - 1 - power).max(0) as usize;
+        let magnitude: f64 = rounded.parse().unwrap_or(0.0);
+        trimmed(&format!("{magnitude:.decimals$}"))
+    } else if trimmed(mantissa) == "1" {
+        exponent(power)
+    } else {
+        format!("{}·{}", trimmed(mantissa), exponent(power))
+    };
+    format!("{}{size}", if value < 0.0 { "−" } else { "" })
+}
+
+/// Without zeros at the end, and with commas between thousands.
+fn trimmed(text: &str) -> String {
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
+    };
+    let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let mut out = String::new();
+    for (i, digit) in whole.chars().enumerate() {
+        if i > 0 && (whole.len() - i) % 3 == 0 {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out + rest
+}
+
+/// Text for HTML and SVG, quotes included.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_signs_and_sizes() {
+        for (value, digits, text) in [
+            (0.0, 3, "0"),
+            (1.0, 3, "1"),
+            (-0.0635, 2, "−0.064"),
+            (0.99996, 4, "1"),
+            (0.0009996, 2, "0.001"),
+            (999_999.0, 3, "10⁶"),
+            (123_456.0, 6, "123,456"),
+            (1e-12, 3, "10⁻¹²"),
+            (2.5e7, 3, "2.5·10⁷"),
+            (f64::NAN, 3, "–"),
+        ] {
+            assert_eq!(significant(value, digits), text, "{value}");
+        }
+    }
+
+    #[test]
+    fn nothing_gets_out_of_a_text() {
+        assert_eq!(
+            escape("<a href=\"x\">&'"),
+            "&lt;a href=&quot;x&quot;&gt;&amp;&#39;"
+        );
+    }
+}

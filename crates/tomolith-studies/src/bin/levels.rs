@@ -1,0 +1,134 @@
+//! What a projector of few levels prints: rounded, diffused and optimised patterns of a job, as docs/measured/levels.md has them.
+//!
+//! All patterns are judged by `simulate` as the job says (written, the vial turning, finer voxels). *Rounded* takes the nearest level of the
+//! brightest pixel; *diffused* carries the error of a pixel to the same pixel of the next frame, at the one of eight full scales that prints
+//! best; *optimised* is `evaluate.levels = "optimised"`.
+//!
+//! ```sh
+//! cargo run --release -p tomolith-studies --bin levels -- examples/01-gear.toml 1,2,3,4,5
+//! ```
+//!
+//! Run folders go to `out/levels/`.
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a study prints its table and its use"
+)]
+
+use std::path::{Path, PathBuf};
+use tomolith::Error;
+use tomolith::grid::{PatternGrid, Patterns};
+use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
+use tomolith::job::outcome::Quality;
+use tomolith::job::{self, Job, Silent};
+use tomolith::models::Run;
+
+/// Full scales over the brightest pixel.
+const SCALES: [f32; 8] = [1.0, 0.85, 0.7, 0.55, 0.45, 0.35, 0.25, 0.18];
+
+fn main() -> Result<(), Error> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [file, bits] = arguments.as_slice() else {
+        eprintln!("levels JOB.toml 1,2,3");
+        return Ok(());
+    };
+    let case = Case {
+        file: PathBuf::from(file),
+        folder: PathBuf::from("out/levels").join(Path::new(file).file_stem().unwrap_or_default()),
+    };
+    println!("| bits | rounded | diffused | optimised |\n|---|---|---|---|");
+    let fine = case.folder.join("fine");
+    let unrounded = case.run(&["evaluate.bit_depth=16".to_owned()], &fine)?;
+    let patterns = fine.join("patterns.npz");
+    for bits in bits.split(',').filter_map(|bits| bits.parse().ok()) {
+        let keys = |levels: &str| {
+            let depth = format!("evaluate.bit_depth={bits}");
+            vec![depth, format!("evaluate.levels={levels}")]
+        };
+        let rounded = case.simulate(&keys("rounded"), &patterns, "rounded")?;
+        let diffused = case.diffused(&keys("rounded"), &patterns, bits)?;
+        let optimised = case.run(&keys("optimised"), &case.folder.join("optimised"))?;
+        println!("| {bits} | {rounded} | {diffused} | {optimised} |");
+    }
+    println!("unrounded: {unrounded}");
+    Ok(())
+}
+
+/// A job file, and where its runs go.
+struct Case {
+    file: PathBuf,
+    folder: PathBuf,
+}
+
+impl Case {
+    fn job(&self, keys: &[String], folder: &Path) -> Result<Job, Error> {
+        Ok(Job::read(&self.file, keys)?
+            .with_folder(folder, "")
+            .overwriting())
+    }
+
+    /// Optimises and judges.
+    fn run(&self, keys: &[String], folder: &Path) -> Result<String, Error> {
+        let job = self.job(keys, folder)?;
+        let summary = job::run(&job, false, &mut Silent, &Run::new())?;
+        Ok(cell(&summary.evaluation))
+    }
+
+    fn simulate(&self, keys: &[String], patterns: &Path, name: &str) -> Result<String, Error> {
+        Ok(cell(&self.judged(keys, patterns, name)?))
+    }
+
+    fn judged(&self, keys: &[String], patterns: &Path, name: &str) -> Result<Quality, Error> {
+        let job = self.job(keys, &self.folder.join(name))?;
+        let summary = job::simulate(&job, patterns, &mut Silent, &Run::new())?;
+        Ok(summary.evaluation)
+    }
+
+    /// The full scale that prints best.
+    fn diffused(&self, keys: &[String], patterns: &Path, bits: u32) -> Result<String, Error> {
+        let light = &read_patterns(patterns)?[0];
+        let [frames, rows, columns] = light.shape;
+        let file = self.folder.join("diffused.npz");
+        let mut best: Option<Quality> = None;
+        for scale in SCALES {
+            let shown = Patterns {
+                grid: PatternGrid::full_turn(frames, 0.0, rows, columns, 1.0),
+                values: diffused(&light.shown, rows * columns, scale, bits),
+            };
+            let pair = PatternPair {
+                light: None,
+                shown: &shown,
+                raw: None,
+            };
+            write_patterns(&file, &[pair], &Run::new())?;
+            let print = self.judged(keys, &file, "diffused")?;
+            if best.as_ref().is_none_or(|best| best.iou < print.iou) {
+                best = Some(print);
+            }
+        }
+        Ok(best.as_ref().map(cell).unwrap_or_default())
+    }
+}
+
+/// Carries the error of a pixel to the same pixel of the next frame; dark pixels stay dark.
+fn diffused(patterns: &[f32], size: usize, scale: f32, bits: u32) -> Vec<f32> {
+    let full = scale * patterns.iter().copied().fold(0.0, f32::max);
+    let top = ((1u32 << bits) - 1) as f32;
+    let mut carried = vec![0.0f32; size];
+    let show = |(i, &value): (usize, &f32)| {
+        if value == 0.0 {
+            return 0.0;
+        }
+        let wanted = value.min(full) + carried[i % size];
+        let shown = (wanted / full * top).round().clamp(0.0, top) / top * full;
+        carried[i % size] = (wanted - shown).clamp(-full, full);
+        shown
+    };
+    patterns.iter().enumerate().map(show).collect()
+}
+
+/// IoU, VER and process window.
+fn cell(print: &Quality) -> String {
+    let [iou, ver, pw] = [print.iou, print.ver, print.pw].map(|m| m.unwrap_or(f64::NAN));
+    format!("{iou:.4} · {ver:.3} · {pw:.3}")
+}

@@ -1,0 +1,185 @@
+//! What can be set right before a surface is judged: cracks between vertices, and triangles that are there twice.
+
+use super::edges::Edges;
+use std::collections::HashMap;
+use tomolith_io::mesh::{Mesh, dot, minus};
+
+/// How far apart vertices on the two sides of a crack may lie, as a share of the mesh's diagonal.
+const CRACK: f64 = 1e-5;
+
+/// Welds vertices on open edges that lie within a crack of each other, when that closes edges; how many went.
+pub(super) fn weld_cracks(mesh: &mut Mesh) -> usize {
+    let open = |mesh: &Mesh| {
+        let mut vertices = Vec::new();
+        for side in Edges::new(mesh).iter().filter(|sides| sides.len() == 1) {
+            vertices.extend([side[0].low, side[0].high]);
+        }
+        vertices
+    };
+    let rim = open(mesh);
+    if rim.is_empty() {
+        return 0;
+    }
+    let to = nearby(mesh, &rim);
+    if to.is_empty() {
+        return 0;
+    }
+    let mut welded = mesh.clone();
+    for v in welded.triangles.iter_mut().flatten() {
+        *v = *to.get(v).unwrap_or(v);
+    }
+    welded
+        .triangles
+        .retain(|[a, b, c]| a != b && b != c && c != a);
+    if open(&welded).len() >= rim.len() {
+        return 0;
+    }
+    mesh.triangles = welded.triangles;
+    to.len()
+}
+
+/// Which of these vertices should become which other one: the first within a crack.
+fn nearby(mesh: &Mesh, among: &[u32]) -> HashMap<u32, u32> {
+    let [low, high] = mesh.bounds();
+    let extent = minus(high, low);
+    let reach = CRACK * dot(extent, extent).sqrt();
+    let cell = |p: [f64; 3]| p.map(|v| (v / reach).floor() as i64);
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    let mut to = HashMap::new();
+    let mut among = among.to_vec();
+    among.sort_unstable();
+    among.dedup();
+    for v in among {
+        let p = mesh.vertices[v as usize];
+        let home = cell(p);
+        let near = (0..27).find_map(|i| {
+            let offset = [i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1];
+            let there: [i64; 3] =
+                std::array::from_fn(|axis| home[axis].saturating_add(offset[axis]));
+            let others = cells.get(&there)?.iter();
+            others.copied().find(|&o| {
+                let away = minus(mesh.vertices[o as usize], p);
+                dot(away, away) <= reach * reach
+            })
+        });
+        match near {
+            Some(other) => drop(to.insert(v, other)),
+            None => cells.entry(home).or_default().push(v),
+        }
+    }
+    to
+}
+
+/// Triangles that were dropped because others have the same corners.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Doubles {
+    /// Copies that look the same way.
+    pub(super) copies: usize,
+    /// Triangles back to back with another: a wall without thickness.
+    pub(super) back_to_back: usize,
+}
+
+/// Drops all but one of the copies of a triangle, and walls without thickness: neither changes what is inside.
+pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
+    /// Corners in rising order, which way it looks, its number.
+    type Key = ([u32; 3], bool, usize);
+    let mut keys: Vec<Key> = mesh
+        .triangles
+        .iter()
+        .enumerate()
+        .map(|(t, &corners)| {
+            let [a, b, c] = corners;
+            let mut sorted = corners;
+            sorted.sort_unstable();
+            let even = [[a, b, c], [b, c, a], [c, a, b]].contains(&sorted);
+            (sorted, even, t)
+        })
+        .collect();
+    keys.sort_unstable();
+    let mut keep = vec![true; keys.len()];
+    let mut doubles = Doubles::default();
+    for same in keys
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter(|same| same.len() > 1)
+    {
+        let odd = same.iter().filter(|key| !key.1).count();
+        let even = same.len() - odd;
+        let pairs = odd.min(even);
+        doubles.back_to_back += 2 * pairs;
+        doubles.copies += (odd.max(even) - pairs).saturating_sub(1);
+        let survivor = (odd != even).then(|| same.iter().find(|key| key.1 == (even > odd)));
+        for (_, _, t) in same {
+            keep[*t] = survivor.flatten().is_some_and(|key| key.2 == *t);
+        }
+    }
+    if keep.contains(&false) {
+        let mut kept = keep.into_iter();
+        mesh.triangles.retain(|_| kept.next().unwrap_or(true));
+    }
+    doubles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
+
+    #[test]
+    fn a_crack_is_welded_and_a_gap_is_not() {
+        let cracked = |gap: f64| {
+            let mut mesh = ball([0.0; 3], 1.0, 2);
+            // Every triangle of the upper half gets its corners on the equator anew, a little higher
+            let mut copies = HashMap::new();
+            for t in 0..mesh.triangles.len() {
+                let corners = mesh.corners(t);
+                if corners.iter().map(|c| c[2]).sum::<f64>() > 0.0 {
+                    for v in &mut mesh.triangles[t] {
+                        let p = mesh.vertices[*v as usize];
+                        *v = *copies.entry(*v).or_insert_with(|| {
+                            mesh.vertices.push([p[0], p[1], p[2] + gap]);
+                            mesh.vertices.len() as u32 - 1
+                        });
+                    }
+                }
+            }
+            mesh
+        };
+        let mut mesh = cracked(1e-6);
+        let open = |mesh: &Mesh| Edges::new(mesh).iter().filter(|e| e.len() == 1).count();
+        assert!(open(&mesh) > 20);
+        assert!(weld_cracks(&mut mesh) > 10);
+        assert_eq!(open(&mesh), 0);
+        let mut mesh = cracked(1e-2);
+        let before = mesh.clone();
+        assert_eq!((weld_cracks(&mut mesh), mesh == before), (0, true));
+    }
+
+    #[test]
+    fn copies_and_walls_without_thickness_are_dropped() {
+        let cube = cuboid([0.0; 3], [1.0; 3]);
+        let mut twice = together(&[cube.clone(), cube.clone()]).welded();
+        let doubles = drop_doubles(&mut twice);
+        assert_eq!((doubles.copies, doubles.back_to_back), (12, 0));
+        assert_eq!(twice.triangles.len(), 12);
+        assert!((twice.signed_volume() - 1.0).abs() < 1e-12);
+        let mut nothing = together(&[cube.clone(), inverted(cube.clone())]).welded();
+        assert_eq!(drop_doubles(&mut nothing).back_to_back, 24);
+        assert!(nothing.triangles.is_empty());
+        // Two cubes with a wall between them become one block
+        let mut block =
+            together(&[cube.clone(), cuboid([0.0, 0.0, 1.0], [1.0, 1.0, 2.0])]).welded();
+        assert_eq!(
+            drop_doubles(&mut block),
+            Doubles {
+                copies: 0,
+                back_to_back: 4
+            }
+        );
+        assert!((block.signed_volume() - 2.0).abs() < 1e-12);
+        let mut sound = cube.clone();
+        assert_eq!(
+            (drop_doubles(&mut sound), sound == cube),
+            (Doubles::default(), true)
+        );
+    }
+}

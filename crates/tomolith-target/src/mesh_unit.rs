@@ -1,0 +1,159 @@
+//! The unit of a mesh file, which STL, OBJ and PLY do not state.
+
+use super::TargetSpec;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::units::concise;
+use tomolith_io::mesh::{Mesh, read_mesh};
+
+/// Unit of the numbers in a mesh file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MeshUnit {
+    /// Micrometres.
+    Um,
+    /// Millimetres.
+    #[default]
+    Mm,
+    /// Centimetres.
+    Cm,
+    /// Metres.
+    M,
+    /// Inches.
+    #[serde(alias = "in")]
+    Inch,
+}
+
+impl MeshUnit {
+    /// All of them.
+    pub const ALL: [MeshUnit; 5] = [
+        MeshUnit::Um,
+        MeshUnit::Mm,
+        MeshUnit::Cm,
+        MeshUnit::M,
+        MeshUnit::Inch,
+    ];
+
+    /// Its length in mm.
+    #[must_use]
+    pub fn mm(self) -> f64 {
+        match self {
+            MeshUnit::Um => 1e-3,
+            MeshUnit::Mm => 1.0,
+            MeshUnit::Cm => 10.0,
+            MeshUnit::M => 1000.0,
+            MeshUnit::Inch => 25.4,
+        }
+    }
+
+    /// Its name in a job.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            MeshUnit::Um => "um",
+            MeshUnit::Mm => "mm",
+            MeshUnit::Cm => "cm",
+            MeshUnit::M => "m",
+            MeshUnit::Inch => "inch",
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            MeshUnit::Um => "micrometres",
+            MeshUnit::Mm => "millimetres",
+            MeshUnit::Cm => "centimetres",
+            MeshUnit::M => "metres",
+            MeshUnit::Inch => "inches",
+        }
+    }
+}
+
+/// Reads the mesh of a table of the job, which may state its unit; lengths in that unit.
+///
+/// # Errors
+/// As [`read_mesh`]; [`Error::Config`] for an image, and for a unit beside a 3MF file, which has its own.
+pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result<Mesh> {
+    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+    if ["png", "tif", "tiff"].iter().any(|image| ending == **image) {
+        return Err(Error::config(
+            format!("{section}.mesh"),
+            format!("`{}` is an image", path.display()),
+            "a mesh file; images go to `target.image` (drawn along z) or `target.stack` (slices)",
+        ));
+    }
+    if let (true, Some(unit)) = (ending == "3mf", unit) {
+        return Err(Error::config(
+            format!("{section}.mesh_unit"),
+            format!("\"{}\" for a 3MF file", unit.name()),
+            "no unit here: a 3MF file states its own",
+        ));
+    }
+    read_mesh(path)
+}
+
+/// A mesh in mm.
+pub(super) fn in_mm(mut mesh: Mesh, unit: Option<MeshUnit>) -> Mesh {
+    let factor = unit.unwrap_or_default().mm();
+    if factor != 1.0 {
+        let values = mesh.vertices.iter_mut().flatten();
+        values.for_each(|value| *value *= factor);
+    }
+    mesh
+}
+
+impl TargetSpec {
+    /// Asks for the unit of the mesh, when nothing but its file says how large it is, its box is not between these lengths, and
+    /// would be in another unit.
+    ///
+    /// ```
+    /// use tomolith_target::TargetSpec;
+    /// let spec: TargetSpec = toml::from_str("mesh = \"part.stl\"").unwrap();
+    /// // 0.006 long where 0.15 to 15 mm are expected: 6 mm if the file is in metres
+    /// let asked = spec.ask_for_unit([[0.0; 3], [0.006, 0.004, 0.004]], [0.15, 15.0]).unwrap();
+    /// assert_eq!(asked, "the part is 0.006 mm long: is its file in metres? set target.mesh_unit = \"m\"");
+    /// assert!(spec.ask_for_unit([[0.0; 3], [6.0, 4.0, 4.0]], [0.15, 15.0]).is_none());
+    /// ```
+    #[must_use]
+    pub fn ask_for_unit(&self, bounds: [[f64; 3]; 2], expected_mm: [f64; 2]) -> Option<String> {
+        let bodies = || self.body.iter().flatten();
+        let mut files = self
+            .mesh
+            .iter()
+            .chain(bodies().filter_map(|b| b.mesh.as_ref()));
+        let is_open = files.next().is_some_and(|file| {
+            !file
+                .extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("3mf"))
+        });
+        let is_stated = self.size_mm.is_some()
+            || self.scale.is_some()
+            || self.mesh_unit.is_some()
+            || bodies().any(|body| body.mesh_unit.is_some());
+        if !is_open || is_stated {
+            return None;
+        }
+        let longest = (0..3)
+            .map(|i| bounds[1][i] - bounds[0][i])
+            .fold(0.0, f64::max);
+        let [least, most] = expected_mm;
+        let others: &[MeshUnit] = if longest < least {
+            &[MeshUnit::M, MeshUnit::Inch, MeshUnit::Cm]
+        } else if longest > most {
+            &[MeshUnit::Um]
+        } else {
+            &[]
+        };
+        let fits = |unit: &&MeshUnit| (least..=most).contains(&(longest * unit.mm()));
+        others.iter().find(fits).map(|unit| {
+            format!(
+                "the part is {} mm long: is its file in {}? set target.mesh_unit = \"{}\"",
+                concise(longest),
+                unit.words(),
+                unit.name()
+            )
+        })
+    }
+}

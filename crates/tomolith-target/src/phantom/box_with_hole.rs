@@ -1,0 +1,94 @@
+//! A square plate or block with a round hole along z, through its middle or aside along x.
+//!
+//! `|x|, |y| < size/2, |z| < height/2, √((x − hole_x)² + y²) > hole/2`; volume (size² − π·hole²/4)·height. A hole is what light from
+//! the side can hardly spare: the hardest simple test of contrast.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("box_with_hole"));
+//! let block = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let exact = (25.0 - std::f64::consts::PI) * 3.0; // edges 5, hole 2 wide, height 3
+//! assert!((block.volume_mm3().unwrap() - exact).abs() < 1e-12);
+//! ```
+
+use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "box_with_hole",
+    summary: "A square block with a round hole along z",
+    example: "[target]\nphantom.box_with_hole = { size_mm = 5.0, height_mm = 3.0, hole_mm = 2.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the box with a hole.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Edge along x and y, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Diameter of the hole, mm (> 0, less than `size_mm`)
+    hole_mm: Mm,
+    /// Where along x its middle is, mm; the hole stays within the block
+    hole_x_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(5.0),
+            height_mm: Mm(3.0),
+            hole_mm: Mm(2.0),
+            hole_x_mm: Mm(0.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[
+            ("size_mm", p.size_mm),
+            ("height_mm", p.height_mm),
+            ("hole_mm", p.hole_mm),
+        ],
+    )?;
+    if p.hole_mm >= p.size_mm {
+        let found = format!("{} in a block of {}", p.hole_mm, p.size_mm);
+        return Err(
+            Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
+        );
+    }
+    let x = p.hole_x_mm.0;
+    if !x.is_finite() || 2.0 * x.abs() + p.hole_mm.0 > p.size_mm.0 {
+        let found = format!(
+            "a hole of {} at {} in a block of {}",
+            p.hole_mm, p.hole_x_mm, p.size_mm
+        );
+        return Err(
+            Error::config("hole_x_mm", found, "a place within the block").under(&section.path),
+        );
+    }
+    let [edge, half, radius] = [p.size_mm, p.height_mm, p.hole_mm].map(|mm| mm.0 / 2.0);
+    let area = 4.0 * edge * edge - std::f64::consts::PI * radius * radius;
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |p| {
+                rectangle(p, [0.0; 2], [edge; 2]).max(radius - (p[0] - x).hypot(p[1]))
+            }),
+            z: [-half, half],
+        }]),
+        hull: corners([edge, edge, half]),
+        round: 0.0,
+        volume_mm3: Some(area * 2.0 * half),
+    })
+}

@@ -1,0 +1,88 @@
+//! A checkerboard: solid and open squares in turn, half of the material.
+//!
+//! `cells` × `cells` squares, the one at the lower left solid; volume (half of the squares, rounded up)·(size/cells)²·
+//! height. Solid squares touch at their corners only.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("checkerboard"));
+//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! // 13 of 25 squares of 1 mm², 1 mm high
+//! assert!((part.volume_mm3().unwrap() - 13.0).abs() < 1e-12);
+//! ```
+
+use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "checkerboard",
+    summary: "Solid and open squares in turn",
+    example: "[target]\nphantom.checkerboard = { size_mm = 5.0, height_mm = 1.0, cells = 5 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the checkerboard.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Edge of the board, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Squares along an edge (1 to 1000)
+    cells: u32,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(5.0),
+            height_mm: Mm(1.0),
+            cells: 5,
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
+    )?;
+    if !(1..=1000).contains(&p.cells) {
+        let found = p.cells.to_string();
+        return Err(Error::config("cells", found, "a number from 1 to 1000").under(&section.path));
+    }
+    let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
+    let cell = p.size_mm.0 / f64::from(p.cells);
+    let solid = f64::from((p.cells * p.cells).div_ceil(2));
+    let last = f64::from(p.cells - 1);
+    let outline = move |p: [f64; 2]| {
+        // Beyond the board the squares at its rim go on; its own edge is the rectangle's
+        let at = p.map(|v| (v + edge) / cell);
+        let odd: f64 = at.map(|v| v.floor().clamp(0.0, last)).into_iter().sum();
+        let to_line = at.map(|v| (v - v.round().clamp(1.0, last.max(1.0))).abs());
+        let to_line = to_line[0].min(to_line[1]) * cell;
+        let squares = match (last > 0.0, odd.rem_euclid(2.0) > 0.5) {
+            (false, _) => f64::NEG_INFINITY,
+            (true, true) => to_line,
+            (true, false) => -to_line,
+        };
+        squares.max(rectangle(p, [0.0; 2], [edge; 2]))
+    };
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(outline),
+            z: [-half, half],
+        }]),
+        hull: corners([edge, edge, half]),
+        round: 0.0,
+        volume_mm3: Some(solid * cell * cell * p.height_mm.0),
+    })
+}

@@ -1,0 +1,63 @@
+//! A cylinder upright on its end, or, flat, a disc.
+//!
+//! `√(x² + y²) < size/2, |z| < height/2`; volume π·size²/4·height.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!({"cylinder": {"size_mm": 2.0, "height_mm": 1.0}}));
+//! let disc = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! assert_eq!(disc.volume_mm3(), Some(std::f64::consts::PI)); // radius 1, height 1
+//! ```
+
+use super::{Body, BuildForm, Form, Prism, positive, rims};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "cylinder",
+    summary: "A cylinder upright on its end; flat, a disc",
+    example: "[target]\nphantom.cylinder = { size_mm = 5.0, height_mm = 3.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the cylinder.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Diameter, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(5.0),
+            height_mm: Mm(3.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
+    )?;
+    let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |[x, y]| x.hypot(y) - radius),
+            z: [-half, half],
+        }]),
+        hull: rims(radius, [-half, half]),
+        round: 0.0,
+        volume_mm3: Some(std::f64::consts::PI * radius * radius * 2.0 * half),
+    })
+}

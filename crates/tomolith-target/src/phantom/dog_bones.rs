@@ -1,0 +1,116 @@
+//! Tensile test bars side by side, lying flat: narrow necks between wide grips.
+//!
+//! Bars along x with the proportions of ASTM D638 type V: of the length, the grips are 0.1501 wide, the neck 0.0501 over
+//! 0.1501, and fillets of radius 0.2 lead from the one to the other. Volume: of each bar the rectangle less what neck and
+//! fillets leave out.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("dog_bones"));
+//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let [low, high] = part.bounds_mm();
+//! assert!((high[0] - 2.5).abs() < 1e-12); // 5 mm long
+//! let rows = 5.0 * 9.53 / 63.5 * (3.0 + 2.0); // three bars 0.75 mm wide, with gaps as wide
+//! assert!((high[1] - low[1] - rows).abs() < 1e-12);
+//! ```
+
+use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "dog_bones",
+    summary: "Tensile test bars side by side, lying flat",
+    example: "[target]\nphantom.dog_bones = { size_mm = 5.0, height_mm = 1.0, count = 3 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the dog-bones.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Length of a bar along x, mm (> 0)
+    size_mm: Mm,
+    /// Thickness along z, mm (> 0)
+    height_mm: Mm,
+    /// Number of bars (1 to 100); the gaps are as wide as the grips
+    count: u32,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(5.0),
+            height_mm: Mm(1.0),
+            count: 3,
+        }
+    }
+}
+
+/// ASTM D638 type V, as shares of the length of 63.5 mm.
+const GRIP: f64 = 9.53 / 63.5;
+const NECK: f64 = 3.18 / 63.5;
+const NECK_LENGTH: f64 = 9.53 / 63.5;
+const FILLET: f64 = 12.7 / 63.5;
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
+    )?;
+    if !(1..=100).contains(&p.count) {
+        let found = p.count.to_string();
+        return Err(Error::config("count", found, "a number from 1 to 100").under(&section.path));
+    }
+    let (length, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
+    let pitch = 2.0 * GRIP * length;
+    let first = -pitch * f64::from(p.count - 1) / 2.0;
+    let last = f64::from(p.count - 1);
+    let outline = move |[x, y]: [f64; 2]| {
+        // The two bars that may be nearest
+        let place = ((y - first) / pitch).floor();
+        let bar = |i: f64| {
+            length
+                * bar([
+                    x / length,
+                    (y - first - i.clamp(0.0, last) * pitch) / length,
+                ])
+        };
+        bar(place).min(bar(place + 1.0))
+    };
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(outline),
+            z: [-half, half],
+        }]),
+        hull: corners([length / 2.0, GRIP * length / 2.0 - first, half]),
+        round: 0.0,
+        volume_mm3: Some(f64::from(p.count) * bar_area() * length * length * p.height_mm.0),
+    })
+}
+
+/// Signed distance to a bar of length 1 about the origin.
+fn bar([x, y]: [f64; 2]) -> f64 {
+    // One quarter stands for all: the neck above and two discs are left out of a rectangle
+    let [x, y] = [x.abs(), y.abs()];
+    let bar = rectangle([x, y], [0.0; 2], [0.5, GRIP / 2.0]);
+    let above_neck = (x - NECK_LENGTH / 2.0).max(NECK / 2.0 - y);
+    let disc = (x - NECK_LENGTH / 2.0).hypot(y - NECK / 2.0 - FILLET) - FILLET;
+    bar.max(-above_neck.min(disc))
+}
+
+/// Area of a bar of length 1.
+fn bar_area() -> f64 {
+    let rise = (GRIP - NECK) / 2.0;
+    let run = (FILLET * FILLET - (FILLET - rise).powi(2)).sqrt();
+    // Between the grip's edge and a fillet: ∫ (rise − R + √(R² − x²)) dx from 0 to the run
+    let fillet = (rise - FILLET) * run
+        + (run * (FILLET - rise) + FILLET * FILLET * (run / FILLET).asin()) / 2.0;
+    GRIP - 2.0 * NECK_LENGTH * rise - 4.0 * fillet
+}

@@ -1,0 +1,113 @@
+//! A spur gear with a bore.
+//!
+//! Tip diameter `size`, module m = size/(teeth + 2), teeth 2.25·m deep (the standard full depth) with straight flanks that
+//! leave half of the pitch circle to the teeth: a tooth is 0.72 of its pitch wide at the root circle and 0.28 at the tip.
+//! Volume: area of the [wheel](super::wheel) minus the bore, times the height.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("gear"));
+//! let gear = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let volume = gear.volume_mm3().unwrap();
+//! // Between the discs of the root circle (radius 3 − 2.25·6/14 = 2.036) and of the tip circle, less a bore of 2 mm
+//! assert!(volume > 3.0 * 3.1416 * (2.036f64.powi(2) - 1.0) && volume < 3.0 * 3.1416 * (9.0 - 1.0));
+//! ```
+
+use super::wheel::Wheel;
+use super::{Body, BuildForm, Form, Prism, positive, rims};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::{Mm, concise};
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "gear",
+    summary: "A spur gear with a bore",
+    example: "[target]\nphantom.gear = { size_mm = 6.0, height_mm = 3.0, teeth = 12, bore_mm = 2.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the gear.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Diameter over the tips of the teeth, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Number of teeth (4 to 500)
+    teeth: u32,
+    /// Diameter of the bore, mm (≥ 0, less than the root circle)
+    bore_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(6.0),
+            height_mm: Mm(3.0),
+            teeth: 12,
+            bore_mm: Mm(2.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
+    )?;
+    let wheel = spur_gear(section, p.size_mm, p.teeth)?;
+    let tip = wheel.tip;
+    let bore = p.bore_mm.0 / 2.0;
+    if !(bore >= 0.0 && bore < wheel.root) {
+        let found = format!(
+            "{} in a root circle of {} mm",
+            p.bore_mm,
+            concise(2.0 * wheel.root)
+        );
+        let accepted = "a diameter ≥ 0 below the root circle";
+        return Err(Error::config("bore_mm", found, accepted).under(&section.path));
+    }
+    let half = p.height_mm.0 / 2.0;
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |p| {
+                // Without a bore the axis is no wall
+                let hole = if bore > 0.0 {
+                    bore - p[0].hypot(p[1])
+                } else {
+                    f64::NEG_INFINITY
+                };
+                wheel.distance(p).max(hole)
+            }),
+            z: [-half, half],
+        }]),
+        hull: rims(tip, [-half, half]),
+        round: 0.0,
+        volume_mm3: Some((wheel.area() - PI * bore * bore) * 2.0 * half),
+    })
+}
+
+/// The outline of a gear `size_mm` wide over the tips.
+pub(super) fn spur_gear(section: &Section, size: Mm, teeth: u32) -> Result<Wheel> {
+    if !(4..=500).contains(&teeth) {
+        let accepted = "a number of teeth from 4 to 500";
+        return Err(Error::config("teeth", teeth.to_string(), accepted).under(&section.path));
+    }
+    let tip = size.0 / 2.0;
+    let module = size.0 / f64::from(teeth + 2);
+    let half_pitch = PI / f64::from(teeth);
+    Ok(Wheel {
+        count: teeth,
+        root: tip - 2.25 * module,
+        tip,
+        root_angle: 0.72 * half_pitch,
+        tip_angle: 0.28 * half_pitch,
+    })
+}

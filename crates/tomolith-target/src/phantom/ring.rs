@@ -1,0 +1,79 @@
+//! A ring, or, high, a tube: the simplest part that light has to leave dark inside.
+//!
+//! `hole/2 < √(x² + y²) < size/2, |z| < height/2`; volume π·(size² − hole²)/4·height.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("ring"));
+//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let exact = std::f64::consts::PI * (2.5f64.powi(2) - 1.5f64.powi(2)) * 3.0; // radii 2.5 and 1.5, height 3
+//! assert!((part.volume_mm3().unwrap() - exact).abs() < 1e-12);
+//! ```
+
+use super::{Body, BuildForm, Form, Prism, positive, rims};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "ring",
+    summary: "A ring; high, a tube",
+    example: "[target]\nphantom.ring = { size_mm = 5.0, height_mm = 3.0, hole_mm = 3.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the ring.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Outer diameter, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Inner diameter, mm (> 0, less than `size_mm`)
+    hole_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(5.0),
+            height_mm: Mm(3.0),
+            hole_mm: Mm(3.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[
+            ("size_mm", p.size_mm),
+            ("height_mm", p.height_mm),
+            ("hole_mm", p.hole_mm),
+        ],
+    )?;
+    if p.hole_mm >= p.size_mm {
+        let found = format!("{} in a ring of {}", p.hole_mm, p.size_mm);
+        return Err(
+            Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
+        );
+    }
+    let [outer, half, inner] = [p.size_mm, p.height_mm, p.hole_mm].map(|mm| mm.0 / 2.0);
+    let (middle, width) = ((outer + inner) / 2.0, (outer - inner) / 2.0);
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |[x, y]| (x.hypot(y) - middle).abs() - width),
+            z: [-half, half],
+        }]),
+        hull: rims(outer, [-half, half]),
+        round: 0.0,
+        volume_mm3: Some(PI * (outer * outer - inner * inner) * 2.0 * half),
+    })
+}

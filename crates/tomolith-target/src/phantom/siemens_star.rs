@@ -1,0 +1,98 @@
+//! A Siemens star: spokes that narrow towards the middle, for the finest detail that still prints.
+//!
+//! Spokes and gaps have equal angles, π/spokes each; at radius r a spoke is π·r/spokes wide. A disc in the middle holds
+//! them together. Volume: (area of the hub + half of the ring)·height.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!("siemens_star"));
+//! let star = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! let pi = std::f64::consts::PI;
+//! let exact = 1.5 * (pi * 0.25 + pi * (9.0 - 0.25) / 2.0); // hub of radius 0.5, ring up to radius 3, height 1.5
+//! assert!((star.volume_mm3().unwrap() - exact).abs() < 1e-12);
+//! ```
+
+use super::wheel::Wheel;
+use super::{Body, BuildForm, Form, Prism, positive, rims};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "siemens_star",
+    summary: "Spokes that narrow towards the middle, for the finest detail that still prints",
+    example: "[target]\nphantom.siemens_star = { size_mm = 6.0, height_mm = 1.5, spokes = 16, hub_mm = 1.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the Siemens star.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Diameter, mm (> 0)
+    size_mm: Mm,
+    /// Height along z, mm (> 0)
+    height_mm: Mm,
+    /// Number of spokes (2 to 500)
+    spokes: u32,
+    /// Diameter of the disc in the middle, mm (> 0, less than `size_mm`)
+    hub_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            size_mm: Mm(6.0),
+            height_mm: Mm(1.5),
+            spokes: 16,
+            hub_mm: Mm(1.0),
+        }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(
+        section,
+        &[
+            ("size_mm", p.size_mm),
+            ("height_mm", p.height_mm),
+            ("hub_mm", p.hub_mm),
+        ],
+    )?;
+    if !(2..=500).contains(&p.spokes) {
+        let found = p.spokes.to_string();
+        return Err(
+            Error::config("spokes", found, "a number of spokes from 2 to 500").under(&section.path),
+        );
+    }
+    if p.hub_mm >= p.size_mm {
+        let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
+        return Err(
+            Error::config("hub_mm", found, "a diameter below `size_mm`").under(&section.path)
+        );
+    }
+    let half_spoke = PI / f64::from(p.spokes) / 2.0;
+    let wheel = Wheel {
+        count: p.spokes,
+        root: p.hub_mm.0 / 2.0,
+        tip: p.size_mm.0 / 2.0,
+        root_angle: half_spoke,
+        tip_angle: half_spoke,
+    };
+    let half = p.height_mm.0 / 2.0;
+    Ok(Form {
+        body: Body::Prisms(vec![Prism {
+            outline: Box::new(move |p| wheel.distance(p)),
+            z: [-half, half],
+        }]),
+        hull: rims(wheel.tip, [-half, half]),
+        round: 0.0,
+        volume_mm3: Some(wheel.area() * 2.0 * half),
+    })
+}

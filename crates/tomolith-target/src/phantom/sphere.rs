@@ -1,0 +1,54 @@
+//! A ball.
+//!
+//! `√(x² + y² + z²) < size/2`; volume π·size³/6.
+//!
+//! ```
+//! use tomolith_core::kind::Section;
+//! use tomolith_target::{Placement, Shape, phantom::Phantom};
+//! let section = Section::new("target.phantom", serde_json::json!({"sphere": {"size_mm": 2.0}}));
+//! let ball = Phantom::build(&section, &Placement::default(), "target").unwrap();
+//! assert_eq!(ball.bounds_mm(), [[-1.0; 3], [1.0; 3]]); // radius 1 about the origin
+//! ```
+
+use super::{Body, BuildForm, Form, positive};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tomolith_core::error::Result;
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::units::Mm;
+
+pub(super) const KIND: Kind<BuildForm> = Kind {
+    name: "sphere",
+    summary: "A ball",
+    example: "[target]\nphantom.sphere = { size_mm = 5.0 }",
+    schema: || schemars::schema_for!(Params),
+    build,
+};
+
+/// Parameters of the sphere.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct Params {
+    /// Diameter, mm (> 0)
+    size_mm: Mm,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params { size_mm: Mm(5.0) }
+    }
+}
+
+fn build(section: &Section) -> Result<Form> {
+    let p: Params = section.parse()?;
+    positive(section, &[("size_mm", p.size_mm)])?;
+    let radius = p.size_mm.0 / 2.0;
+    Ok(Form {
+        body: Body::Solid(Box::new(move |[x, y, z]| {
+            (x * x + y * y + z * z).sqrt() - radius
+        })),
+        hull: vec![[0.0; 3]],
+        round: radius,
+        volume_mm3: Some(4.0 / 3.0 * std::f64::consts::PI * radius.powi(3)),
+    })
+}

@@ -1,0 +1,470 @@
+//! The table `[target]` of a job → a shape → voxels.
+//!
+//! [`build`] is the only place where the table becomes a shape.
+
+use super::diagnosis::Repair;
+use super::phantom::Phantom;
+use super::placing::Placement;
+use super::{Assembly, BodySpec, GreyImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::kind::Section;
+use tomolith_core::run::Run;
+use tomolith_core::target::Target;
+use tomolith_core::units::Mm;
+use tomolith_io::image::{GreyPixels, read_grey, read_stack};
+
+/// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TargetSpec {
+    /// Mesh file, relative to the job: .stl, .obj, .ply or .3mf
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<PathBuf>,
+    /// Unit of the mesh file: "mm" (default), "um", "cm", "m" or "inch"; a .3mf file states its own
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh_unit: Option<MeshUnit>,
+    /// Part by formula: a name, or a table with parameters such as `phantom.gear = { teeth = 16 }`
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "phantom_schema")]
+    pub phantom: Option<serde_json::Value>,
+    /// Grey image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub image: Option<PathBuf>,
+    /// Grey slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
+    /// "slices/*.png", or a .tif of several pages
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stack: Option<PathBuf>,
+    /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Vec<BodySpec>>,
+    /// Whether inserts cast shadows (default true); false lets light pass them as if they were resin
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub insert_shadow: Option<bool>,
+    /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is
+    /// neither black nor white)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grey: Option<bool>,
+    /// Name of the part, for files and titles (default: the file's name, or the phantom's)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Longest edge of the box after the rotation, mm (> 0; default: true size); for an image or a stack its width, which it needs
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size_mm: Option<Mm>,
+    /// Factor on all lengths (> 0; default 1), instead of `size_mm`
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<f64>,
+    /// Angles about x, y and z, degrees, counter-clockwise, in this order about fixed axes (default 0)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotate_deg: Option<[f64; 3]>,
+    /// Where the middle of the box goes (with `center = false`: the origin of the file), mm (default 0)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub offset_mm: Option<[Mm; 3]>,
+    /// Whether the middle of the box is brought to the origin first (default true)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub center: Option<bool>,
+    /// How far repairs of a mesh may go: "safe" (default: flaws whose repair is a guess are refused) or "force"
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repair: Option<Repair>,
+    /// Height along z of what an image is drawn to, or of a whole stack, mm (> 0; images and stacks only)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height_mm: Option<Mm>,
+    /// How far it may reach into a wall of the vial, mm (≥ 0; default: a hundredth of a voxel); what lies there is not printed
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wall_tolerance_mm: Option<Mm>,
+}
+
+/// A name of the table, or a table with one name.
+fn phantom_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    let _ = generator;
+    let names: Vec<&str> = PHANTOMS.iter().map(|kind| kind.name).collect();
+    let tables: serde_json::Map<String, serde_json::Value> = PHANTOMS
+        .iter()
+        .map(|kind| (kind.name.to_owned(), (kind.schema)().to_value()))
+        .collect();
+    schemars::json_schema!({
+        "anyOf": [
+            { "type": "string", "enum": names },
+            {
+                "type": "object",
+                "properties": tables,
+                "additionalProperties": false,
+                "minProperties": 1,
+                "maxProperties": 1
+            }
+        ]
+    })
+}
+
+impl TargetSpec {
+    /// Name of the part: `name`, or the stem of the file, or the phantom.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let stem = |path: &PathBuf| {
+            path.file_stem()
+                .map(|stem| stem.to_string_lossy().into_owned())
+        };
+        let first_body = self.body.iter().flatten().find_map(|b| b.mesh.as_ref());
+        let phantom = || match &self.phantom {
+            Some(serde_json::Value::String(name)) => Some(name.clone()),
+            Some(serde_json::Value::Object(table)) => table.keys().next().cloned(),
+            _ => None,
+        };
+        self.name
+            .clone()
+            .or_else(|| self.mesh.as_ref().and_then(stem))
+            .or_else(|| self.image.as_ref().and_then(stem))
+            .or_else(|| self.stack.as_ref().and_then(stem))
+            .or_else(|| first_body.and_then(stem))
+            .or_else(phantom)
+            .unwrap_or_else(|| "part".to_owned())
+    }
+
+    /// Every file that the target names.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let bodies = self
+            .body
+            .iter_mut()
+            .flatten()
+            .filter_map(|b| b.mesh.as_mut());
+        let own = [&mut self.mesh, &mut self.image, &mut self.stack];
+        own.into_iter().flatten().chain(bodies)
+    }
+
+    fn placement(&self) -> Placement {
+        Placement {
+            size_mm: self.size_mm.map(|mm| mm.0),
+            scale: self.scale,
+            rotate_deg: self.rotate_deg.unwrap_or_default(),
+            offset_mm: self.offset_mm.unwrap_or_default().map(|mm| mm.0),
+            center: self.center.unwrap_or(true),
+        }
+    }
+}
+
+/// Reads and places the target of a job; files are relative to `base_folder`, errors name keys under `section_path`.
+///
+/// # Errors
+/// [`Error::Config`] when not exactly one source is given or a key cannot be used;
+/// [`Error::Io`], [`Error::Mesh`] and [`Error::Format`] for files that cannot be read.
+pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Result<Box<dyn Shape>> {
+    let placement = spec.placement();
+    let pixels = spec.image.is_some() || spec.stack.is_some();
+    if spec.mesh_unit.is_some() && spec.mesh.is_none() && spec.body.is_none() {
+        return Err(Error::config(
+            "mesh_unit",
+            "the key is given without a mesh",
+            "this key for meshes only",
+        )
+        .under(section_path));
+    }
+    for (key, given) in [
+        ("height_mm", spec.height_mm.is_some()),
+        ("grey", spec.grey.is_some()),
+    ] {
+        if given && !pixels {
+            return Err(Error::config(
+                key,
+                "the key is given without an image or a stack",
+                "this key for images and stacks only; phantoms have their own, `phantom.gear = { height_mm = 3.0 }`",
+            )
+            .under(section_path));
+        }
+    }
+    match source(spec, section_path)? {
+        Source::Bodies(bodies) => {
+            let shape = Assembly::build(spec, bodies, &placement, base_folder, section_path)?;
+            Ok(Box::new(shape))
+        }
+        Source::Mesh(file) => {
+            let path = base_folder.join(file);
+            let mesh = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
+            let mesh = mesh_unit::in_mm(mesh, spec.mesh_unit);
+            let repair = spec.repair.unwrap_or_default();
+            let shape = MeshShape::new(mesh, &placement, &path, section_path, repair)?;
+            Ok(Box::new(shape))
+        }
+        Source::Phantom(table) => {
+            let section = Section::new(format!("{section_path}.phantom"), table.clone());
+            let shape = Phantom::build(&section, &placement, section_path)?;
+            Ok(Box::new(shape))
+        }
+        Source::Image(file) => {
+            if ["stl", "obj", "ply", "3mf"].iter().any(|mesh| {
+                file.extension()
+                    .is_some_and(|e| e.eq_ignore_ascii_case(mesh))
+            }) {
+                return Err(Error::config(
+                    "image",
+                    format!("`{}` is a mesh", file.display()),
+                    "a .png or .tif; meshes go to `target.mesh`",
+                )
+                .under(section_path));
+            }
+            let slices = vec![read_grey(base_folder.join(file))?];
+            grey(spec, slices, true, &placement, section_path)
+        }
+        Source::Stack(file) => {
+            let slices = read_stack(base_folder.join(file))?;
+            let shades = |slice: &GreyPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
+            let shaded = slices.par_iter().any(shades);
+            grey(spec, slices, shaded, &placement, section_path)
+        }
+    }
+}
+
+fn grey(
+    spec: &TargetSpec,
+    slices: Vec<GreyPixels>,
+    is_grey: bool,
+    placement: &Placement,
+    section_path: &str,
+) -> Result<Box<dyn Shape>> {
+    let [size, height] = [spec.size_mm, spec.height_mm].map(|mm| mm.map(|mm| mm.0));
+    let shape =
+        GreyImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
+    Ok(Box::new(shape.as_grey(spec.grey.unwrap_or(is_grey))))
+}
+
+/// Where a target comes from.
+enum Source<'a> {
+    Bodies(&'a [BodySpec]),
+    Mesh(&'a Path),
+    Phantom(&'a serde_json::Value),
+    Image(&'a Path),
+    Stack(&'a Path),
+}
+
+fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
+    // The bodies' own files, and the one that they may share
+    let bodies = spec.body.as_deref().map(Source::Bodies);
+    let mesh = spec.mesh.as_deref().map(Source::Mesh);
+    let mut given = vec![
+        ("mesh", if bodies.is_some() { None } else { mesh }),
+        ("body", bodies),
+        ("phantom", spec.phantom.as_ref().map(Source::Phantom)),
+        ("image", spec.image.as_deref().map(Source::Image)),
+        ("stack", spec.stack.as_deref().map(Source::Stack)),
+    ];
+    given.retain(|(_, source)| source.is_some());
+    if let [(_, only)] = &mut given[..]
+        && let Some(only) = only.take()
+    {
+        return Ok(only);
+    }
+    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+    let found = if names.is_empty() {
+        "no target is named".to_owned()
+    } else {
+        format!("more than one target ({})", names.join(", "))
+    };
+    Err(Error::config(
+        section_path,
+        found,
+        "exactly one of `mesh`, `phantom`, `image`, `stack` and `[[target.body]]`",
+    ))
+}
+
+/// Samples a shape on a grid; the volume is in array order `[z, y, x]`.
+///
+/// # Errors
+/// [`Error::Resources`] when there is not enough memory.
+pub fn voxelise(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
+    voxelise_under(shape, name, grid, &Run::new())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`voxelise`]; [`Error::Cancelled`].
+pub fn voxelise_under(
+    shape: &dyn Shape,
+    name: &str,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Target> {
+    Ok(Target {
+        name: name.to_owned(),
+        inside: sampled(shape, grid, run)?,
+        grey: shape.is_grey(),
+    })
+}
+
+/// Cubes that are sampled at a time where voxels are no cubes.
+const CUBES: usize = 1 << 24;
+
+/// Inside fractions on any grid: shapes are sampled on cubes, and a voxel higher than wide is the mean of those that fill it.
+///
+/// # Errors
+/// What the shape refuses; [`Error::Unsupported`] for voxels that cubes of their width do not fill.
+pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+    let cubes = (grid.height_mm / grid.pitch_mm).round().max(1.0) as usize;
+    if (grid.height_mm - cubes as f64 * grid.pitch_mm).abs() > 1e-9 * grid.height_mm {
+        return Err(Error::Unsupported {
+            what: format!(
+                "voxels {} mm wide and {} mm high",
+                grid.pitch_mm, grid.height_mm
+            ),
+            reason: "cubes do not fill them".to_owned(),
+        });
+    }
+    if cubes == 1 {
+        return shape.sample_under(grid, run);
+    }
+    let [nz, ny, nx] = grid.shape;
+    let plane = ny * nx;
+    let slices = (CUBES / (plane * cubes).max(1)).max(1);
+    let mut values = Vec::with_capacity(grid.len());
+    for first in (0..nz).step_by(slices) {
+        let count = slices.min(nz - first);
+        let mut slab = VolumeGrid {
+            shape: [count * cubes, ny, nx],
+            height_mm: grid.pitch_mm,
+            ..grid.clone()
+        };
+        slab.center_mm[2] = grid.z(first) + (count as f64 - 1.0) / 2.0 * grid.height_mm;
+        let part = run.part(count as f64 / nz as f64);
+        let inside = shape.sample_under(&slab, &part)?.values;
+        for voxels in inside.chunks_exact(plane * cubes) {
+            let mean = |i: usize| {
+                let sum: f32 = voxels.iter().skip(i).step_by(plane).sum();
+                sum / cubes as f32
+            };
+            values.par_extend((0..plane).into_par_iter().map(mean));
+        }
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(toml: &str) -> String {
+        let spec: TargetSpec = toml::from_str(toml).unwrap();
+        build(&spec, Path::new("/nowhere"), "target")
+            .unwrap_err()
+            .to_string()
+    }
+
+    #[test]
+    fn exactly_one_source_is_accepted() {
+        assert!(refused("").starts_with("target: no target is named"));
+        assert!(
+            refused("mesh = \"a.stl\"\nphantom = \"gear\"")
+                .starts_with("target: more than one target (mesh, phantom)")
+        );
+    }
+
+    #[test]
+    fn keys_and_files_are_named() {
+        assert!(refused("mesh = \"a.stl\"").contains("a.stl"));
+        assert!(refused("mesh = \"a.step\"").contains("extension `.step` is not known"));
+        assert!(refused("phantom = \"gear\"\nheight_mm = 2").starts_with("target.height_mm"));
+        assert!(refused("phantom = \"gear\"\nmesh_unit = \"m\"").starts_with("target.mesh_unit"));
+        let image = refused("mesh = \"a.PNG\"");
+        assert!(
+            image.starts_with("target.mesh: `/nowhere/a.PNG` is an image")
+                && image.contains("target.image"),
+            "{image}"
+        );
+        assert!(refused("image = \"a.stl\"\nsize_mm = 2").contains("meshes go to `target.mesh`"));
+        assert!(refused("mesh = \"a.3mf\"\nmesh_unit = \"m\"").contains("states its own"));
+        assert!(
+            refused("phantom = \"gear\"\nsize_mm = 2\nscale = 2").starts_with("target.scale: both")
+        );
+        assert!(refused("phantom = \"gear\"\nscale = inf").starts_with("target.scale: found inf"));
+        assert!(toml::from_str::<TargetSpec>("phantm = \"gear\"").is_err());
+    }
+
+    #[test]
+    fn a_mesh_has_the_unit_that_the_job_says() {
+        let folder = tempfile::tempdir().unwrap();
+        let cube = tomolith_io::mesh::samples::cuboid([0.0; 3], [0.002, 0.004, 0.006]);
+        tomolith_io::mesh::write_stl_binary(folder.path().join("a.stl"), &cube).unwrap();
+        let size = |toml: &str| {
+            let spec: TargetSpec = toml::from_str(toml).unwrap();
+            let [low, high] = build(&spec, folder.path(), "target").unwrap().bounds_mm();
+            [high[0] - low[0], high[2] - low[2]]
+        };
+        for (unit, factor) in [
+            ("um", 1e-3),
+            ("mm", 1.0),
+            ("cm", 10.0),
+            ("m", 1e3),
+            ("inch", 25.4),
+            ("in", 25.4),
+        ] {
+            for toml in [
+                format!("mesh = \"a.stl\"\nmesh_unit = \"{unit}\""),
+                format!("body = [{{ mesh = \"a.stl\", mesh_unit = \"{unit}\" }}]"),
+                format!("mesh_unit = \"{unit}\"\nbody = [{{ mesh = \"a.stl\" }}]"),
+            ] {
+                let [x, z] = size(&toml);
+                assert!((x / (0.002 * factor) - 1.0).abs() < 1e-6, "{toml}: {x}");
+                assert!((z / (0.006 * factor) - 1.0).abs() < 1e-6, "{toml}: {z}");
+            }
+        }
+        assert!(toml::from_str::<TargetSpec>("mesh_unit = \"furlong\"").is_err());
+    }
+
+    #[test]
+    fn a_part_far_too_large_or_small_is_asked_for_its_unit() {
+        let asked = |toml: &str, longest: f64| {
+            let spec: TargetSpec = toml::from_str(toml).unwrap();
+            spec.ask_for_unit([[0.0; 3], [longest, 0.0, 0.0]], [0.15, 15.0])
+        };
+        let mesh = "mesh = \"a.stl\"";
+        for (longest, unit) in [(0.006, "\"m\""), (0.1, "\"inch\""), (6000.0, "\"um\"")] {
+            let text = asked(mesh, longest).unwrap();
+            assert!(
+                text.ends_with(&format!("set target.mesh_unit = {unit}")),
+                "{text}"
+            );
+        }
+        // A part that is merely too large, one of the right size, and what says its size
+        for (toml, longest) in [
+            (mesh, 30.0),
+            (mesh, 0.2),
+            ("mesh = \"a.3mf\"", 0.006),
+            ("mesh = \"a.stl\"\nsize_mm = 3", 0.006),
+            ("mesh = \"a.stl\"\nmesh_unit = \"mm\"", 0.006),
+            ("phantom = \"gear\"", 0.006),
+        ] {
+            assert_eq!(asked(toml, longest), None, "{toml}: {longest}");
+        }
+    }
+
+    #[test]
+    fn names_follow_from_what_is_given() {
+        let name = |toml: &str| toml::from_str::<TargetSpec>(toml).unwrap().name();
+        assert_eq!(name("mesh = \"parts/boat.v2.stl\""), "boat.v2");
+        assert_eq!(name("phantom.gear = { teeth = 9 }"), "gear");
+        assert_eq!(name("phantom = \"sphere\"\nname = \"marble\""), "marble");
+    }
+
+    #[test]
+    fn a_phantom_is_placed_like_a_mesh() {
+        let spec: TargetSpec = toml::from_str(
+            "phantom.cylinder = { size_mm = 2.0, height_mm = 4.0 }\nsize_mm = 8\nrotate_deg = [90, 0, 0]\noffset_mm = [0, 1, 0]",
+        )
+        .unwrap();
+        let shape = build(&spec, Path::new("."), "target").unwrap();
+        // Lying along y, doubled: 4 × 8 × 4
+        let expected = [[-2.0, -3.0, -2.0], [2.0, 5.0, 2.0]];
+        for (corner, expected) in shape.bounds_mm().iter().zip(expected) {
+            for (value, expected) in corner.iter().zip(expected) {
+                assert!((value - expected).abs() < 1e-12, "{:?}", shape.bounds_mm());
+            }
+        }
+        let volume = shape.volume_mm3().unwrap();
+        assert!((volume - std::f64::consts::PI * 4.0 * 8.0).abs() < 1e-9);
+    }
+}
