@@ -9,6 +9,7 @@ use tomolith::exposure::{CALIBRATIONS, Calibration, PrinterSpec};
 use tomolith::grid::PatternGrid;
 use tomolith::job::Job;
 use tomolith::job::export::{Exported, calibrate as of_job, draw, export as of_run, job_of_run};
+use tomolith::report::number::significant;
 use tomolith::{Error, Result};
 
 const EXPORT: &str = "\
@@ -88,8 +89,9 @@ fn show(exported: &Exported) {
         ));
         if let (Some(movie), Some(rate)) = (&light.movie, light.frame_rate) {
             say(&format!(
-                "{:>14} {movie}, {rate:.3} frames a second",
-                "movie"
+                "{:>14} {movie}, {} frames a second",
+                "movie",
+                significant(rate, 5)
             ));
         }
         let budget = &light.budget;
@@ -100,7 +102,7 @@ fn show(exported: &Exported) {
             ("light used", Some(100.0 * budget.light_used), "%"),
         ] {
             if let Some(value) = value {
-                say(&format!("{name:>16} {value:.3} {unit}"));
+                say(&format!("{name:>16} {} {unit}", significant(value, 3)));
             }
         }
     }

@@ -17,6 +17,7 @@
 
 use std::path::{Path, PathBuf};
 use tomolith::Error;
+use tomolith::exposure::quantise;
 use tomolith::grid::{PatternGrid, Patterns};
 use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
 use tomolith::job::outcome::Quality;
@@ -45,8 +46,10 @@ fn main() -> Result<(), Error> {
             let depth = format!("evaluate.bit_depth={bits}");
             vec![depth, format!("evaluate.levels={levels}")]
         };
-        let rounded = case.simulate(&keys("rounded"), &patterns, "rounded")?;
-        let diffused = case.diffused(&keys("rounded"), &patterns, bits)?;
+        let wanted = wanted(&patterns)?;
+        let plain = quantise(&wanted, bits)?.patterns();
+        let rounded = cell(&case.judged(&keys("rounded"), &plain, "rounded")?);
+        let diffused = case.diffused(&keys("rounded"), &wanted, bits)?;
         let optimised = case.run(&keys("optimised"), &case.folder.join("optimised"))?;
         println!("| {bits} | {rounded} | {diffused} | {optimised} |");
     }
@@ -74,34 +77,25 @@ impl Case {
         Ok(cell(&summary.evaluation))
     }
 
-    fn simulate(&self, keys: &[String], patterns: &Path, name: &str) -> Result<String, Error> {
-        Ok(cell(&self.judged(keys, patterns, name)?))
-    }
-
-    fn judged(&self, keys: &[String], patterns: &Path, name: &str) -> Result<Quality, Error> {
+    /// What is shown, judged.
+    fn judged(&self, keys: &[String], shown: &Patterns, name: &str) -> Result<Quality, Error> {
+        let file = self.folder.join(format!("{name}.npz"));
+        let pair = PatternPair {
+            light: None,
+            shown,
+            raw: None,
+        };
+        write_patterns(&file, &[pair], &Run::new())?;
         let job = self.job(keys, &self.folder.join(name))?;
-        let summary = job::simulate(&job, patterns, &mut Silent, &Run::new())?;
-        Ok(summary.evaluation)
+        Ok(job::simulate(&job, &file, &mut Silent, &Run::new())?.evaluation)
     }
 
     /// The full scale that prints best.
-    fn diffused(&self, keys: &[String], patterns: &Path, bits: u32) -> Result<String, Error> {
-        let light = &read_patterns(patterns)?[0];
-        let [frames, rows, columns] = light.shape;
-        let file = self.folder.join("diffused.npz");
+    fn diffused(&self, keys: &[String], wanted: &Patterns, bits: u32) -> Result<String, Error> {
         let mut best: Option<Quality> = None;
         for scale in SCALES {
-            let shown = Patterns {
-                grid: PatternGrid::full_turn(frames, 0.0, rows, columns, 1.0),
-                values: diffused(&light.shown, rows * columns, scale, bits),
-            };
-            let pair = PatternPair {
-                light: None,
-                shown: &shown,
-                raw: None,
-            };
-            write_patterns(&file, &[pair], &Run::new())?;
-            let print = self.judged(keys, &file, "diffused")?;
+            let shown = diffused(wanted, scale, bits);
+            let print = self.judged(keys, &shown, "diffused")?;
             if best.as_ref().is_none_or(|best| best.iou < print.iou) {
                 best = Some(print);
             }
@@ -110,9 +104,20 @@ impl Case {
     }
 }
 
+/// The patterns of a run; of their grid only the counts matter here.
+fn wanted(file: &Path) -> Result<Patterns, Error> {
+    let light = read_patterns(file)?.remove(0);
+    let [frames, rows, columns] = light.shape;
+    Ok(Patterns {
+        grid: PatternGrid::full_turn(frames, 0.0, rows, columns, 1.0),
+        values: light.shown,
+    })
+}
+
 /// Carries the error of a pixel to the same pixel of the next frame; dark pixels stay dark.
-fn diffused(patterns: &[f32], size: usize, scale: f32, bits: u32) -> Vec<f32> {
-    let full = scale * patterns.iter().copied().fold(0.0, f32::max);
+fn diffused(wanted: &Patterns, scale: f32, bits: u32) -> Patterns {
+    let size = wanted.grid.rows * wanted.grid.columns;
+    let full = scale * wanted.values.iter().copied().fold(0.0, f32::max);
     let top = ((1u32 << bits) - 1) as f32;
     let mut carried = vec![0.0f32; size];
     let show = |(i, &value): (usize, &f32)| {
@@ -124,7 +129,10 @@ fn diffused(patterns: &[f32], size: usize, scale: f32, bits: u32) -> Vec<f32> {
         carried[i % size] = (wanted - shown).clamp(-full, full);
         shown
     };
-    patterns.iter().enumerate().map(show).collect()
+    Patterns {
+        grid: wanted.grid.clone(),
+        values: wanted.values.iter().enumerate().map(show).collect(),
+    }
 }
 
 /// IoU, VER and process window.

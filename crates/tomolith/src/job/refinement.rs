@@ -25,7 +25,7 @@ use crate::models::Choice;
 use crate::models::parallel::Light;
 use crate::objective::emphasis::Common;
 use crate::objective::{OBJECTIVES, threshold};
-use crate::units::concise;
+use crate::report::number::significant;
 
 /// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: the gear of docs/fidelity.md, which
 /// nearly reaches it, takes 26 processor seconds.
@@ -179,7 +179,7 @@ pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
             1 => String::new(),
             angles => format!(", {angles} angles a frame"),
         };
-        let pitch = concise(level.grid.pitch_mm);
+        let pitch = significant(level.grid.pitch_mm, 3);
         format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
     };
     match levels {
