@@ -200,6 +200,24 @@ pub(super) const WRONG: &[Wrong] = &[
         &["resin.refractive_index", "found 0.5"],
     ),
     (
+        "outer_radius_mm = 3.5\nrefractive_index = 1.5",
+        "outer_radius_mm = 3.5\nrefractive_index = 1e6",
+        "1e6",
+        &["vial.cylinder.refractive_index", "found 1000000", "1 to 4"],
+    ),
+    (
+        "size_mm = 2.0",
+        "size_mm = 2.0\noffset_mm = [0, 0, 1.0]",
+        "offset_mm",
+        &["target.offset_mm", "along the axis", "middle lies nearer"],
+    ),
+    (
+        "[[light]]",
+        "[resources]\nmemory_gb = 0.001\n\n[[light]]",
+        "pitch_mm",
+        &["grid.pitch_mm", "MB needed, 1 MB available"],
+    ),
+    (
         "pitch_mm = 0.1\n\n",
         "pitch_mm = 0\n\n",
         "pitch_mm = 0\n",
