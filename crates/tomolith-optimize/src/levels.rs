@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn one_bit_is_the_best_of_all_that_a_small_projector_can_show() {
+    fn one_bit_is_the_best_of_all_that_a_small_projector_can_show_at_its_full_scale() {
         let (n, frames) = (5, 3);
         let case = Case::of(SmallModel::new(n, frames, 1), n, frames);
         let (asked, _, gain) = improved(&case, 1, Limits::default());

@@ -93,6 +93,15 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
 }
 
 #[test]
+fn a_coloured_movie_is_refused() {
+    let text = refused(&sample("coloured.mp4"), SHAPE);
+    assert!(
+        text.contains("a coloured picture in frame 0, where patterns are grey"),
+        "{text}"
+    );
+}
+
+#[test]
 fn what_is_no_movie_or_cut_off_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("m.mp4");

@@ -339,9 +339,8 @@ impl Found {
         let [[low, high], [below, above]] =
             [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
         let found = format!(
-            "The part's flat ends lie at z = {low} and {high} mm, within rows of pixels; ends at {below} and {above} mm, between rows, would print about {} better in {}.",
-            significant(loss, 1),
-            self.kind.title
+            "The part's flat ends lie at z = {low} and {high} mm, within rows of pixels, but light ends with a row: at {below} and {above} mm. Between them lie {} % of the part's volume.",
+            significant(100.0 * loss, 1)
         );
         let action = "Change the part's height or place, or lower";
         (loss >= WORTH_CHANGING)
@@ -634,7 +633,7 @@ mod tests {
         let limits = gear.limits();
         assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
         assert!(limits.causes[0].advice.starts_with(
-            "The part's flat ends lie at z = −1.5 and 1.5 mm, within rows of pixels; ends at −1.512 and 1.512 mm, between rows, would print"
+            "The part's flat ends lie at z = −1.5 and 1.5 mm, within rows of pixels, but light ends with a row: at −1.512 and 1.512 mm. Between them lie 0.8 % of the part's volume."
         ), "{}", limits.causes[0].advice);
         // The light's share is what is left
         assert!(

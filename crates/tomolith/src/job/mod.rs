@@ -42,6 +42,7 @@ mod refinement;
 mod replace;
 pub mod resolved;
 pub mod resources;
+mod resume;
 mod scene;
 pub mod schema;
 mod selection;

@@ -3,19 +3,17 @@
 use super::folder::RunFolder;
 use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
-use super::read::with_every_default;
 use super::refinement::{self, Level};
+use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
 use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
-use crate::field::{BLOCK, Field, HostField};
+use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
-use crate::io::npy::{PatternPair, write_patterns};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
-use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -25,11 +23,8 @@ use crate::optimize::{
 use crate::response::Response;
 use crate::units::concise;
 use rayon::prelude::*;
-use serde_json::Value;
 use std::borrow::Cow;
-use std::io::Read;
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::Instant;
 
 /// What an optimisation came to.
@@ -536,98 +531,6 @@ pub(super) fn limits(
     vec![limits; spec.light.len()]
 }
 
-/// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
-/// writes its own, and one of another job is removed.
-fn resumes(
-    checkpoints: &Checkpoints,
-    resume: bool,
-    progress: &mut dyn Progress,
-) -> Result<Option<usize>> {
-    let file = checkpoints.file();
-    if !resume {
-        match checkpoints.open() {
-            Ok(Some(earlier)) => progress.event(&Event::Note {
-                text: format!(
-                    "the folder holds a checkpoint of this job after iteration {}; this run begins anew, and its first checkpoint replaces \
-                     that one. To go on from it, stop and use --resume",
-                    earlier.iteration()
-                ),
-            }),
-            Ok(None) => {}
-            Err(_) => remove(&file)?,
-        }
-        remove(&file.with_file_name(KEPT))?;
-        return Ok(None);
-    }
-    let checkpoint = checkpoints.open().map_err(begin_anew)?;
-    let text = match &checkpoint {
-        Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
-        None => "no checkpoint to resume: starting anew".to_owned(),
-    };
-    progress.event(&Event::Note { text });
-    Ok(checkpoint.map(|checkpoint| checkpoint.level()))
-}
-
-/// Removes a file that may not be there.
-fn remove(file: &Path) -> Result<()> {
-    match std::fs::remove_file(file) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(file, e)),
-        _ => Ok(()),
-    }
-}
-
-/// A checkpoint that cannot be used: first what to do, then why.
-fn begin_anew(error: Error) -> Error {
-    match error {
-        Error::Format {
-            path,
-            found,
-            accepted,
-        } => Error::config(
-            "--resume",
-            format!("leave it out to begin anew: {} is {found}", path.display()),
-            accepted,
-        ),
-        other => other,
-    }
-}
-
-/// The best patterns of a run that did not end well, in the checkpoint folder.
-const KEPT: &str = "patterns.npz";
-
-/// Writes the best patterns of a run that did not end well.
-pub(super) fn keep(
-    scene: &Scene,
-    raw: &[Patterns],
-    folder: &Path,
-    progress: &mut dyn Progress,
-) -> Result<()> {
-    std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
-    let path = folder.join(KEPT);
-    let pairs: Vec<PatternPair<'_>> = raw
-        .iter()
-        .enumerate()
-        .map(|(i, shown)| PatternPair {
-            light: scene.light_name(i),
-            shown,
-            raw: None,
-        })
-        .collect();
-    write_patterns(&path, &pairs, &Run::new())?;
-    let is_saved = folder.join(CHECKPOINT).exists();
-    let resume = if is_saved {
-        "`--resume` goes on from the last checkpoint"
-    } else {
-        "there is no checkpoint to resume; `[start.patterns]` with this file begins from them"
-    };
-    let text = format!(
-        "the best patterns so far are in {}; {resume}",
-        path.display()
-    );
-    progress.event(&Event::Note { text });
-    Ok(())
-}
-
 /// Iterations that are measured before only every second one is, and again before every fourth, and so on.
 const MEASURED: usize = 8;
 
@@ -747,126 +650,6 @@ impl Observer<HostField> for Watch<'_> {
     }
 }
 
-/// The tables of a job that a checkpoint depends on, with every default written out.
-fn tables(spec: &JobSpec) -> Result<Value> {
-    let mut tables = serde_json::to_value(with_every_default(spec.clone()))
-        .map_err(|e| Error::config("", e.to_string(), "a job"))?;
-    if let Some(map) = tables.as_object_mut() {
-        for unimportant in [
-            "stop",
-            "checkpoint",
-            "evaluate",
-            "printer",
-            "output",
-            "resources",
-        ] {
-            map.remove(unimportant);
-        }
-    }
-    as_floats(&mut tables);
-    Ok(tables)
-}
-
-/// 2 and 2.0 are the same number, however a job writes it.
-pub(super) fn as_floats(value: &mut Value) {
-    match value {
-        Value::Number(number) => {
-            if let Some(float) = number.as_f64() {
-                *value = Value::from(float);
-            }
-        }
-        Value::Array(list) => list.iter_mut().for_each(as_floats),
-        Value::Object(map) => map.values_mut().for_each(as_floats),
-        _ => {}
-    }
-}
-
-/// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
-/// target's table.
-fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
-    let mut tables = tables.clone();
-    let mut start = Value::Null;
-    if let Some(map) = tables.as_object_mut() {
-        map.remove("target");
-        start = map.remove("start").unwrap_or_default();
-    }
-    let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
-    let inside: Vec<u64> = voxels
-        .target
-        .inside
-        .values
-        .par_chunks(BLOCK)
-        .map(|block| hash(bytemuck::cast_slice(block)))
-        .collect();
-    let mut parts = vec![
-        hash(tables.to_string().as_bytes()),
-        hash(start.to_string().as_bytes()),
-        hash(bytemuck::cast_slice(&labels)),
-        hash(bytemuck::cast_slice(&inside)),
-    ];
-    contents(&tables, base, &mut parts)?;
-    // The scene has found its file already
-    contents(&start, Path::new(""), &mut parts)?;
-    Ok(hash(bytemuck::cast_slice(&parts)))
-}
-
-/// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.
-const FILES: [&str; 9] = [
-    "file",
-    "absorption",
-    "attenuation",
-    "outer",
-    "inner",
-    "mesh",
-    "mask",
-    "flat_field",
-    "dead_pixels",
-];
-
-/// Hashes of the contents of all files that tables name, in the order of their keys.
-fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
-    match tables {
-        Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
-        Value::Object(map) => map.iter().try_for_each(|(key, value)| {
-            match value.as_str().filter(|_| FILES.contains(&key.as_str())) {
-                Some(file) => found.push(content(&base.join(file))?),
-                None => contents(value, base, found)?,
-            }
-            Ok(())
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Hash of a file's content.
-fn content(path: &Path) -> Result<u64> {
-    let failed = |e| Error::io(path, e);
-    let mut file = std::fs::File::open(path).map_err(failed)?;
-    let (mut block, mut sum) = (vec![0u8; BLOCK], FNV);
-    loop {
-        let read = file.read(&mut block).map_err(failed)?;
-        if read == 0 {
-            return Ok(sum);
-        }
-        sum = hash_on(sum, &block[..read]);
-    }
-}
-
-/// FNV-1a, 64 bits.
-fn hash(bytes: &[u8]) -> u64 {
-    hash_on(FNV, bytes)
-}
-
-/// Where FNV-1a begins.
-const FNV: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// Goes on with FNV-1a.
-fn hash_on(sum: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(sum, |h, &b| {
-        (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
 impl Scene {
     /// Name of a light for files: none when there is only one.
     pub(crate) fn light_name(&self, i: usize) -> Option<&str> {
@@ -882,32 +665,6 @@ impl Scene {
 mod tests {
     use super::*;
     use crate::job::Job;
-
-    #[test]
-    fn every_file_that_a_job_names_is_looked_into() {
-        let folder = tempfile::tempdir().unwrap();
-        let tables = serde_json::json!({
-            "vial": { "mesh": { "outer": "o.stl", "inner": "i.stl", "refractive_index": 1.5 } },
-            "obstacles": [{ "mesh": "b.stl", "scale": 1.0 }],
-            "model": { "matrix": { "file": "m.npz" } },
-        });
-        let hashes = || {
-            let mut found = Vec::new();
-            contents(&tables, folder.path(), &mut found).map(|()| found)
-        };
-        let files = ["o.stl", "i.stl", "b.stl", "m.npz"];
-        for name in files {
-            assert!(hashes().is_err(), "{name} is not there yet");
-            std::fs::write(folder.path().join(name), "1").unwrap();
-        }
-        let before = hashes().unwrap();
-        assert_eq!(before.len(), files.len());
-        for name in files {
-            std::fs::write(folder.path().join(name), "2").unwrap();
-            assert_ne!(hashes().unwrap(), before, "{name}");
-            std::fs::write(folder.path().join(name), "1").unwrap();
-        }
-    }
 
     #[test]
     fn a_run_that_stayed_at_its_start_says_so() {

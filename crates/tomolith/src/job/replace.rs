@@ -2,8 +2,8 @@
 
 use super::document::Document;
 use super::folder::RunFolder;
-use super::optimise::as_floats;
 use super::read::{Job, with_every_default};
+use super::resume::as_floats;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::optimize::checkpoint::differences;

@@ -56,6 +56,7 @@ use crate::metrics::Evaluation;
 use crate::models::parallel::Light;
 use crate::models::{DoseModel, Run};
 use crate::objective::Sum;
+use crate::objective::penalty::Penalties;
 use crate::optics::vial::Vial;
 use crate::optimize::{Limits, Optimizer, problem};
 use crate::target::{Shape, Target};
@@ -72,6 +73,8 @@ pub struct Task {
     pub model: Box<dyn DoseModel<Field = HostField>>,
     /// L, of that dose.
     pub objective: Sum<HostField>,
+    /// R, the price of patterns by themselves.
+    pub penalties: Penalties<HostField>,
     /// Where the job begins.
     pub start: HostField,
     /// The bounds of each light's pixels.
@@ -145,6 +148,7 @@ impl ResolvedJob {
         let start = stage.start(scene, scene.start()?.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(scene, &start)?,
+            penalties: scene.penalties(stage.model.patterns())?,
             objective: scene.objective(&scene.spec, &stage.model.outputs()[0], &stage.voxels)?,
             start,
             target: stage.voxels.target.clone(),

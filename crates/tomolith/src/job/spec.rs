@@ -124,8 +124,8 @@ pub struct GridSpec {
     /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shape: Option<[usize; 3]>,
-    /// How many times finer across the optimisation's voxels are; along z they are as high as a row of pixels. When left out: up to a
-    /// quarter of a pixel, as far as the time allows, with `surface = "fraction"` and level light, to half a pixel with `"cells"`; 1 otherwise.
+    /// How many times finer across the optimisation's voxels are; along z they are as high as a row of pixels. When left out: with
+    /// `surface = "fraction"` and level light up to a quarter of a pixel, with `"cells"` up to half a pixel, as far as the time allows; else 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
     /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
