@@ -31,6 +31,11 @@ pub fn pixels_through(
     places: &Volume<bool>,
     run: &Run,
 ) -> Result<Vec<bool>> {
+    if model.of_light(0).is_some() {
+        let lights = (0..model.patterns().len()).filter_map(|i| model.of_light(i));
+        let through: Result<Vec<_>> = lights.map(|l| pixels_through(l, places, run)).collect();
+        return through.map(|lights| lights.concat());
+    }
     let layout = &model.outputs()[0];
     let marks = Volume {
         grid: places.grid.clone(),
@@ -163,6 +168,10 @@ impl DoseModel for Dimmed {
 
     fn updates(&self) -> u64 {
         self.model.updates()
+    }
+
+    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        self.model.of_light(i)
     }
 
     fn describe(&self) -> String {

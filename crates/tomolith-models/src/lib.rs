@@ -15,6 +15,7 @@ pub mod rays;
 pub mod scatter;
 pub mod selection;
 mod smear;
+pub mod spectral;
 pub mod wave;
 
 pub use tomolith_core::dose::{

@@ -14,12 +14,14 @@ pub mod osmo;
 pub mod penalty;
 pub mod pm;
 pub mod preset;
+pub mod species;
 pub mod sum;
 pub mod threshold;
 pub mod window;
 
 pub use band::{Band, BandObjective, Bands};
 pub use emphasis::Emphasis;
+pub use species::PerSpecies;
 use std::sync::Arc;
 pub use sum::Sum;
 use tomolith_core::dose::DoseLayout;

@@ -7,7 +7,7 @@
 use super::figures::{BODIES, FATES, dose_bar, error_bar, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
-use super::{LightReport, MovieReport, ReportData, latitude, limits, relief};
+use super::{LightReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief};
 use rayon::prelude::*;
 use std::fmt::Write as _;
 use tomolith_core::field::BLOCK;
@@ -49,6 +49,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         dose_plots(data),
         surface(data),
         slices_section(data),
+        species(data),
         history(data.history),
         patterns(data),
         table(data),
@@ -123,6 +124,50 @@ fn first(data: &ReportData<'_>) -> String {
         limits::section(data.limits),
     );
     format!("<div class=\"two\">{exposure}{limits}</div>")
+}
+
+/// The prints of the species beside the first.
+fn species(data: &ReportData<'_>) -> String {
+    let of = |species: &SpeciesReport<'_>| {
+        let own = data.of_species(species);
+        format!(
+            "<section><h2>Species {}</h2><p class=\"muted\">{}</p><p>{}</p></section>{}{}",
+            escape(species.name),
+            escape(&drive(species)),
+            sentence(species.evaluation),
+            dose_plots(&own),
+            slices_section(&own),
+        )
+    };
+    let Some((first, others)) = data.species.split_first() else {
+        return String::new();
+    };
+    let intro = format!(
+        "<section><h2>Several species</h2><p>Everything above is about <b>{}</b> ({}). The others follow.</p></section>",
+        escape(first.name),
+        escape(&drive(first)),
+    );
+    let intro = if others.is_empty() {
+        String::new()
+    } else {
+        intro
+    };
+    others
+        .iter()
+        .fold(intro, |page, species| page + &of(species))
+}
+
+/// How the lights drive a species, in words.
+fn drive(species: &SpeciesReport<'_>) -> String {
+    let of = |(light, factor): &(String, f64)| match *factor {
+        factor if factor < 0.0 => format!("inhibited by {} × {light}", significant(-factor, 3)),
+        factor => format!("driven by {} × {light}", significant(factor, 3)),
+    };
+    let acting = species
+        .driven_by
+        .iter()
+        .filter(|(_, factor)| *factor != 0.0);
+    acting.map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The surface, for a target that has one.

@@ -20,6 +20,7 @@
 //!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
+//! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
 //! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
@@ -32,7 +33,7 @@
 //!
 //! What is not defined is null; no number is infinite or not a number.
 
-use super::ReportData;
+use super::{ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::evaluation::Histogram;
@@ -108,6 +109,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         .iter()
         .map(|(stage, model)| ((*stage).to_owned(), json!(model)))
         .collect();
+    let species: Vec<Value> = data.species.iter().map(species_json).collect();
     json!({
         "schema": "tomolith.report/1",
         "part": data.part,
@@ -117,6 +119,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "limits": data.limits.causes,
         "published": data.published,
         "lights": lights,
+        "species": species,
         "history": history,
         "levels": data.levels,
         "movies": movies,
@@ -128,6 +131,19 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "created": data.created,
             "timings_s": timings,
         },
+    })
+}
+
+fn species_json(species: &SpeciesReport<'_>) -> Value {
+    let driven_by: Map<String, Value> = species
+        .driven_by
+        .iter()
+        .map(|(light, factor)| (light.clone(), number(*factor)))
+        .collect();
+    json!({
+        "name": species.name,
+        "driven_by": driven_by,
+        "evaluation": evaluation_json(species.evaluation),
     })
 }
 

@@ -67,6 +67,25 @@ pub struct Timing {
     pub seconds: f64,
 }
 
+/// What one of several species prints.
+#[derive(Clone, Debug)]
+pub struct SpeciesReport<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Each light and how strongly it drives the species.
+    pub driven_by: Vec<(String, f64)>,
+    /// Its numbers: finer grid, written patterns, vial turning.
+    pub evaluation: &'a Evaluation,
+    /// Labels of the evaluation's voxels.
+    pub labels: &'a Volume<u8>,
+    /// Its response there.
+    pub response: &'a Volume<f32>,
+    /// Inside fraction, or grey values, of its target there.
+    pub inside: &'a Volume<f32>,
+    /// Thresholds of its objective, where it has any.
+    pub window: Option<[f64; 2]>,
+}
+
 /// Everything a report shows.
 pub struct ReportData<'a> {
     /// Name of the part.
@@ -103,6 +122,8 @@ pub struct ReportData<'a> {
     pub optimisation: Option<&'a Evaluation>,
     /// Numbers with other authors' signs or normalisations.
     pub published: serde_json::Map<String, serde_json::Value>,
+    /// Every species where a job names several, the first being that of the numbers above.
+    pub species: Vec<SpeciesReport<'a>>,
     /// What happened in the optimisation.
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
@@ -128,7 +149,40 @@ pub const DARK: u8 = 1;
 /// Of [`ReportData::bodies`]: an insert.
 pub const INSERT: u8 = 2;
 
-impl ReportData<'_> {
+impl<'a> ReportData<'a> {
+    /// The same for another of its species: what is drawn of target, dose and errors.
+    fn of_species(&self, species: &SpeciesReport<'a>) -> ReportData<'a> {
+        ReportData {
+            part: self.part,
+            program: self.program,
+            created: self.created,
+            facts: Vec::new(),
+            models: Vec::new(),
+            exposure: None,
+            limits: self.limits,
+            lights: Vec::new(),
+            labels: species.labels,
+            response: species.response,
+            inside: Some(species.inside),
+            bodies: self.bodies,
+            window: species.window,
+            evaluation: species.evaluation,
+            standing: None,
+            optimisation: None,
+            published: serde_json::Map::new(),
+            species: Vec::new(),
+            history: &[],
+            kept: None,
+            deviation: None,
+            levels: None,
+            movies: Vec::new(),
+            job_text: "",
+            notes: Vec::new(),
+            warnings: Vec::new(),
+            timings: Vec::new(),
+        }
+    }
+
     /// Whether volumes belong together.
     fn check(&self) -> Result<()> {
         let expected = self.labels.grid.len();
@@ -296,6 +350,7 @@ mod tests {
                 standing: Some(evaluation),
                 optimisation: None,
                 published: serde_json::Map::new(),
+                species: Vec::new(),
                 history: &self.history,
                 kept: None,
                 deviation: None,

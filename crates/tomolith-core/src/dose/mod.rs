@@ -98,6 +98,10 @@ pub trait DoseModel: Send + Sync {
     }
     /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
     fn updates(&self) -> u64;
+    /// The model of light `i` alone, with one output, where the doses of the lights are computed one by one; None where they are not.
+    fn of_light(&self, _i: usize) -> Option<&dyn DoseModel<Field = Self::Field>> {
+        None
+    }
     /// One line for people: which model, which kernel.
     fn describe(&self) -> String;
 }

@@ -63,6 +63,10 @@ pub struct OfFile(pub PathBuf);
 pub struct Given(pub Vec<Patterns>);
 
 impl Start for OfFile {
+    fn is_given(&self) -> bool {
+        true
+    }
+
     fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
         let lights = input.model.patterns();
         let arrays = read_patterns(&self.0)?;
@@ -85,6 +89,10 @@ impl Start for OfFile {
 }
 
 impl Start for Given {
+    fn is_given(&self) -> bool {
+        true
+    }
+
     fn patterns(&self, input: &StartInput, _: &Run) -> Result<HostField> {
         let lights = input.model.patterns();
         if self.0.len() != lights.len() {

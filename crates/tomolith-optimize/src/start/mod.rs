@@ -40,6 +40,10 @@ pub trait Start: std::fmt::Debug + Send + Sync {
     /// # Errors
     /// [`Error::Cancelled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
     fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField>;
+    /// Whether the patterns are given, and do not depend on the target.
+    fn is_given(&self) -> bool {
+        false
+    }
 }
 
 /// Builds a start from its section.

@@ -1,7 +1,7 @@
 //! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`fit`](super::fit).
 
 use super::selection::selection_of;
-use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, VialCommon};
+use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, ResinSpec, VialCommon};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
@@ -74,7 +74,6 @@ impl Optics {
         }
         let obstacles = obstacles_of(spec, base, vial.as_ref())?;
         let motion = motion_of(spec)?;
-        let scattering = scattering_of(spec)?;
         let mut paths = Vec::with_capacity(spec.light.len());
         for (i, light) in spec.light.iter().enumerate() {
             let projector = light.projector.build(&format!("light[{i}].projector"))?;
@@ -82,7 +81,7 @@ impl Optics {
                 projector: Arc::from(projector),
                 motion,
                 obstacles: obstacles.clone(),
-                scattering: scattering.clone(),
+                scattering: scattering_of(&spec.resin_of(i))?,
             });
         }
         let bath = bath_of(spec, vial.as_ref())?;
@@ -94,12 +93,13 @@ impl Optics {
             .light
             .iter()
             .zip(&paths)
-            .map(|(light, path)| {
+            .enumerate()
+            .map(|(i, (light, path))| {
                 let mut light = Light {
                     bath,
                     map: map.clone(),
                     kernel,
-                    ..light_of(spec, light, path.projector.pixel_pitch_mm())
+                    ..light_of(spec, (i, light), path.projector.pixel_pitch_mm())
                 };
                 light.resin.gradient = gradient;
                 light
@@ -366,8 +366,7 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
 }
 
 /// What scatters in the resin.
-fn scattering_of(spec: &JobSpec) -> Result<Option<Scattering>> {
-    let resin = &spec.resin;
+fn scattering_of(resin: &ResinSpec) -> Result<Option<Scattering>> {
     let (kind, section) = Section::new("resin.phase", resin.phase.clone()).kind(PHASES)?;
     let phase = (kind.build)(&section)?;
     Ok((resin.scattering_per_mm > 0.0).then(|| Scattering {
@@ -436,10 +435,10 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
     Ok(obstacles)
 }
 
-fn light_of(spec: &JobSpec, light: &LightSpec, pitch_mm: [f64; 2]) -> Light {
+fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2]) -> Light {
     let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
     let [columns, rows] = light.pixels;
-    let resin = &spec.resin;
+    let resin = spec.resin_of(i);
     let absorption = resin.active_per_mm();
     Light {
         pixels: PatternGrid {

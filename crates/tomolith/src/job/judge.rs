@@ -9,6 +9,7 @@ use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
+use super::species::planned;
 use crate::error::Result;
 use crate::field::{BLOCK, Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -54,8 +55,42 @@ pub(crate) struct Judged {
     pub(crate) agreement: Option<Agreement>,
     /// The model that gave the doses, and why it was chosen.
     pub(crate) model: String,
+    /// The prints of further species.
+    pub(crate) others: Vec<Species>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
+}
+
+/// The print of a species beside the first: written patterns, turning vial, finer grid.
+pub(crate) struct Species {
+    pub(crate) evaluation: Evaluation,
+    /// Its dose, averaged to the optimisation's voxels.
+    pub(crate) dose: Volume<f32>,
+    /// Its target on the finer grid.
+    pub(crate) fine: Voxels,
+    /// Its response there.
+    pub(crate) response: Volume<f32>,
+}
+
+impl Species {
+    fn of(
+        scene: &Scene,
+        dose: Volume<f32>,
+        grid: &VolumeGrid,
+        shown: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Self> {
+        let fine = scene.voxels_under(&dose.grid, &cancel.aside())?;
+        let mean = averaged(&dose, grid);
+        let response = scene.responses(dose)?;
+        let evaluation = measure(scene, &fine, &response, shown, cancel.aside())?;
+        Ok(Species {
+            evaluation: evaluation.with_sub_angles(scene.spec.evaluate.sub_angles),
+            dose: mean,
+            fine,
+            response,
+        })
+    }
 }
 
 /// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
@@ -133,7 +168,7 @@ pub(crate) fn judge(
         Some(raw) => {
             let lights = scene.optics.lights.clone();
             let run = cancel.part(share::OWN_DOSE);
-            let (dose, _) = dose(scene, lights, &scene.grid, raw, &mut room, &run)?;
+            let (dose, ..) = dose(scene, lights, &scene.grid, raw, &mut room, &run)?;
             let response = scene.responses(dose)?;
             let run = cancel.part(share::OWN_NUMBERS);
             let evaluation = measure(scene, voxels, &response, raw, run)?;
@@ -146,7 +181,7 @@ pub(crate) fn judge(
         Some(_) => {
             let lights = scene.optics.lights.clone();
             let run = cancel.part(share::OWN_DOSE);
-            let (dose, _) = dose(scene, lights, &scene.grid, shown, &mut room, &run)?;
+            let (dose, ..) = dose(scene, lights, &scene.grid, shown, &mut room, &run)?;
             let response = scene.responses(dose)?;
             let run = cancel.part(share::OWN_NUMBERS);
             headline(voxels.target.grey)
@@ -163,7 +198,7 @@ pub(crate) fn judge(
     progress.event(&Event::Note { text });
     room = Room::default();
     let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;
-    let (still, _) = dose(
+    let (still, ..) = dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
@@ -175,7 +210,7 @@ pub(crate) fn judge(
     let run = cancel.part(share::NUMBERS);
     let standing = measure(scene, &fine, &response, shown, run)?;
     room.values = response.values;
-    let (turning, model) = dose(
+    let (turning, others, model) = dose(
         scene,
         scene.optics.lights_turning(sub_angles),
         &grid,
@@ -184,6 +219,10 @@ pub(crate) fn judge(
         &cancel.part(share::TURNING),
     )?;
     drop(room);
+    let mut species = Vec::with_capacity(others.len());
+    for (other, dose) in scene.others.iter().zip(others) {
+        species.push(Species::of(other, dose, &scene.grid, shown, cancel)?);
+    }
     let mean = averaged(&turning, &scene.grid);
     cancel.check()?;
     let material = scene.response()?;
@@ -256,6 +295,7 @@ pub(crate) fn judge(
         noise,
         agreement,
         model,
+        others: species,
         warnings,
     })
 }
@@ -287,7 +327,7 @@ pub(super) struct Room {
     values: Vec<f32>,
 }
 
-/// Dose of patterns on a grid, by the model that judges, and what is said of it.
+/// Doses of patterns on a grid, of the first and of further species, by the model that judges, and what is said of it.
 fn dose(
     scene: &Scene,
     lights: Vec<Light>,
@@ -295,13 +335,13 @@ fn dose(
     patterns: &[Patterns],
     room: &mut Room,
     cancel: &Run,
-) -> Result<(Volume<f32>, String)> {
+) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
     let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
     let choice = scene.optics.model_for(refine, grid);
     dose_by(&choice, scene, lights, grid, patterns, room, cancel)
 }
 
-/// Dose of patterns on a grid, and what is said of the model.
+/// Doses of patterns on a grid, of the first and of further species, and what is said of the model.
 pub(super) fn dose_by(
     choice: &Choice,
     scene: &Scene,
@@ -310,15 +350,22 @@ pub(super) fn dose_by(
     patterns: &[Patterns],
     room: &mut Room,
     cancel: &Run,
-) -> Result<(Volume<f32>, String)> {
+) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
         light.selection = Selection::default();
     }
     let setup = scene.optics.setup();
     let making = cancel.part(0.1);
-    let planner::Plan { model, reason, .. } =
-        planner::plan(choice, setup, lights, grid.clone(), None, &making)?;
+    let planner::Plan { model, reason, .. } = planned(
+        scene.mixing.as_deref(),
+        choice,
+        setup,
+        lights,
+        grid,
+        None,
+        &making,
+    )?;
     drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
@@ -331,8 +378,12 @@ pub(super) fn dose_by(
     model.dose(&x, &mut room.field, &cancel.part(0.85))?;
     drop(x);
     let values = std::mem::take(&mut room.values);
-    let dose = model.outputs()[0].volume_in(room.field.as_slice(), values);
-    Ok((dose, reason))
+    let (first, others) = (&model.outputs()[0], &model.outputs()[1..]);
+    let dose = first.volume_in(room.field.as_slice(), values);
+    let others = others
+        .iter()
+        .map(|own| own.volume_of(room.field.as_slice()));
+    Ok((dose, others.collect(), reason))
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.

@@ -47,6 +47,7 @@ mod scene;
 pub mod schema;
 mod selection;
 pub mod spec;
+mod species;
 mod stages;
 pub mod trace;
 mod trial;

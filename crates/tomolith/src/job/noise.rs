@@ -64,7 +64,7 @@ impl Noise {
             let lights = scene.optics.lights_turning(1);
             let choice = Choice::Scatter(params.clone());
             let room = &mut Room::default();
-            let (dose, _) = dose_by(&choice, scene, lights, &scene.grid, patterns, room, cancel)?;
+            let (dose, ..) = dose_by(&choice, scene, lights, &scene.grid, patterns, room, cancel)?;
             scene.responses(dose)
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {

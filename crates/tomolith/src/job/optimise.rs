@@ -7,13 +7,15 @@ use super::refinement::{self, Level};
 use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
 use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
+use super::species::{Row as SpeciesRow, beginnings, planned};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
-use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
+use crate::models::{DoseLayout, DoseModel, PatternLayout, Quantity, Run};
+use crate::objective::{Objective, PerSpecies, Sum};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -197,6 +199,8 @@ struct SoFar {
 pub(super) struct Stage<'a> {
     level: &'a Level,
     pub(super) voxels: Cow<'a, Voxels>,
+    /// Those of further species.
+    others: Vec<Voxels>,
     pub(super) model: Box<dyn DoseModel<Field = HostField>>,
     straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// Pixels that stay dark.
@@ -218,12 +222,16 @@ impl<'a> Stage<'a> {
         } else {
             Cow::Owned(scene.voxels(&level.grid)?)
         };
-        let plan = planner::plan(
+        let others = scene.others.iter().map(|other| other.voxels(&level.grid));
+        let others = others.collect::<Result<Vec<_>>>()?;
+        let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
+        let plan = planned(
+            scene.mixing.as_deref(),
             &scene.optics.model,
             scene.setup(),
             level.lights.clone(),
-            level.grid.clone(),
-            Some(&voxels.wanted()),
+            &level.grid,
+            Some(&all),
             cancel,
         )?;
         let straight = plan.straight.as_deref();
@@ -240,6 +248,7 @@ impl<'a> Stage<'a> {
         Ok(Stage {
             level,
             voxels,
+            others,
             model,
             straight: plan.straight,
             dark,
@@ -254,9 +263,40 @@ impl<'a> Stage<'a> {
         cancel: &Run,
     ) -> Result<HostField> {
         let models = (self.model.as_ref(), self.straight.as_deref());
-        let mut x = starting_patterns(scene, &self.voxels, models, start, cancel)?;
+        let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
         darken(&mut x, &self.dark);
         Ok(x)
+    }
+
+    /// The voxels of every species.
+    fn all_voxels(&self) -> Vec<&Voxels> {
+        std::iter::once(self.voxels.as_ref())
+            .chain(&self.others)
+            .collect()
+    }
+
+    /// The loss of all species; with thresholds that lie so many steps further apart than those of the job.
+    pub(super) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
+        let outputs = self.model.outputs();
+        let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
+            let spec = match wider {
+                0 => None,
+                steps => refinement::widened(&scene.spec, steps)?,
+            };
+            scene.objective(spec.as_ref().unwrap_or(&scene.spec), layout, voxels)
+        };
+        if outputs.len() == 1 {
+            return own(scene, &outputs[0], &self.voxels);
+        }
+        let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
+        for ((scene, layout), voxels) in scene.species().zip(outputs).zip(self.all_voxels()) {
+            let alone = DoseLayout {
+                offset: 0,
+                ..layout.clone()
+            };
+            parts.push((layout, Box::new(own(scene, &alone, voxels)?)));
+        }
+        Sum::new(vec![(1.0, Box::new(PerSpecies::new(parts)))])
     }
 
     pub(super) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
@@ -280,7 +320,7 @@ impl<'a> Stage<'a> {
         cancel: &Run,
     ) -> Result<Option<Levelled>> {
         let model = self.model.as_ref();
-        let objective = scene.objective(&scene.spec, &model.outputs()[0], &self.voxels)?;
+        let objective = self.objective(scene, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(scene.penalties(model.patterns())?);
         levels::improve(scene, &mut problem, x, progress)
@@ -296,22 +336,26 @@ impl<'a> Stage<'a> {
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Outcome> {
-        let own = (scene, &scene.spec);
+        let own = (scene, 0);
         let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
             if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
                 break;
             }
-            let Some(wider) = refinement::widened(&scene.spec, steps)? else {
+            let mut widened = false;
+            for species in scene.species() {
+                widened |= refinement::widened(&species.spec, steps)?.is_some();
+            }
+            if !widened {
                 break;
-            };
+            }
             progress.event(&Event::Note {
                 text: format!("every voxel is within its thresholds after iteration {at}: from here on they are {} further apart", concise(refinement::WIDER * steps as f64)),
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;
-            outcome = self.run((scene, &wider), (x, bounds), None, sofar, progress, cancel)?;
+            outcome = self.run((scene, steps), (x, bounds), None, sofar, progress, cancel)?;
         }
         Ok(outcome)
     }
@@ -319,7 +363,7 @@ impl<'a> Stage<'a> {
     /// Runs the optimiser on this level, after the iterations of those before.
     fn run(
         &self,
-        (scene, spec): (&Scene, &JobSpec),
+        (scene, wider): (&Scene, usize),
         (x, bounds): (&mut HostField, &[Limits]),
         checkpoints: Option<&mut Checkpoints>,
         sofar: &mut SoFar,
@@ -328,7 +372,8 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         let model = self.model.as_ref();
         let layout = model.outputs()[0].clone();
-        let objective = scene.objective(spec, &layout, &self.voxels)?;
+        let objective = self.objective(scene, wider)?;
+        let spec = &scene.spec;
         let mut optimizer = scene.optimizer()?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(scene.penalties(model.patterns())?)
@@ -459,7 +504,7 @@ const GLIMMER: f64 = 0.01;
 /// roots of what straight light would begin with.
 pub(super) fn starting_patterns(
     scene: &Scene,
-    voxels: &Voxels,
+    voxels: &[&Voxels],
     (model, straight): (
         &dyn DoseModel<Field = HostField>,
         Option<&dyn DoseModel<Field = HostField>>,
@@ -468,14 +513,20 @@ pub(super) fn starting_patterns(
     cancel: &Run,
 ) -> Result<HostField> {
     let bounds = &scene.spec.bounds;
-    let limits = Limits {
-        min: bounds.min,
-        max: bounds.max.unwrap_or(f64::INFINITY),
-    };
+    let given = scene.spec.light.iter().map(|light| Limits {
+        min: light.bounds.min.unwrap_or(bounds.min),
+        max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
+    });
+    let limits: Vec<Limits> = given.collect();
     let response = scene.response()?;
-    let limits = vec![limits; scene.spec.light.len()];
-    let input = |model| start_input(model, voxels, response.as_ref(), &limits);
-    let mut x = start.patterns(&input(straight.unwrap_or(model)), cancel)?;
+    let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
+    let known = straight.unwrap_or(model);
+    let mut x = match scene.mixing.as_deref() {
+        Some(rows) if !start.is_given() => {
+            starting_lights(scene, (rows, voxels), known, start, (&limits, cancel))?
+        }
+        _ => start.patterns(&input(known), cancel)?,
+    };
     if model.patterns()[0].quantity == Quantity::Energy {
         return Ok(x);
     }
@@ -485,6 +536,29 @@ pub(super) fn starting_patterns(
     }
     // A pupil takes light that rays would have brought
     input(model).scaled_anew(x, cancel)
+}
+
+/// Where each light begins: with the species that it drives most, as if it were alone.
+fn starting_lights(
+    scene: &Scene,
+    (rows, voxels): (&[SpeciesRow], &[&Voxels]),
+    model: &dyn DoseModel<Field = HostField>,
+    start: &dyn Start,
+    (limits, cancel): (&[Limits], &Run),
+) -> Result<HostField> {
+    let mut x = model.new_patterns()?;
+    let scenes: Vec<&Scene> = scene.species().collect();
+    for (i, begins) in beginnings(rows).into_iter().enumerate() {
+        let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
+            continue;
+        };
+        let response = scenes[s].response()?;
+        let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
+        let mut own = start.patterns(&input, cancel)?;
+        own.scale(factor as f32);
+        x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
+    }
+    Ok(x)
 }
 
 /// Energies → amplitudes, none of them dark.
@@ -518,17 +592,34 @@ pub(super) fn limits(
     normalises: bool,
 ) -> Vec<Limits> {
     let quantity = model.patterns()[0].quantity;
-    let largest = f64::from(quantity.energy(start.max_abs()));
-    let natural = if largest > spec.bounds.min && !normalises {
-        largest
-    } else {
-        f64::INFINITY
+    let of_all = start.max_abs();
+    let alone = |layout: &PatternLayout| {
+        let own = &start.as_slice()[layout.range()];
+        let own = own.iter().fold(0.0f32, |most, v| most.max(v.abs()));
+        // A light that begins dark may become as bright as the others
+        if own > 0.0 { own } else { of_all }
     };
-    let limits = Limits {
-        min: spec.bounds.min,
-        max: spec.bounds.max.unwrap_or(natural),
-    };
-    vec![limits; spec.light.len()]
+    let lights = model.patterns().iter().zip(&spec.light);
+    let limits = lights.map(|(layout, light)| {
+        let largest = if spec.species.is_empty() {
+            of_all
+        } else {
+            alone(layout)
+        };
+        let largest = f64::from(quantity.energy(largest));
+        let min = light.bounds.min.unwrap_or(spec.bounds.min);
+        let natural = if largest > min && !normalises {
+            largest
+        } else {
+            f64::INFINITY
+        };
+        let max = light.bounds.max.or(spec.bounds.max);
+        Limits {
+            min,
+            max: max.unwrap_or(natural),
+        }
+    });
+    limits.collect()
 }
 
 /// Iterations that are measured before only every second one is, and again before every fourth, and so on.
@@ -665,6 +756,7 @@ impl Scene {
 mod tests {
     use super::*;
     use crate::job::Job;
+    use crate::models::planner;
 
     #[test]
     fn a_run_that_stayed_at_its_start_says_so() {
@@ -724,7 +816,7 @@ mod tests {
         .unwrap();
         let models = (plan.model.as_ref(), plan.straight.as_deref());
         let start = scene.start().unwrap();
-        let x = starting_patterns(&scene, &voxels, models, start.as_ref(), &Run::new()).unwrap();
+        let x = starting_patterns(&scene, &[&voxels], models, start.as_ref(), &Run::new()).unwrap();
         (voxels, plan, x)
     }
 

@@ -149,7 +149,7 @@ impl ResolvedJob {
         Ok(Task {
             limits: stage.limits(scene, &start)?,
             penalties: scene.penalties(stage.model.patterns())?,
-            objective: scene.objective(&scene.spec, &stage.model.outputs()[0], &stage.voxels)?,
+            objective: stage.objective(scene, 0)?,
             start,
             target: stage.voxels.target.clone(),
             labels: stage.voxels.labels.clone(),

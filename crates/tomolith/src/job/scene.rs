@@ -13,7 +13,7 @@ use super::read::Job;
 use super::refinement::{self, Level};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, clip, coarse, light};
+use super::{cells, clip, coarse, light, species};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -66,6 +66,10 @@ pub(crate) struct Scene {
     pub(crate) levels: Vec<Level>,
     /// How large it all is.
     pub(crate) extent: Extent,
+    /// M, a row per species; None: one species that all lights drive alike.
+    pub(crate) mixing: Option<Vec<species::Row>>,
+    /// Further species, on the same voxels.
+    pub(crate) others: Vec<Scene>,
     /// Choices that were made.
     pub(crate) notes: Vec<String>,
     /// What may be wrong.
@@ -90,11 +94,28 @@ impl Scene {
     /// # Errors
     /// Everything of the sections "Bad input": see [`Error`].
     pub(crate) fn new(job: &Job) -> Result<Self> {
-        Self::of_spec(job).map_err(|e| job.locate(e))
+        Self::of_all_species(job).map_err(|e| job.locate(e))
     }
 
-    fn of_spec(job: &Job) -> Result<Self> {
-        let mut spec = job.spec.clone();
+    fn of_all_species(job: &Job) -> Result<Self> {
+        let of_first = |e| match job.spec.species.is_empty() {
+            true => e,
+            false => species::at_species(&job.spec, 0, e),
+        };
+        let mut scene = Self::of_species(job, 0, None).map_err(of_first)?;
+        for s in 1..job.spec.species.len() {
+            let other = Self::of_species(job, s, Some(&scene.grid));
+            scene
+                .others
+                .push(other.map_err(|e| species::at_species(&job.spec, s, e))?);
+        }
+        species::must_fit(&scene)?;
+        Ok(scene)
+    }
+
+    /// The scene of one species; on these voxels where they are given.
+    fn of_species(job: &Job, s: usize, on: Option<&VolumeGrid>) -> Result<Self> {
+        let mut spec = job.spec.of_species(s);
         if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file") {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
         }
@@ -111,7 +132,14 @@ impl Scene {
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
         counted_as(&spec, shape.is_grey())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
-        let placed = grid_of(&spec, &optics, shape.as_ref());
+        let placed = match on {
+            Some(grid) => Ok((grid.clone(), 0.0)),
+            None => grid_of(
+                &spec,
+                &optics,
+                bounds_of(&spec, shape.as_ref(), &job.base())?,
+            ),
+        };
         optics.wall_tolerance_mm =
             wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
         let touching = optics
@@ -183,6 +211,8 @@ impl Scene {
             shape,
             has_cells,
             levels,
+            mixing: spec.mixing()?,
+            others: Vec::new(),
             sees_fractions: refinement::sees_fractions(&spec)?,
             spec,
             optics,
@@ -509,6 +539,15 @@ impl Voxels {
             values: labels.iter().zip(inside).map(wanted).collect(),
         }
     }
+
+    /// Voxels that count and that light should not reach, 1, else 0.
+    pub(crate) fn unwanted(&self) -> Volume<u8> {
+        let mut unwanted = self.wanted();
+        for (wanted, &label) in unwanted.values.iter_mut().zip(&self.labels.values) {
+            *wanted = u8::from(label != label::OUTSIDE && *wanted == 0);
+        }
+        unwanted
+    }
 }
 
 /// Objectives with numbers of their own for every voxel.
@@ -647,9 +686,22 @@ fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     optics.setup().working_mb(&choice, &optics.lights, &grid)
 }
 
+/// The box of all that is to be printed, of all species.
+fn bounds_of(spec: &JobSpec, shape: &dyn Shape, base: &Path) -> Result<[[f64; 3]; 2]> {
+    let [mut low, mut high] = shape.bounds_mm();
+    for (s, species) in spec.species.iter().enumerate().skip(1) {
+        let Some(own) = &species.target else { continue };
+        let key = format!("species[{s}].target");
+        let [l, h] = target::build(own, base, &key)?.bounds_mm();
+        for i in 0..3 {
+            (low[i], high[i]) = (low[i].min(l[i]), high[i].max(h[i]));
+        }
+    }
+    Ok([low, high])
+}
+
 /// The grid of a job: given, or round the target and cut by the resin; and how far it was moved up to lie on the rows, mm.
-fn grid_of(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Result<(VolumeGrid, f64)> {
-    let bounds = shape.bounds_mm();
+fn grid_of(spec: &JobSpec, optics: &Optics, bounds: [[f64; 3]; 2]) -> Result<(VolumeGrid, f64)> {
     let under = |e: Error| e.under("grid");
     let GridSpec {
         pitch_mm,

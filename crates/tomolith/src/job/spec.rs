@@ -22,6 +22,7 @@ use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// A whole job.
@@ -51,6 +52,10 @@ pub struct JobSpec {
     pub model: Option<Value>,
     /// One table `[[light]]` per projector or wavelength.
     pub light: Vec<LightSpec>,
+    /// What hardens in the resin, one table `[[species]]` per network: its own lights, target, objective and response. One species that all
+    /// lights drive alike when left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub species: Vec<SpeciesSpec>,
     /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
     /// values are to be reproduced.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -287,11 +292,80 @@ pub struct LightSpec {
     /// level), "p" across both; where the axis is tilted, so are they.
     #[serde(default)]
     pub polarisation: Polarisation,
+    /// What the resin is to this light, where that differs from `[resin]`.
+    #[serde(default, skip_serializing_if = "LightResinSpec::is_default")]
+    pub resin: LightResinSpec,
+    /// Limits of this light's pattern values, where they differ from `[bounds]`.
+    #[serde(default, skip_serializing_if = "LightBoundsSpec::is_default")]
+    pub bounds: LightBoundsSpec,
     /// Which pixels may be lit; the others stay dark. All that can help the part when left out.
     #[serde(default, skip_serializing_if = "SelectionSpec::is_default")]
     pub selection: SelectionSpec,
     /// The optics, `projector.KIND`.
     pub projector: ProjectorSpec,
+}
+
+/// What the resin is at the wavelength of one light; what is left out is that of `[resin]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LightResinSpec {
+    /// Refractive index, 1 to 4.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refractive_index: Option<f64>,
+    /// Napierian absorption of the active species, 1/mm, > 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub absorption_per_mm: Option<f64>,
+    /// Napierian attenuation by everything, 1/mm; absorption + scattering of this light where one of these is given and this is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub attenuation_per_mm: Option<f64>,
+    /// Napierian scattering, 1/mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scattering_per_mm: Option<f64>,
+}
+
+impl LightResinSpec {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// Limits of one light's pattern values; what is left out is that of `[bounds]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LightBoundsSpec {
+    /// Smallest value, ≥ 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f64>,
+    /// Largest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+}
+
+impl LightBoundsSpec {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// What hardens, or is inhibited: r = Σ M·(dose of a light alone), with a target and a loss of its own.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpeciesSpec {
+    /// Its name, for files and the report.
+    pub name: String,
+    /// The row of M: how strongly each light drives it, by the name of the light; below 0 where a light inhibits. Lights that are left out
+    /// do nothing; every light counts 1 when the key is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub driven_by: Option<BTreeMap<String, f64>>,
+    /// Where it should form; the job's `[target]` when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub target: Option<TargetSpec>,
+    /// What is minimized for it, one kind; the job's objective when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Value>,
+    /// What it does with its dose, one kind; the job's `[response]` when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub response: Option<Value>,
 }
 
 /// Which pixels of a light may be lit.
@@ -832,7 +906,7 @@ impl Angles {
 /// The objective of a job that names none: the threshold preset with its defaults for a part and void; for a grey image,
 /// whose values are to be reproduced, least squares.
 pub(crate) fn default_objective(target: &TargetSpec) -> Value {
-    let name = if target.image.is_some() {
+    let name = if target.image.is_some() && target.grey != Some(false) {
         "l2"
     } else {
         "threshold"

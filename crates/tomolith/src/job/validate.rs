@@ -3,6 +3,7 @@
 use super::spec::{
     Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, OutputSpec, ResinSpec, SelectionSpec,
 };
+use super::species::at_species;
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::{PrinterSpec, shown_rate};
@@ -33,7 +34,10 @@ const INDEX: &str = "a refractive index, 1 to 4";
 /// [`Document::locate`](super::Document::locate).
 pub fn ranges(spec: &JobSpec) -> Result<()> {
     grid(spec)?;
-    resin(spec)?;
+    resin(&spec.resin)?;
+    for i in 0..spec.light.len() {
+        resin(&spec.resin_of(i)).map_err(|e| e.under(&format!("light[{i}]")))?;
+    }
     within(
         "vial.surrounding_index",
         spec.vial.common.surrounding_index,
@@ -52,7 +56,7 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
         positive("bath.radius_mm", bath.radius_mm.0, "mm")?;
     }
     lights(&spec.light)?;
-    spec.objectives()?;
+    species(spec)?;
     bounds_and_stop(spec)?;
     evaluate_and_output(spec)?;
     if let Some(memory_gb) = spec.resources.memory_gb {
@@ -117,8 +121,7 @@ fn grid(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
-fn resin(spec: &JobSpec) -> Result<()> {
-    let resin = &spec.resin;
+fn resin(resin: &ResinSpec) -> Result<()> {
     within(
         "resin.refractive_index",
         resin.refractive_index,
@@ -219,6 +222,24 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// The objectives of every species, their names, and who drives them.
+fn species(spec: &JobSpec) -> Result<()> {
+    spec.objectives()?;
+    for (s, species) in spec.species.iter().enumerate() {
+        if !is_file_name(&species.name) {
+            return Err(Error::config(
+                format!("species[{s}].name"),
+                format!("found {:?}", species.name),
+                "letters, digits, - and _ (it is part of file names)",
+            ));
+        }
+        spec.of_species(s)
+            .objectives()
+            .map_err(|e| at_species(spec, s, e))?;
+    }
+    spec.mixing().map(drop)
 }
 
 fn light(light: &LightSpec) -> Result<()> {

@@ -10,7 +10,7 @@ use super::outcome::{earlier, large};
 use super::progress::Progress;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::spec::JobSpec;
+use super::spec::{JobSpec, LightSpec};
 use crate::error::Result;
 use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
@@ -23,8 +23,8 @@ use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, Limits, MovieReport, ReportData, Timing, write_html, write_json,
-    write_print,
+    ExposureWindow, LightReport, Limits, MovieReport, ReportData, SpeciesReport, Timing,
+    write_html, write_json, write_print,
 };
 use crate::units::concise;
 use std::panic::resume_unwind;
@@ -91,6 +91,11 @@ pub(crate) fn all(
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
         write_volume(&new.join("dose.npy"), &judged.dose, &run.part(0.05))?;
+        for (s, other) in judged.others.iter().enumerate() {
+            let name = scene.species_name(s + 1).unwrap_or_default();
+            let file = new.join(format!("dose_{name}.npy"));
+            write_volume(&file, &other.dose, &run.aside())?;
+        }
         write_vti(
             &new.join("dose.vti"),
             &judged.dose.grid,
@@ -220,6 +225,7 @@ fn report(
         standing: Some(&judged.standing),
         optimisation: judged.optimisation.as_ref(),
         published: published(done, exposures.lights())?,
+        species: species(done),
         history,
         kept: done.optimised.as_ref().map(|o| o.outcome.kept),
         levels: done
@@ -236,6 +242,36 @@ fn report(
     };
     write_json(&folder.join("report.json"), &data)?;
     write_html(&folder.join("report.html"), &data)
+}
+
+/// What every species prints, where the job names some.
+fn species<'a>(done: &'a Done<'_>) -> Vec<SpeciesReport<'a>> {
+    let Done { scene, judged, .. } = done;
+    let Some(rows) = &scene.mixing else {
+        return Vec::new();
+    };
+    let first = (&judged.evaluation, &judged.fine, &judged.response);
+    let others = judged
+        .others
+        .iter()
+        .map(|other| (&other.evaluation, &other.fine, &other.response));
+    let prints = std::iter::once(first).chain(others);
+    let species = rows.iter().zip(scene.species()).zip(prints);
+    let mut reports = Vec::with_capacity(rows.len());
+    for (((name, row), scene), (evaluation, fine, response)) in species {
+        let light =
+            |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
+        reports.push(SpeciesReport {
+            name,
+            driven_by: scene.spec.light.iter().zip(row).map(light).collect(),
+            evaluation,
+            labels: &fine.labels,
+            response,
+            inside: &fine.target.inside,
+            window: window(&scene.spec),
+        });
+    }
+    reports
 }
 
 /// Numbers as they were published, those of each slice, and the units of the publications.

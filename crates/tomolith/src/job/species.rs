@@ -1,0 +1,453 @@
+//! Several lights and several species: which light sees which resin, which species each drives, and the job of each species.
+//!
+//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`SpectralMixing`]). A species is a job that differs from
+//! the whole one in target, objective and response; all share lights, vial and voxels.
+//!
+//! **Limits** Methods that minimize a loss take several species; those that compare one dose with one target (`osmo`, `cal`, …) do not.
+//! Neither do voxels cut into cells, nor fewer bits than six.
+
+use super::scene::{Scene, Voxels};
+use super::spec::{JobSpec, ResinSpec};
+use crate::error::{Error, Result};
+use crate::grid::{Volume, VolumeGrid};
+use crate::models::parallel::Light;
+use crate::models::planner::{self, Plan, Setup};
+use crate::models::spectral::SpectralMixing;
+use crate::models::{Choice, Run};
+use crate::units::exact;
+
+/// A species by name, and its row of M.
+pub(crate) type Row = (String, Vec<f64>);
+
+impl JobSpec {
+    /// The resin as light `i` sees it.
+    pub(crate) fn resin_of(&self, i: usize) -> ResinSpec {
+        let own = &self.light[i].resin;
+        let mut resin = self.resin.clone();
+        if let Some(index) = own.refractive_index {
+            resin.refractive_index = index;
+        }
+        if own.absorption_per_mm.is_some() || own.scattering_per_mm.is_some() {
+            resin.attenuation_per_mm = None;
+        }
+        resin.absorption_per_mm = own.absorption_per_mm.or(resin.absorption_per_mm);
+        resin.scattering_per_mm = own.scattering_per_mm.unwrap_or(resin.scattering_per_mm);
+        resin.attenuation_per_mm = own.attenuation_per_mm.or(resin.attenuation_per_mm);
+        resin
+    }
+
+    /// The job of one species alone: its target, objective and response in place of the whole job's.
+    pub(crate) fn of_species(&self, s: usize) -> JobSpec {
+        let mut spec = self.clone();
+        let Some(own) = self.species.get(s) else {
+            return spec;
+        };
+        if let Some(target) = &own.target {
+            spec.target = target.clone();
+        }
+        if let Some(objective) = &own.objective {
+            (spec.objective, spec.objectives) = (Some(objective.clone()), None);
+        }
+        if let Some(response) = &own.response {
+            spec.response = response.clone();
+        }
+        spec
+    }
+
+    /// M, a row per species; None where all lights drive one species alike.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for names that are missing, unknown or used twice, and factors that are no numbers.
+    pub(crate) fn mixing(&self) -> Result<Option<Vec<Row>>> {
+        if self.species.is_empty() {
+            return Ok(None);
+        }
+        let names: Vec<&str> = self
+            .light
+            .iter()
+            .map(|l| l.name.as_deref().unwrap_or("light"))
+            .collect();
+        let mut rows: Vec<Row> = Vec::with_capacity(self.species.len());
+        for (s, species) in self.species.iter().enumerate() {
+            let key = format!("species[{s}]");
+            if rows.iter().any(|(name, _)| *name == species.name) {
+                let found = format!("found {:?} a second time", species.name);
+                return Err(Error::config(
+                    format!("{key}.name"),
+                    found,
+                    "names that differ",
+                ));
+            }
+            let row = match &species.driven_by {
+                None => vec![1.0; names.len()],
+                Some(given) => {
+                    for (light, factor) in given {
+                        let key = format!("{key}.driven_by.{light}");
+                        if !names.contains(&light.as_str()) {
+                            let accepted = format!("the name of a light: {}", names.join(", "));
+                            return Err(Error::config(key, "no light has this name", accepted));
+                        }
+                        if !factor.is_finite() {
+                            return Err(Error::config(
+                                key,
+                                format!("found {}", exact(*factor)),
+                                "a number",
+                            ));
+                        }
+                    }
+                    let factor = |name: &&str| given.get(*name).copied().unwrap_or(0.0);
+                    names.iter().map(factor).collect()
+                }
+            };
+            if !row.iter().any(|&m| m > 0.0) {
+                return Err(Error::config(
+                    format!("{key}.driven_by"),
+                    "no light drives it",
+                    "a factor above 0 for one light at least",
+                ));
+            }
+            rows.push((species.name.clone(), row));
+        }
+        if let Some(i) = (0..names.len()).find(|&i| rows.iter().all(|(_, row)| row[i] == 0.0)) {
+            return Err(Error::config(
+                format!("light[{i}]"),
+                format!("{} drives no species", names[i]),
+                "a factor for it in species.driven_by, or no such light",
+            ));
+        }
+        Ok(Some(rows))
+    }
+}
+
+/// Refuses what does not go with several species.
+///
+/// # Errors
+/// [`Error::Config`].
+pub(super) fn must_fit(scene: &Scene) -> Result<()> {
+    if scene.mixing.is_none() {
+        return Ok(());
+    }
+    if matches!(scene.optics.model, Choice::Matrix(_)) {
+        let found = "a stored matrix holds the lights together, not one by one";
+        return Err(Error::config(
+            "species",
+            found,
+            "another model, or no [[species]]",
+        ));
+    }
+    if scene.species().any(|species| species.has_cells) {
+        let found = "an objective whose surface cuts voxels into cells";
+        return Err(Error::config(
+            "species",
+            found,
+            "surface = \"fraction\" or \"voxel\"",
+        ));
+    }
+    if scene.others.is_empty() {
+        return Ok(());
+    }
+    let needs = scene.optimizer()?.needs();
+    if needs.target.is_some() {
+        let found = "a method that compares one dose with one target";
+        let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
+        return Err(Error::config("optimizer", found, accepted));
+    }
+    if super::levels::asked(&scene.spec.evaluate) {
+        let found = "patterns on few levels are not improved for several [[species]]";
+        return Err(Error::config("evaluate.levels", found, "\"rounded\""));
+    }
+    Ok(())
+}
+
+/// Names the table of a species where a key of the whole job is blamed that the species sets itself.
+pub(super) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
+    let own = &spec.species[s];
+    let sets = |key: &str| {
+        let table = key.split(['.', '[']).next();
+        match table {
+            Some("target") => own.target.is_some(),
+            Some("objective") => own.objective.is_some(),
+            Some("response") => own.response.is_some(),
+            _ => false,
+        }
+    };
+    match error {
+        Error::Config { ref key, .. } if sets(key) => error.under(&format!("species[{s}]")),
+        other => other,
+    }
+}
+
+/// The model of a job's lights: that of all together, or one for each and M.
+///
+/// `wanted` are the voxels that each species needs, `unwanted` those it should not reach: a light becomes unknowns where it drives what is
+/// wanted, or inhibits what is not.
+///
+/// # Errors
+/// As [`planner::plan`].
+pub(super) fn planned(
+    mixing: Option<&[Row]>,
+    choice: &Choice,
+    setup: Setup<'_>,
+    lights: Vec<Light>,
+    grid: &VolumeGrid,
+    voxels: Option<&[&Voxels]>,
+    run: &Run,
+) -> Result<Plan> {
+    let Some(rows) = mixing else {
+        let wanted = voxels.map(|voxels| voxels[0].wanted());
+        return planner::plan(choice, setup, lights, grid.clone(), wanted.as_ref(), run);
+    };
+    let count = lights.len();
+    let mut plans = Vec::with_capacity(count);
+    for (i, light) in lights.into_iter().enumerate() {
+        let own = Setup {
+            optics: &setup.optics[i..=i],
+            ..setup
+        };
+        let wanted = voxels.map(|voxels| lit_by(rows, i, voxels));
+        let part = run.part(1.0 / count as f64);
+        let light = vec![light];
+        plans.push(planner::plan(
+            choice,
+            own,
+            light,
+            grid.clone(),
+            wanted.as_ref(),
+            &part,
+        )?);
+    }
+    let mixed = |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as _);
+    let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
+        Vec::new()
+    } else {
+        let of = |plan: &Plan| {
+            let pixels: usize = plan.model.patterns().iter().map(|p| p.len()).sum();
+            if plan.dark.is_empty() {
+                vec![false; pixels]
+            } else {
+                plan.dark.clone()
+            }
+        };
+        plans.iter().flat_map(of).collect()
+    };
+    let reason = plans[0].reason.clone();
+    let straight: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.straight.take()).collect();
+    let model: Box<_> = mixed(plans.into_iter().map(|plan| plan.model).collect())?;
+    Ok(Plan {
+        reason: format!(
+            "{} species by {count} lights, each alone: {reason}",
+            rows.len()
+        ),
+        model,
+        dark,
+        straight: straight.map(mixed).transpose()?,
+    })
+}
+
+/// Voxels that a light can help: those of species that it drives where they are wanted, of species that it inhibits where they are not.
+fn lit_by(rows: &[Row], light: usize, voxels: &[&Voxels]) -> Volume<u8> {
+    let mut lit = Volume::filled(voxels[0].labels.grid.clone(), 0u8);
+    for ((_, row), voxels) in rows.iter().zip(voxels) {
+        let useful = match row[light] {
+            m if m > 0.0 => voxels.wanted(),
+            m if m < 0.0 => voxels.unwanted(),
+            _ => continue,
+        };
+        for (lit, useful) in lit.values.iter_mut().zip(useful.values) {
+            *lit |= useful;
+        }
+    }
+    lit
+}
+
+/// The light that drives a species most, for each light the species it begins with and the factor of its patterns: lights that begin with
+/// the same species share its dose. None for a light that drives nothing: it begins dark.
+pub(super) fn beginnings(rows: &[Row]) -> Vec<Option<(usize, f64)>> {
+    let lights = rows[0].1.len();
+    let strongest = |light: usize| {
+        let drive = |s: &usize| rows[*s].1[light];
+        let best = (0..rows.len()).max_by(|a, b| drive(a).total_cmp(&drive(b)).then(b.cmp(a)))?;
+        (drive(&best) > 0.0).then_some(best)
+    };
+    let species: Vec<Option<usize>> = (0..lights).map(strongest).collect();
+    let sharing = |s: usize| species.iter().filter(|&&other| other == Some(s)).count() as f64;
+    let factor =
+        |(light, s): (usize, &Option<usize>)| s.map(|s| (s, 1.0 / (rows[s].1[light] * sharing(s))));
+    species.iter().enumerate().map(factor).collect()
+}
+
+impl Scene {
+    /// The species of the job, the first being this scene itself.
+    pub(crate) fn species(&self) -> impl Iterator<Item = &Scene> {
+        std::iter::once(self).chain(&self.others)
+    }
+
+    /// Name of species `s`.
+    pub(crate) fn species_name(&self, s: usize) -> Option<&str> {
+        self.mixing.as_ref().map(|rows| rows[s].0.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Field;
+    use crate::job::{Document, Job, ResolvedJob};
+    use crate::models::DoseModel;
+    use crate::objective::Objective;
+
+    const TWO: &str = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1, attenuation_per_mm = 0.3 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        stop = { iterations = 4 }
+        [[light]]
+        name = "violet"
+        pixels = [28, 12]
+        angles = 16
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+        [[light]]
+        name = "uv"
+        pixels = [30, 12]
+        angles = 12
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+        resin = { absorption_per_mm = 0.4, refractive_index = 1.6 }
+        [[species]]
+        name = "soft"
+        driven_by = { violet = 1.0, uv = 0.5 }
+        [[species]]
+        name = "stiff"
+        driven_by = { uv = 2.0 }
+        target = { phantom = "sphere", size_mm = 1.0 }
+    "#;
+
+    fn document(changes: &[&str]) -> Document {
+        let mut document = Document::toml("a.toml", TWO).unwrap();
+        for change in changes {
+            document.set(change).unwrap();
+        }
+        document
+    }
+
+    fn resolved(changes: &[&str]) -> Result<ResolvedJob> {
+        ResolvedJob::new(&Job::from_document(document(changes))?)
+    }
+
+    #[test]
+    fn a_light_sees_its_own_resin() {
+        let spec = JobSpec::from_document(&document(&[])).unwrap();
+        let [violet, uv] = [0, 1].map(|i| spec.resin_of(i));
+        assert_eq!(violet.attenuation_per_mm, Some(0.3));
+        // Its absorption is another one, so the attenuation of the others says nothing of it
+        let own = (
+            uv.refractive_index,
+            uv.absorption_per_mm,
+            uv.attenuation_per_mm,
+        );
+        assert_eq!(own, (1.6, Some(0.4), None));
+        let job = resolved(&[]).unwrap();
+        let seen = |light: &Light| (light.resin.refractive_index, light.resin.attenuation_per_mm);
+        let seen: Vec<_> = job.lights().iter().map(seen).collect();
+        assert_eq!(seen, [(1.5, 0.3), (1.6, 0.4)]);
+    }
+
+    #[test]
+    fn two_species_are_optimized_together() {
+        let (job, run) = (resolved(&[]).unwrap(), Run::new());
+        let mut task = job.task(&run).unwrap();
+        assert_eq!(task.model.outputs().len(), 2);
+        assert_eq!(
+            (task.start.len(), task.limits.len()),
+            (task.model.patterns()[1].range().end, 2)
+        );
+        let mut dose = task.model.new_dose().unwrap();
+        task.model.dose(&task.start, &mut dose, &run).unwrap();
+        let [soft, stiff] = task.model.outputs() else {
+            panic!()
+        };
+        // Where it begins the sphere gets its dose from the ultraviolet alone
+        let field = stiff.volume_of(dose.as_slice());
+        let middle = field.at(
+            field.grid.shape[0] / 2,
+            field.grid.shape[1] / 2,
+            field.grid.shape[2] / 2,
+        );
+        assert!((0.6..1.4).contains(middle), "{middle}");
+        let before = task.objective.value(&dose);
+        let bounds = task.bounds().unwrap();
+        let (mut slope, mut gradient) = (dose.zeros_like(), task.start.zeros_like());
+        task.objective.value_and_gradient(&dose, &mut slope);
+        assert!(slope.as_slice()[soft.range()].iter().any(|&v| v != 0.0));
+        task.model
+            .pullback(&task.start, &slope, &mut gradient, &run)
+            .unwrap();
+        let step = 0.1 * task.start.max_abs() / gradient.max_abs();
+        task.start.move_along(&gradient, -step, &bounds);
+        task.model.dose(&task.start, &mut dose, &run).unwrap();
+        assert!(task.objective.value(&dose) < before);
+    }
+
+    #[test]
+    fn one_species_of_one_light_is_the_plain_job() {
+        let one = "[{ name = \"violet\", pixels = [28, 12], angles = 16, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
+        let light = format!("light={one}");
+        let dose = |changes: &[&str]| {
+            let (job, run) = (resolved(changes).unwrap(), Run::new());
+            let task = job.task(&run).unwrap();
+            let mut dose = task.model.new_dose().unwrap();
+            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            dose.as_slice().to_vec()
+        };
+        assert_eq!(
+            dose(&[&light, "species=[]"]),
+            dose(&[&light, "species=[{ name = \"a\" }]"])
+        );
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_refused_by_its_key() {
+        let refused = |change: &str| match resolved(&[change]).map(drop).unwrap_err() {
+            Error::Config { key, .. } => key,
+            other => panic!("{other}"),
+        };
+        for (change, key) in [
+            (
+                "species[0].driven_by={ violett = 1.0 }",
+                "species[0].driven_by.violett",
+            ),
+            ("species[1].driven_by={ uv = -1.0 }", "species[1].driven_by"),
+            ("species[0].name=\"stiff\"", "species[1].name"),
+            ("species[0].name=\"a b\"", "species[0].name"),
+            ("species[1].target.size_mm=9.0", "species[1].target"),
+            (
+                "species[1].objective={ threshold = { lower = 2.0, upper = 1.0 } }",
+                "species[1].objective.threshold",
+            ),
+            (
+                "light[1].resin.absorption_per_mm=0.0",
+                "light[1].resin.absorption_per_mm",
+            ),
+            ("optimizer=\"osmo\"", "optimizer"),
+            ("evaluate.bit_depth=2", "evaluate.levels"),
+            (
+                "species=[{ name = \"a\", driven_by = { uv = 1.0 } }]",
+                "light[0]",
+            ),
+        ] {
+            let found = refused(change);
+            assert!(found.starts_with(key), "{change}: {found}");
+        }
+    }
+
+    #[test]
+    fn lights_begin_with_the_species_that_they_drive_most() {
+        let row = |name: &str, row: &[f64]| (name.to_owned(), row.to_vec());
+        let dual = [row("acrylate", &[1.0, 0.25]), row("epoxy", &[0.0, 2.0])];
+        assert_eq!(beginnings(&dual), [Some((0, 1.0)), Some((1, 0.5))]);
+        let antagonistic = [row("acrylate", &[2.0, -1.0])];
+        assert_eq!(beginnings(&antagonistic), [Some((0, 0.5)), None]);
+        let both = [row("acrylate", &[1.0, 1.0])];
+        assert_eq!(beginnings(&both), [Some((0, 0.5)), Some((0, 0.5))]);
+    }
+}
