@@ -2,7 +2,7 @@
 
 use super::number::{escape, significant};
 use super::picture::{Colour, Picture, hex, inferno, reduction, viridis};
-use super::{DARK, INSERT, ReportData};
+use super::{DARK, INSERT, MapReport, ReportData};
 use rayon::prelude::*;
 use std::fmt::Write as _;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
@@ -156,6 +156,54 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         out.push_str("</div></div>");
     }
     out
+}
+
+/// Two planes of a property of the printed material, and its scale.
+pub(super) fn property(map: &MapReport<'_>) -> String {
+    let (grid, values) = (&map.values.grid, &map.values.values);
+    let scale = |v: f64| {
+        if map.is_logarithmic {
+            v.max(f64::MIN_POSITIVE).log10()
+        } else {
+            v
+        }
+    };
+    let Some([low, _, high]) = map.spread() else {
+        return String::new();
+    };
+    let (from, to) = (scale(low), scale(high));
+    let span = (to - from).max(f64::MIN_POSITIVE);
+    let middle = middle_of_box(grid, |i| values[i].is_finite());
+    let mut row = String::new();
+    for (axis, at) in middle.into_iter().enumerate().take(2) {
+        let slice = Slice { grid, axis, at };
+        let picture = slice.picture(|voxels| {
+            let solid = voxels
+                .map(|i| f64::from(values[i]))
+                .filter(|v| v.is_finite());
+            let (sum, count) = solid.fold((0.0, 0.0), |(s, n), v| (s + scale(v), n + 1.0));
+            if count == 0.0 {
+                NOTHING
+            } else {
+                ((sum / count - from) / span * 253.0).clamp(0.0, 253.0) as u8
+            }
+        });
+        add_figure(
+            &mut row,
+            &slice,
+            &picture.data_uri(&dose_palette()),
+            &slice.title(),
+        );
+    }
+    let label = match map.is_logarithmic {
+        true => format!("{} in {}, logarithmic", map.name, map.unit),
+        false => format!("{} in {}", map.name, map.unit),
+    };
+    let ends = [low, high].map(|v| significant(v, 3));
+    format!(
+        "<div class=\"beside\">{row}</div>{}",
+        bar_svg(viridis, &label, "", ends)
+    )
 }
 
 /// Shares of the largest dose up to which two doses count as equal, and from which on their difference has its full colour.

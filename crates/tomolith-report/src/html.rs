@@ -4,10 +4,12 @@
 //! histogram and IoU over the threshold; the surface in the colours of its deviation; three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
-use super::figures::{BODIES, FATES, dose_bar, error_bar, sinogram, slices, strip};
+use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
-use super::{LightReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief};
+use super::{
+    LightReport, MapReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief,
+};
 use rayon::prelude::*;
 use std::fmt::Write as _;
 use tomolith_core::field::BLOCK;
@@ -50,6 +52,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         surface(data),
         slices_section(data),
         species(data),
+        maps(data),
         history(data.history),
         patterns(data),
         table(data),
@@ -155,6 +158,24 @@ fn species(data: &ReportData<'_>) -> String {
     others
         .iter()
         .fold(intro, |page, species| page + &of(species))
+}
+
+/// Properties of the printed material.
+fn maps(data: &ReportData<'_>) -> String {
+    let of = |map: &MapReport<'_>| {
+        let name = escape(map.name);
+        let Some(spread) = map.spread() else {
+            return format!("<section><h2>Predicted {name}</h2><p>Nothing is solid.</p></section>");
+        };
+        let [low, median, high] = spread.map(|v| significant(v, 3));
+        let unit = escape(map.unit);
+        format!(
+            "<section><h2>Predicted {name}</h2><p>From {low} to {high} {unit} where something is solid, half of it below {median} {unit}. \
+             Nothing is drawn where all is liquid.</p>{}</section>",
+            property(map)
+        )
+    };
+    data.maps.iter().map(of).collect()
 }
 
 /// How the lights drive a species, in words.

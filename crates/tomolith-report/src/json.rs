@@ -21,6 +21,7 @@
 //!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
+//! properties    of the printed material: name, unit, and min, median, max where something is solid
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
 //! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
@@ -33,7 +34,7 @@
 //!
 //! What is not defined is null; no number is infinite or not a number.
 
-use super::{ReportData, SpeciesReport};
+use super::{MapReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::evaluation::Histogram;
@@ -120,6 +121,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "published": data.published,
         "lights": lights,
         "species": species,
+        "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,
         "movies": movies,
@@ -132,6 +134,12 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "timings_s": timings,
         },
     })
+}
+
+fn map_json(map: &MapReport<'_>) -> Value {
+    let spread = map.spread();
+    let at = |i: usize| number(spread.map(|spread| spread[i]));
+    json!({ "name": map.name, "unit": map.unit, "min": at(0), "median": at(1), "max": at(2) })
 }
 
 fn species_json(species: &SpeciesReport<'_>) -> Value {

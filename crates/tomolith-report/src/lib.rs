@@ -67,6 +67,38 @@ pub struct Timing {
     pub seconds: f64,
 }
 
+/// A property of the printed material.
+#[derive(Clone, Copy, Debug)]
+pub struct MapReport<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its unit; may be empty.
+    pub unit: &'a str,
+    /// Whether its scale is logarithmic.
+    pub is_logarithmic: bool,
+    /// Its values; NaN where nothing is solid.
+    pub values: &'a Volume<f32>,
+}
+
+impl MapReport<'_> {
+    /// Smallest, median and largest value where something is solid; None where nothing is.
+    #[must_use]
+    pub fn spread(&self) -> Option<[f64; 3]> {
+        let mut solid: Vec<f32> = self
+            .values
+            .values
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .collect();
+        let middle = solid.len() / 2;
+        let [low, high] = [f32::min, f32::max].map(|f| solid.iter().copied().reduce(f));
+        let (low, high) = (low?, high?);
+        let (_, median, _) = solid.select_nth_unstable_by(middle, f32::total_cmp);
+        Some([low, *median, high].map(f64::from))
+    }
+}
+
 /// What one of several species prints.
 #[derive(Clone, Debug)]
 pub struct SpeciesReport<'a> {
@@ -124,6 +156,8 @@ pub struct ReportData<'a> {
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
     pub species: Vec<SpeciesReport<'a>>,
+    /// Properties of the printed material.
+    pub maps: Vec<MapReport<'a>>,
     /// What happened in the optimisation.
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
@@ -171,6 +205,7 @@ impl<'a> ReportData<'a> {
             optimisation: None,
             published: serde_json::Map::new(),
             species: Vec::new(),
+            maps: Vec::new(),
             history: &[],
             kept: None,
             deviation: None,
@@ -351,6 +386,7 @@ mod tests {
                 optimisation: None,
                 published: serde_json::Map::new(),
                 species: Vec::new(),
+                maps: Vec::new(),
                 history: &self.history,
                 kept: None,
                 deviation: None,

@@ -36,6 +36,7 @@ mod optimise;
 pub mod outcome;
 pub mod page;
 pub mod progress;
+mod property;
 mod rates;
 pub mod read;
 mod refinement;

@@ -13,7 +13,7 @@ use super::read::Job;
 use super::refinement::{self, Level};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, clip, coarse, light, species};
+use super::{cells, clip, coarse, light, property, species};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -130,6 +130,7 @@ impl Scene {
         let has_cells = cells::key(&spec)?.is_some();
         try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
+        property::must_fit(&spec, &job.base())?;
         counted_as(&spec, shape.is_grey())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
         let placed = match on {

@@ -56,6 +56,9 @@ pub struct JobSpec {
     /// lights drive alike when left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub species: Vec<SpeciesSpec>,
+    /// Properties of the printed material, one table `[[property]]` each: maps of what the species respond with.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub property: Vec<PropertySpec>,
     /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
     /// values are to be reproduced.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -366,6 +369,28 @@ pub struct SpeciesSpec {
     /// What it does with its dose, one kind; the job's `[response]` when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub response: Option<Value>,
+}
+
+/// A property of the printed material, such as its modulus: a map of a species' response, or of the ratio of two.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PropertySpec {
+    /// Its name, for files and the report.
+    pub name: String,
+    /// Its unit.
+    #[serde(default)]
+    pub unit: String,
+    /// The species whose response is mapped; the only one when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
+    /// The species by whose response that is divided first; none when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub over: Option<String>,
+    /// The map, one kind as in `[response]`: `{ logistic = { … } }`, `{ table = { … } }`.
+    pub map: Value,
+    /// Whether the map gives the decimal logarithm of the property.
+    #[serde(default)]
+    pub log10: bool,
 }
 
 /// Which pixels of a light may be lit.

@@ -293,7 +293,6 @@ mod tests {
     use super::*;
     use crate::field::Field;
     use crate::job::{Document, Job, ResolvedJob};
-    use crate::models::DoseModel;
     use crate::objective::Objective;
 
     const TWO: &str = r#"

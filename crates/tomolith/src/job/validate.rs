@@ -239,6 +239,15 @@ fn species(spec: &JobSpec) -> Result<()> {
             .objectives()
             .map_err(|e| at_species(spec, s, e))?;
     }
+    for (i, property) in spec.property.iter().enumerate() {
+        if !is_file_name(&property.name) {
+            return Err(Error::config(
+                format!("property[{i}].name"),
+                format!("found {:?}", property.name),
+                "letters, digits, - and _ (it is part of file names)",
+            ));
+        }
+    }
     spec.mixing().map(drop)
 }
 

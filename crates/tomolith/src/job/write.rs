@@ -8,6 +8,7 @@ use super::limits::limits;
 use super::optimise::Optimised;
 use super::outcome::{earlier, large};
 use super::progress::Progress;
+use super::property::{Property, properties};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, LightSpec};
@@ -23,7 +24,7 @@ use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, Limits, MovieReport, ReportData, SpeciesReport, Timing,
+    ExposureWindow, LightReport, Limits, MapReport, MovieReport, ReportData, SpeciesReport, Timing,
     write_html, write_json, write_print,
 };
 use crate::units::concise;
@@ -88,6 +89,7 @@ pub(crate) fn all(
         &frames,
         gel_dose,
     );
+    let properties = properties(scene, judged)?;
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
         write_volume(&new.join("dose.npy"), &judged.dose, &run.part(0.05))?;
@@ -95,6 +97,10 @@ pub(crate) fn all(
             let name = scene.species_name(s + 1).unwrap_or_default();
             let file = new.join(format!("dose_{name}.npy"));
             write_volume(&file, &other.dose, &run.aside())?;
+        }
+        for property in &properties {
+            let file = new.join(format!("{}.npy", property.name));
+            write_volume(&file, &property.values, &run.aside())?;
         }
         write_vti(
             &new.join("dose.vti"),
@@ -132,6 +138,7 @@ pub(crate) fn all(
         deviation,
         timings,
         models,
+        properties: &properties,
     };
     report(done, &new, &history, made, &shown, &headline)?;
     Ok(headline)
@@ -160,7 +167,8 @@ impl Headline {
 }
 
 /// What was made on the way to the report.
-struct Made {
+struct Made<'a> {
+    properties: &'a [Property],
     movies: Vec<MovieReport>,
     deviation: Option<Deviation>,
     timings: Vec<Timing>,
@@ -180,7 +188,7 @@ fn report(
     done: &Done<'_>,
     folder: &Path,
     history: &[HistoryRow],
-    made: Made,
+    made: Made<'_>,
     exposures: &device::Shown<'_>,
     headline: &Headline,
 ) -> Result<()> {
@@ -226,6 +234,7 @@ fn report(
         optimisation: judged.optimisation.as_ref(),
         published: published(done, exposures.lights())?,
         species: species(done),
+        maps: made.properties.iter().map(map).collect(),
         history,
         kept: done.optimised.as_ref().map(|o| o.outcome.kept),
         levels: done
@@ -242,6 +251,15 @@ fn report(
     };
     write_json(&folder.join("report.json"), &data)?;
     write_html(&folder.join("report.html"), &data)
+}
+
+fn map(property: &Property) -> MapReport<'_> {
+    MapReport {
+        name: &property.name,
+        unit: &property.unit,
+        is_logarithmic: property.is_logarithmic,
+        values: &property.values,
+    }
 }
 
 /// What every species prints, where the job names some.
