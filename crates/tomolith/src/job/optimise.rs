@@ -13,7 +13,7 @@ use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
-use crate::models::{DoseLayout, DoseModel, Quantity, Run, planner};
+use crate::models::{DoseLayout, DoseModel, OpticalScene, Quantity, Run, planner};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
 use crate::optimize::{
@@ -218,15 +218,14 @@ impl<'a> Stage<'a> {
         } else {
             Cow::Owned(scene.voxels(&level.grid)?)
         };
-        let plan = planner::plan(
-            &scene.optics.model,
-            scene.setup(),
-            level.lights.clone(),
-            level.grid.clone(),
-            Some(&voxels.wanted()),
-            cancel,
-        )?;
-        let straight = plan.straight.as_deref();
+        let optics = OpticalScene {
+            lights: &level.lights,
+            ..scene.optimising()
+        };
+        let asked = scene.optics.model.as_ref();
+        let wanted = voxels.wanted();
+        let plan = planner::plan(asked, optics, &level.grid, Some(&wanted), cancel)?;
+        let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
         let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
@@ -241,7 +240,7 @@ impl<'a> Stage<'a> {
             level,
             voxels,
             model,
-            straight: plan.straight,
+            straight: plan.surrogate,
             dark,
             reason: plan.reason,
         })
@@ -713,16 +712,10 @@ mod tests {
         let job = Job::read(&file, &[]).unwrap();
         let scene = Scene::new(&job).unwrap();
         let voxels = scene.voxels(&scene.grid).unwrap();
-        let plan = planner::plan(
-            &scene.optics.model,
-            scene.setup(),
-            scene.optics.lights.clone(),
-            scene.grid.clone(),
-            Some(&voxels.wanted()),
-            &Run::new(),
-        )
-        .unwrap();
-        let models = (plan.model.as_ref(), plan.straight.as_deref());
+        let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
+        let (optics, run) = (scene.optimising(), Run::new());
+        let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
+        let models = (plan.model.as_ref(), plan.surrogate.as_deref());
         let start = scene.start().unwrap();
         let x = starting_patterns(&scene, &voxels, models, start.as_ref(), &Run::new()).unwrap();
         (voxels, plan, x)
@@ -757,7 +750,7 @@ mod tests {
             for value in energies.as_mut_slice() {
                 *value *= *value;
             }
-            let straight = plan.straight.as_deref().unwrap();
+            let straight = plan.surrogate.as_deref().unwrap();
             let rays = factor(&in_part(straight, &energies, &voxels));
             let off = (rays - 1.0).abs();
             // What fades of the pixels' band is little; a narrow pupil takes more
@@ -775,7 +768,7 @@ mod tests {
     #[test]
     fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
         let (voxels, plan, x) = started("{ spread = { half_angle_deg = 0.5 } }");
-        let straight = plan.straight.as_deref().unwrap();
+        let straight = plan.surrogate.as_deref().unwrap();
         let [own, rays] = [plan.model.as_ref(), straight].map(|m| factor(&in_part(m, &x, &voxels)));
         assert!((rays - 1.0).abs() < 1e-5, "{rays}");
         // Roots of energies would be off by several times
