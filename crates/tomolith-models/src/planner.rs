@@ -391,6 +391,52 @@ mod tests {
     }
 
     #[test]
+    fn a_row_reads_the_family_of_its_name() {
+        for row in MODELS {
+            let family = (row.build.read)(&tomolith_core::check::example(row)).unwrap();
+            assert_eq!(family.name(), row.name);
+            if let Some(family) = row.build.unasked {
+                assert_eq!(family().name(), row.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_judges_patterns_is_sharper_than_what_optimises_them() {
+        let mut light = light();
+        light.resin.attenuation_per_mm = 0.5;
+        let mut milk = Optics::collimated(0.1);
+        milk.motion.tilt_rad = 0.05;
+        let clear = [milk.clone()];
+        milk.scattering = Some(Scattering {
+            per_mm: 0.3,
+            phase: Arc::new(Rayleigh {}),
+        });
+        let milk = [milk];
+        let scatter: Family = Arc::new(scatter::Params::default());
+        // As many rays for each of the finer voxels, and sixteen times as many paths
+        for (asked, optics, sharp) in [
+            (None, &clear, "rays, 16 per pixel"),
+            (None, &milk, "orders (rays, 16 per pixel"),
+            (Some(&scatter), &milk, "rays, 64 per pixel"),
+        ] {
+            let of = |purpose| {
+                let scene = OpticalScene {
+                    purpose,
+                    ..around(optics, None)
+                };
+                planned(asked, scene, light.clone())
+            };
+            let [own, probe] = [Purpose::Optimize, Purpose::Probe].map(of);
+            assert!(own.contains("rays, 4 per pixel") && own == probe, "{own}");
+            let found = of(Purpose::Evaluate { refine: 2 });
+            assert!(found.starts_with(sharp), "{found}");
+        }
+        let redrawn = scatter.random_paths().unwrap();
+        assert_eq!((redrawn.optimizing, redrawn.evaluating), (4, 64));
+    }
+
+    #[test]
     fn a_sliver_of_the_part_is_wanted_where_voxels_are_cut() {
         // A ball that fills less than half of each of the eight voxels about the middle
         let section = Section::new("target.phantom", serde_json::json!("sphere"));

@@ -271,7 +271,7 @@ pub fn model(
 ///
 /// # Errors
 /// As [`Rays::new`].
-pub fn straight(
+pub(crate) fn straight(
     vial: &dyn Vial,
     lights: &[Light],
     optics: &[Optics],

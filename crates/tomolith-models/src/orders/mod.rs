@@ -263,7 +263,7 @@ pub fn model(
 ///
 /// # Errors
 /// As [`Parallel::new`] and [`Rays::new`].
-pub fn unscattered(
+fn unscattered(
     vial: &dyn Vial,
     lights: Vec<Light>,
     optics: &[Optics],
