@@ -42,18 +42,18 @@
 //! ```
 
 use super::{
-    Choice, ChooseModel, DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run,
-    ZCoupling,
+    Capabilities, DoseLayout, DoseModel, HostModel, LinearOperator, MakeFamily, ModelFamily,
+    ModelInput, ModelKind, OpticalScene, PatternLayout, Quantity, Run, ZCoupling,
 };
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_core::kind::Kind;
 use tomolith_io::csr::Csr;
 
 /// Keys of `[model.matrix]`.
@@ -65,13 +65,80 @@ pub struct Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "matrix",
     summary: "A stored sparse matrix from pixels to voxels: any linear model, measured or computed.",
     example: "[model.matrix]\nfile = \"matrix.npz\"\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| Ok(Choice::Matrix(section.parse()?)),
+    build: MakeFamily {
+        read: |section| {
+            let Params { file } = section.parse()?;
+            let file = section.file(&file);
+            Ok(Arc::new(Params { file }))
+        },
+        unasked: None,
+    },
 };
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            is_stored: true,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        let is_cut = scene.solid.is_some();
+        is_cut.then_some("a stored matrix knows whole voxels")
+    }
+
+    /// Reads the file, which is read again when it is needed.
+    fn check(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Vec<String>> {
+        let fits = Csr::read(&self.file).and_then(|csr| depth(&csr, &pixels(scene), grid));
+        fits.map(|_| Vec::new()).map_err(|error| {
+            let (found, accepted) = match error {
+                Error::Format {
+                    path,
+                    found,
+                    accepted,
+                } => (format!("{}: {found}", path.display()), accepted),
+                Error::Shape {
+                    what,
+                    expected,
+                    found,
+                } => (
+                    format!("{} holds {found:?}", self.file.display()),
+                    format!("{expected:?}: {what}"),
+                ),
+                other => (
+                    other.to_string(),
+                    "an .npz of scipy.sparse.save_npz, relative to the job file".to_owned(),
+                ),
+            };
+            Error::config("model.matrix.file", found, accepted)
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let csr = Csr::read(&self.file)?;
+        let model = MatrixModel::new(&csr, pixels(&input.scene), input.grid.clone())?;
+        Ok(Box::new(model))
+    }
+
+    fn merit(&self) -> String {
+        format!("from {}", self.file.display())
+    }
+}
+
+fn pixels(scene: &OpticalScene<'_>) -> Vec<PatternGrid> {
+    let lights = scene.lights.iter();
+    lights.map(|light| light.pixels.clone()).collect()
+}
 
 /// Sums along stored rows: `out[i] += Σ value · source[offset]`, for `depth` lanes at a time.
 #[derive(Clone, Debug)]
@@ -209,14 +276,6 @@ impl MatrixModel {
     pub fn entries(&self) -> usize {
         self.forward.values.len()
     }
-}
-
-/// Whether a matrix fits these pixels (one grid per light) and voxels.
-///
-/// # Errors
-/// [`Error::Shape`] when it does not.
-pub fn must_fit(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<()> {
-    depth(matrix, pixels, grid).map(drop)
 }
 
 /// Slices that one entry serves: 1, or all of them.

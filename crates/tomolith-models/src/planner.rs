@@ -1,254 +1,76 @@
 //! Chooses the dose model of a job, and says why.
 //!
-//! Like the planner of a Fourier-transform library: the cheapest model that is exact for the optics at hand. [`Parallel`]
-//! where light is collimated, normal to the axis, and the vial the same at all heights; else [`Rays`]. Where the resin scatters,
-//! [`orders`] in light of any direction where resin and vial are the same at all heights and no body is in the way, unless a trial was far off
-//! ([`Setup::orders_off`]), else [`scatter`]. A job may ask for one
-//! of them, or for a stored matrix; what a model does not cover is refused with the reason.
+//! Like the planner of a Fourier-transform library: the rows of [`MODELS`] are tried in the order of what they cost, and the first one
+//! that covers the optics is taken. A job may name a family instead; what it does not cover is refused with the reason.
 
 use super::dimmed::Dimmed;
-use super::matrix::{self, MatrixModel};
-use super::parallel::{self, Light, Parallel};
-use super::rays::kept::Walks;
-use super::rays::solid::Solid;
-use super::rays::{self, Optics, Rays};
 use super::selection::{chosen, contributions, layouts, narrow};
-use super::wave::spread::{self, Spread};
-use super::wave::{self, Wave};
-use super::{Choice, DoseModel, Quantity, Run, orders, scatter};
-use std::borrow::Cow;
+use super::{
+    Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Quantity, Run,
+};
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
-use tomolith_io::csr::Csr;
-use tomolith_optics::vial::Vial;
-use tomolith_target::Shape;
 
 /// A dose model, and why it was chosen.
 pub struct Plan {
     /// The model.
-    pub model: Box<dyn DoseModel<Field = HostField>>,
+    pub model: HostModel,
     /// One sentence for people.
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
     pub dark: Vec<bool>,
     /// Linear surrogate used for initial patterns and pixel selection; None when the model itself is to be used.
-    pub straight: Option<Box<dyn DoseModel<Field = HostField>>>,
+    pub surrogate: Option<HostModel>,
 }
 
-/// What light passes from the projectors to the resin.
-#[derive(Clone, Copy)]
-pub struct Setup<'a> {
-    /// The vial.
-    pub vial: &'a dyn Vial,
-    /// What stands between each light's pixels and the vial.
-    pub optics: &'a [Optics],
-    /// The shape whose surface cuts voxels into cells; None: whole voxels.
-    pub solid: Option<&'a Arc<dyn Shape>>,
-    /// Whether a dose is asked for again and again, as in an optimisation: walks of rays are then kept where they are few.
-    pub asked_often: bool,
-    /// What every dose is multiplied by: 1, or the factor of another program's doses.
-    pub dose_factor: f64,
-    /// Why [`orders`] is not to be taken though it covers these optics: what a trial found; None: it may.
-    pub orders_off: Option<&'static str>,
+/// The families that are tried where a job names none, cheapest first.
+fn unasked() -> impl Iterator<Item = Family> {
+    MODELS.iter().filter_map(|row| Some((row.build.unasked?)()))
 }
 
-/// Why whole voxels are not enough.
-const CUT: &str = "the target's surface cuts voxels into cells";
-
-/// How light becomes dose: what was asked for, or the cheapest that is exact.
-enum Way<'a> {
-    Stored(&'a matrix::Params),
-    Optical(Optical<'a>),
+/// The family that a job names, or the cheapest that covers a scene on a grid.
+///
+/// # Errors
+/// [`Error::Config`] with the key of a model that does not cover it.
+pub fn choose(
+    asked: Option<&Family>,
+    scene: &OpticalScene<'_>,
+    grid: &VolumeGrid,
+) -> Result<Family> {
+    let Some(family) = asked else {
+        let covers = |family: &Family| family.unsupported(scene, grid).is_none();
+        let none = || Error::config("model", "no model covers these optics", "other optics");
+        return unasked().find(covers).ok_or_else(none);
+    };
+    match family.unsupported(scene, grid) {
+        None => Ok(Arc::clone(family)),
+        Some(reason) => Err(Error::config(
+            format!("model.{}", family.name()),
+            reason,
+            family.instead(),
+        )),
+    }
 }
 
-/// Of the models that follow light through optics.
-enum Optical<'a> {
-    Parallel,
-    Rays(Cow<'a, rays::Params>),
-    Scatter(Cow<'a, scatter::Params>),
-    Orders(Cow<'a, orders::Params>),
-    Wave(&'a wave::Params),
-    Spread(&'a spread::Params),
-}
-
-impl Setup<'_> {
-    /// The walks of rays that are kept where they are few ([`Rays::keeping`]); None where none ever are.
-    pub fn walks(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> Option<Walks> {
-        if !self.asked_often {
-            return None;
-        }
-        match self.way(choice, lights, grid).ok()? {
-            Way::Optical(Optical::Rays(params)) => {
-                let optics = (self.vial, lights, self.optics);
-                Some(Rays::walks(optics, &params, (grid, self.solid.is_some())))
-            }
-            Way::Optical(Optical::Orders(_)) => self.beyond_straight(lights).map(|_| Walks::SINGLE),
-            _ => None,
+/// Why a family was taken, for people.
+fn why(family: &dyn ModelFamily, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> String {
+    if !unasked().any(|other| other.name() == family.name()) {
+        return family.merit();
+    }
+    let mut reasons = Vec::new();
+    for other in unasked().take_while(|other| other.name() != family.name()) {
+        match other.unsupported(scene, grid) {
+            Some(reason) if reasons.contains(&reason) => {}
+            Some(reason) => reasons.push(reason),
+            None => return family.despite(other.name(), scene),
         }
     }
-
-    /// Whether the kernel runs along the rows of pixels where these are fewer than slices of voxels.
-    pub fn runs_along_rows(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> bool {
-        let way = self.way(choice, lights, grid);
-        matches!(way, Ok(Way::Optical(Optical::Parallel)))
-    }
-
-    /// Refuses a model that does not cover these optics; to be called before any work. Returns what is to be said of one that does.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of the model, or of numbers that contradict each other.
-    pub fn must_be_covered(
-        &self,
-        choice: &Choice,
-        lights: &[Light],
-        grid: &VolumeGrid,
-    ) -> Result<Vec<String>> {
-        match self.way(choice, lights, grid)? {
-            Way::Optical(Optical::Wave(params)) => wave::must_fit(lights, params, grid),
-            Way::Optical(Optical::Spread(_)) => spread::must_fit(lights, grid).map(|()| Vec::new()),
-            _ => Ok(Vec::new()),
-        }
-    }
-
-    /// Memory that frames at work take beside patterns and doses, MB: where each is computed at many depths; 0 where that is little.
-    ///
-    /// # Errors
-    /// As [`plan`].
-    pub fn working_mb(&self, choice: &Choice, lights: &[Light], grid: &VolumeGrid) -> Result<f64> {
-        let bytes = match self.way(choice, lights, grid)? {
-            Way::Optical(Optical::Wave(params)) => {
-                wave::working_bytes(self.vial, lights, params, grid, self.asked_often)?
-            }
-            Way::Optical(Optical::Spread(params)) => {
-                spread::working_bytes(self.vial, lights, params, grid)?
-            }
-            _ => 0,
-        };
-        Ok(bytes as f64 / 1e6)
-    }
-
-    fn way<'a>(&self, choice: &'a Choice, lights: &[Light], grid: &VolumeGrid) -> Result<Way<'a>> {
-        let refused =
-            |key: &str, found: &str, accepted: &str| Err(Error::config(key, found, accepted));
-        let other = "another model, or no [model] for the cheapest that is exact";
-        Ok(Way::Optical(match (choice, self.beyond_parallel(lights)) {
-            (Choice::Matrix(_), _) if self.solid.is_some() => {
-                return refused("model.matrix", "a stored matrix knows whole voxels", other);
-            }
-            (Choice::Matrix(params), _) => return Ok(Way::Stored(params)),
-            (Choice::Parallel(_), Some(reason)) => return refused("model.parallel", reason, other),
-            (Choice::Rays(_), _) if self.scatters() => {
-                let accepted = "[model.scatter], or no [model]";
-                return refused("model.rays", self.what_scatters(), accepted);
-            }
-            (Choice::Rays(params), _) => Optical::Rays(Cow::Borrowed(params)),
-            (Choice::Scatter(params), _) => Optical::Scatter(Cow::Borrowed(params)),
-            (Choice::Orders(params), _) => match self.beyond_orders(lights, grid) {
-                Some(reason) => return refused("model.orders", reason, other),
-                None => Optical::Orders(Cow::Borrowed(params)),
-            },
-            (Choice::Wave(params), _) => match self.beyond_waves(lights) {
-                Some(reason) => return refused("model.wave", reason, other),
-                None => Optical::Wave(params),
-            },
-            (Choice::Spread(params), _) => match self.beyond_waves(lights) {
-                Some(reason) => return refused("model.spread", reason, other),
-                None => Optical::Spread(params),
-            },
-            (Choice::Cheapest, _) if self.scatters() => {
-                if self.beyond_orders(lights, grid).is_none() {
-                    Optical::Orders(Cow::default())
-                } else {
-                    Optical::Scatter(Cow::default())
-                }
-            }
-            (Choice::Cheapest, Some(_)) => Optical::Rays(Cow::default()),
-            (Choice::Parallel(_) | Choice::Cheapest, None) => Optical::Parallel,
-        }))
-    }
-
-    /// Why this way was taken, for people.
-    fn why(
-        &self,
-        way: &Optical<'_>,
-        choice: &Choice,
-        lights: &[Light],
-        grid: &VolumeGrid,
-    ) -> String {
-        match (choice, way, self.beyond_parallel(lights)) {
-            (Choice::Rays(_), _, None) => {
-                "as asked; [model.parallel] covers these optics too and is faster".into()
-            }
-            (Choice::Scatter(_), _, None) => "as asked; nothing scatters".into(),
-            (Choice::Wave(_) | Choice::Spread(_), _, _) => "as asked".into(),
-            (_, Optical::Scatter(_), Some(reason)) => match self.beyond_orders(lights, grid) {
-                Some(other) => format!("{reason} and {other}"),
-                None => format!("{reason}; as asked, [model.orders] covers it without noise"),
-            },
-            (_, _, Some(reason)) => reason.into(),
-            (_, _, None) => {
-                "collimated light and a vial that does not change along z, so one slice's geometry serves all heights".into()
-            }
-        }
-    }
-
-    /// Whether light is scattered anywhere.
-    #[must_use]
-    pub fn scatters(&self) -> bool {
-        self.optics.iter().any(Optics::scatters)
-    }
-
-    fn what_scatters(&self) -> &'static str {
-        if self.optics.iter().any(|o| o.scattering.is_some()) {
-            "the resin scatters"
-        } else {
-            "a diffuse body scatters light"
-        }
-    }
-
-    /// Why [`Parallel`] does not cover it; None when it does.
-    #[must_use]
-    pub fn beyond_parallel(&self, lights: &[Light]) -> Option<&'static str> {
-        if self.scatters() {
-            Some(self.what_scatters())
-        } else {
-            self.beyond_straight(lights)
-        }
-    }
-
-    /// Why [`orders`] does not cover it with these lights on this grid; None when it does.
-    #[must_use]
-    pub fn beyond_orders(&self, lights: &[Light], grid: &VolumeGrid) -> Option<&'static str> {
-        match self.solid {
-            Some(_) => Some(CUT),
-            None => orders::beyond(self.vial, lights, self.optics, grid).or(self.orders_off),
-        }
-    }
-
-    /// Why [`Wave`] does not cover it; None when it does.
-    #[must_use]
-    pub fn beyond_waves(&self, lights: &[Light]) -> Option<&'static str> {
-        self.beyond_parallel(lights)
-            .or_else(|| wave::beyond(self.vial, lights))
-    }
-
-    /// Why [`Parallel`] does not cover its straight light.
-    fn beyond_straight(&self, lights: &[Light]) -> Option<&'static str> {
-        if !self.vial.is_invariant() {
-            Some("the vial changes along z")
-        } else if let Some(reason) = self.optics.iter().find_map(Optics::beyond_level) {
-            Some(reason)
-        } else if self.optics.iter().any(|o| !o.obstacles.is_empty()) {
-            Some("bodies stand in the light")
-        } else if self.solid.is_some() {
-            Some(CUT)
-        } else {
-            lights
-                .iter()
-                .find_map(|light| parallel::beyond(light, self.vial))
-        }
+    if reasons.is_empty() {
+        family.merit()
+    } else {
+        reasons.join(" and ")
     }
 }
 
@@ -258,66 +80,55 @@ impl Setup<'_> {
 /// voxel become unknowns; the others stay dark, as do those that the selection of a light leaves out.
 ///
 /// # Errors
-/// As [`Parallel::new`], [`Rays::new`], [`orders::model`], [`Solid::new`], [`Csr::read`] and [`MatrixModel::new`]; [`Error::Config`] for
-/// optics that the model asked for does not cover; [`Error::Cancelled`].
+/// As [`choose`] and [`ModelFamily::build`]; [`Error::Cancelled`].
 pub fn plan(
-    choice: &Choice,
-    setup: Setup<'_>,
-    mut lights: Vec<Light>,
-    grid: VolumeGrid,
+    asked: Option<&Family>,
+    scene: OpticalScene<'_>,
+    grid: &VolumeGrid,
     wanted: Option<&Volume<u8>>,
     run: &Run,
 ) -> Result<Plan> {
-    let way = match setup.way(choice, &lights, &grid)? {
-        Way::Stored(params) => {
-            return stored(params, setup.dose_factor, &lights, grid, wanted, run);
-        }
-        Way::Optical(way) => way,
-    };
-    let solid = setup.solid.map(|shape| Solid::new(shape, &grid));
-    let solid = solid.transpose()?.map(Arc::new);
+    let family = choose(asked, &scene, grid)?;
+    let input = ModelInput::new(scene, grid, run)?;
+    if family.capabilities().is_stored {
+        return stored(family.as_ref(), &input, wanted);
+    }
+    let mut lights = scene.lights.to_vec();
     let mut dark = Vec::new();
     if lights.iter().any(|light| light.selection.is_any()) {
         let all = layouts(&lights);
         dark = narrow(&mut lights, &all, None);
     }
     if let Some(wanted) = wanted {
-        let straight = straight(
-            &way,
-            setup,
-            lights.clone(),
-            grid.clone(),
-            solid.as_ref(),
-            run,
-        )?;
-        let brought = contributions(straight.as_ref(), wanted, run)?;
-        dark = narrow(&mut lights, straight.patterns(), Some(brought.as_slice()));
+        let unscattered = family.unscattered(&input.lit_by(&lights))?;
+        let brought = contributions(unscattered.as_ref(), wanted, run)?;
+        dark = narrow(
+            &mut lights,
+            unscattered.patterns(),
+            Some(brought.as_slice()),
+        );
     }
-    let why = setup.why(&way, choice, &lights, &grid);
-    let beside = match way {
-        Optical::Wave(_) | Optical::Spread(_) if setup.asked_often => {
-            let (lights, grid) = (lights.clone(), grid.clone());
-            let model = straight(&way, setup, lights, grid, solid.as_ref(), run)?;
-            Some(dimmed(model, &dark, setup.dose_factor))
-        }
-        _ => None,
-    };
-    let model = optical(&way, setup, lights, grid, solid.as_ref(), run)?;
-    let model = dimmed(model, &dark, setup.dose_factor);
+    let input = input.lit_by(&lights);
+    let factor = scene.dose_factor;
+    let surrogate = (family.capabilities().has_surrogate && scene.purpose == Purpose::Optimize)
+        .then(|| family.unscattered(&input))
+        .transpose()?
+        .map(|model| dimmed(model, &dark, factor));
+    let model = dimmed(family.build(&input)?, &dark, factor);
     Ok(Plan {
-        reason: format!("{}: {why}", model.describe()),
+        reason: format!(
+            "{}: {}",
+            model.describe(),
+            why(family.as_ref(), &input.scene, grid)
+        ),
         model,
         dark,
-        straight: beside,
+        surrogate,
     })
 }
 
 /// A model some of whose pixels stay dark, and all of whose doses have a factor, if there are such.
-fn dimmed(
-    mut model: Box<dyn DoseModel<Field = HostField>>,
-    dark: &[bool],
-    factor: f64,
-) -> Box<dyn DoseModel<Field = HostField>> {
+fn dimmed(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
     if factor != 1.0 {
         // A factor of energies: of amplitudes its root
         let is_amplitude = model
@@ -333,120 +144,41 @@ fn dimmed(
     model
 }
 
-/// The straight light of a model: which pixels meet a voxel. Scattered light, and waves to some extent, meet all of them.
-fn straight(
-    way: &Optical<'_>,
-    setup: Setup<'_>,
-    lights: Vec<Light>,
-    grid: VolumeGrid,
-    solid: Option<&Arc<Solid>>,
-    run: &Run,
-) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-    match way {
-        Optical::Wave(_) | Optical::Spread(_) => {
-            Ok(Box::new(Parallel::under(setup.vial, lights, grid, run)?))
-        }
-        Optical::Orders(params) => {
-            orders::unscattered(setup.vial, lights, setup.optics, params, grid)
-        }
-        Optical::Scatter(params) => {
-            let model = scatter::straight(setup.vial, &lights, setup.optics, params, grid)?;
-            Ok(boxed(model, solid))
-        }
-        // Asked once: nothing to keep
-        Optical::Rays(params) => {
-            let model = Rays::new(setup.vial, lights, setup.optics, params, grid)?;
-            Ok(boxed(model, solid))
-        }
-        Optical::Parallel => optical(way, setup, lights, grid, solid, run),
-    }
-}
-
-/// A stored matrix as a model. All its pixels are unknowns, but those that the selection of a light leaves out.
+/// A model whose pixels are those of a file. All of them are unknowns, but those that the selection of a light leaves out.
 fn stored(
-    matrix: &matrix::Params,
-    factor: f64,
-    lights: &[Light],
-    grid: VolumeGrid,
+    family: &dyn ModelFamily,
+    input: &ModelInput<'_>,
     wanted: Option<&Volume<u8>>,
-    run: &Run,
 ) -> Result<Plan> {
-    let pixels = lights.iter().map(|light| light.pixels.clone()).collect();
-    let model = MatrixModel::new(&Csr::read(&matrix.file)?, pixels, grid)?;
+    let model = family.build(input)?;
+    let lights = input.scene.lights;
     let mut dark = Vec::new();
     if lights.iter().any(|light| light.selection.is_any()) {
         let selections: Vec<_> = lights.iter().map(|l| l.selection.clone()).collect();
-        let brought = wanted.map(|wanted| contributions(&model, wanted, run));
+        let brought = wanted.map(|wanted| contributions(model.as_ref(), wanted, input.run));
         let brought = brought.transpose()?;
         let brought = brought.as_ref().map(HostField::as_slice);
-        let patterns = DoseModel::patterns(&model);
-        dark = chosen(patterns, &selections, brought)
+        dark = chosen(model.patterns(), &selections, brought)
             .into_iter()
             .map(|chosen| !chosen)
             .collect();
     }
-    let model = dimmed(Box::new(model), &dark, factor);
+    let model = dimmed(model, &dark, input.scene.dose_factor);
     Ok(Plan {
-        reason: format!("{} from {}", model.describe(), matrix.file.display()),
+        reason: format!("{} {}", model.describe(), family.merit()),
         model,
         dark,
-        straight: None,
+        surrogate: None,
     })
-}
-
-/// Rays, with cells where a surface cuts voxels.
-fn boxed(model: Rays, solid: Option<&Arc<Solid>>) -> Box<dyn DoseModel<Field = HostField>> {
-    match solid {
-        Some(solid) => Box::new(model.with_cells(Arc::clone(solid))),
-        None => Box::new(model),
-    }
-}
-
-/// A model of the optics, not a stored one.
-fn optical(
-    way: &Optical<'_>,
-    setup: Setup<'_>,
-    lights: Vec<Light>,
-    grid: VolumeGrid,
-    solid: Option<&Arc<Solid>>,
-    run: &Run,
-) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-    let rays = |params: &rays::Params| {
-        let (vial, optics) = (setup.vial, setup.optics);
-        Rays::new(vial, lights.clone(), optics, params, grid.clone())
-            .map(|model| {
-                if setup.asked_often {
-                    model.keeping()
-                } else {
-                    model
-                }
-            })
-            .map(|model| boxed(model, solid))
-    };
-    let scatter = |params| {
-        scatter::model(setup.vial, &lights, setup.optics, params, grid.clone())
-            .map(|model| boxed(model, solid))
-    };
-    match way {
-        Optical::Scatter(params) => scatter(params),
-        Optical::Orders(params) => {
-            let model = orders::model(setup.vial, lights, setup.optics, params, grid)?;
-            Ok(Box::new(if setup.asked_often {
-                model.keeping()
-            } else {
-                model
-            }))
-        }
-        Optical::Rays(params) => rays(params),
-        Optical::Wave(params) => Ok(Box::new(Wave::new(setup.vial, lights, params, grid)?)),
-        Optical::Spread(params) => Ok(Box::new(Spread::new(setup.vial, lights, params, grid)?)),
-        Optical::Parallel => Ok(Box::new(Parallel::under(setup.vial, lights, grid, run)?)),
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parallel::{self, Light};
+    use crate::rays::{self, Optics};
+    use crate::scatter;
+    use crate::wave::{self, spread};
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
     use tomolith_optics::motion::Motion;
@@ -455,6 +187,7 @@ mod tests {
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
     use tomolith_target::Placement;
+    use tomolith_target::Shape;
     use tomolith_target::phantom::Phantom;
 
     const VIAL: IndexMatched = IndexMatched { radius_mm: 2.0 };
@@ -464,22 +197,25 @@ mod tests {
         Light::new(pixels, Resin::absorbing(1.48, 0.2))
     }
 
-    /// The reason, or the key of a refusal.
-    /// Optics around the vial of these tests, of a model that is asked often.
-    fn setup<'a>(optics: &'a [Optics], solid: Option<&'a Arc<dyn Shape>>) -> Setup<'a> {
-        Setup {
+    /// Optics around the vial of these tests, without lights, for an optimisation.
+    fn around<'a>(optics: &'a [Optics], solid: Option<&'a Arc<dyn Shape>>) -> OpticalScene<'a> {
+        OpticalScene {
             vial: &VIAL,
+            lights: &[],
             optics,
             solid,
-            asked_often: true,
+            purpose: Purpose::Optimize,
             dose_factor: 1.0,
-            orders_off: None,
+            trial_failed: None,
         }
     }
 
-    fn planned(choice: &Choice, setup: Setup<'_>, light: Light) -> String {
+    /// The reason, or the key of a refusal.
+    fn planned(asked: Option<&Family>, scene: OpticalScene<'_>, light: Light) -> String {
         let grid = VolumeGrid::centered([6, 8, 8], 0.1);
-        match plan(choice, setup, vec![light], grid, None, &Run::new()) {
+        let lights = &[light];
+        let scene = OpticalScene { lights, ..scene };
+        match plan(asked, scene, &grid, None, &Run::new()) {
             Ok(plan) => plan.reason,
             Err(Error::Config { key, .. }) => key,
             Err(other) => panic!("{other}"),
@@ -503,39 +239,32 @@ mod tests {
         };
         let ball: Arc<dyn Shape> =
             Arc::new(Phantom::build(&section, &placement, "target").unwrap());
-        let [parallel, rays] = [
-            Choice::Parallel(crate::parallel::Params::default()),
-            Choice::Rays(rays::Params::default()),
-        ];
-        let wave = Choice::Wave(crate::wave::Params::default());
-        let spread = Choice::Spread(spread::Params::default());
-        let any = Choice::Cheapest;
-        for (choice, setup, expected) in [
-            (&any, setup(&level, None), "collimated light"),
-            (
-                &any,
-                setup(&leaning, None),
-                "light is not normal to the axis",
-            ),
-            (
-                &any,
-                setup(&level, Some(&ball)),
-                "the target's surface cuts voxels into cells",
-            ),
-            (
-                &rays,
-                setup(&level, None),
-                "as asked; [model.parallel] covers",
-            ),
-            (&parallel, setup(&leaning, None), "model.parallel"),
-            (&wave, setup(&level, None), "wave ("),
-            (&wave, setup(&leaning, None), "model.wave"),
-            (&spread, setup(&level, None), "spread ("),
-            (&spread, setup(&leaning, None), "model.spread"),
-            (&wave, setup(&level, Some(&ball)), "model.wave"),
-            (&parallel, setup(&level, Some(&ball)), "model.parallel"),
+        let parallel: Option<Family> = Some(Arc::new(parallel::Params::default()));
+        let rays: Option<Family> = Some(Arc::new(rays::Params::default()));
+        let wave: Option<Family> = Some(Arc::new(wave::Params::default()));
+        let spread: Option<Family> = Some(Arc::new(spread::Params::default()));
+        let scatter: Option<Family> = Some(Arc::new(scatter::Params::default()));
+        let (level, leaning) = (around(&level, None), around(&leaning, None));
+        let cut = OpticalScene {
+            solid: Some(&ball),
+            ..level
+        };
+        for (asked, scene, expected) in [
+            (&None, level, "collimated light"),
+            (&None, leaning, ": light is not normal to the axis"),
+            (&None, cut, ": the target's surface cuts voxels into cells"),
+            (&rays, level, ": as asked; [model.parallel] covers"),
+            (&scatter, level, ": as asked; nothing scatters"),
+            (&parallel, leaning, "model.parallel"),
+            (&wave, level, "wave ("),
+            (&wave, level, ": as asked"),
+            (&wave, leaning, "model.wave"),
+            (&spread, level, "spread ("),
+            (&spread, leaning, "model.spread"),
+            (&wave, cut, "model.wave"),
+            (&parallel, cut, "model.parallel"),
         ] {
-            let found = planned(choice, setup, light());
+            let found = planned(asked.as_ref(), scene, light());
             assert!(found.contains(expected), "{found} instead of {expected}");
         }
     }
@@ -544,23 +273,18 @@ mod tests {
     fn light_that_spreads_has_straight_light_for_starts_and_shadows() {
         let grid = VolumeGrid::centered([6, 8, 8], 0.1);
         let optics = [Optics::collimated(0.1)];
-        for choice in [
-            Choice::Wave(crate::wave::Params::default()),
-            Choice::Spread(spread::Params {
-                half_angle_deg: 5.0,
-                ..spread::Params::default()
-            }),
-        ] {
-            let setup = setup(&optics, None);
-            let plan = plan(
-                &choice,
-                setup,
-                vec![light()],
-                grid.clone(),
-                None,
-                &Run::new(),
-            );
-            let straight = plan.unwrap().straight.unwrap();
+        let scene = OpticalScene {
+            lights: &[light()],
+            ..around(&optics, None)
+        };
+        let wave: Family = Arc::new(wave::Params::default());
+        let spread: Family = Arc::new(spread::Params {
+            half_angle_deg: 5.0,
+            ..spread::Params::default()
+        });
+        for family in [wave, spread] {
+            let plan = plan(Some(&family), scene, &grid, None, &Run::new());
+            let straight = plan.unwrap().surrogate.unwrap();
             // One pixel meets the voxels of a chord, of the one height of its row: cones and waves meet others, too
             let mut x = straight.new_patterns().unwrap();
             let layout = &straight.patterns()[0];
@@ -589,14 +313,12 @@ mod tests {
             if leaning {
                 optics[0].motion.tilt_rad = 0.05;
             }
-            let setup = Setup {
-                orders_off: off,
-                ..setup(&optics, None)
+            let scene = OpticalScene {
+                lights: &[light],
+                trial_failed: off,
+                ..around(&optics, None)
             };
-            let lights = vec![light];
-            let wanted = Some(&wanted);
-            let any = Choice::Cheapest;
-            let plan = plan(&any, setup, lights, grid.clone(), wanted, &Run::new()).unwrap();
+            let plan = plan(None, scene, &grid, Some(&wanted), &Run::new()).unwrap();
             (plan.model.patterns()[0].len(), plan.reason)
         };
         let pixels = |phase, leaning| planned(phase, leaning, None);
@@ -640,12 +362,12 @@ mod tests {
             per_mm: 0.3,
             phase: Arc::new(Rayleigh {}),
         });
-        let setup = setup(&optics, None);
+        let scene = around(&optics, None);
         let mapped = |total: f32| {
             let map = AbsorptionMap::new([1, 1, 2], 1.0, vec![0.2, 0.1], vec![total; 2]);
             let mut light = milk.clone();
             light.map = Some(Arc::new(map.unwrap()));
-            planned(&Choice::Cheapest, setup, light)
+            planned(None, scene, light)
         };
         let reason = mapped(0.5);
         assert!(
@@ -660,12 +382,58 @@ mod tests {
             quartic_per_mm4: 0.0,
             step_mm: 0.1,
         });
-        let reason = planned(&Choice::Cheapest, setup, bent);
+        let reason = planned(None, scene, bent);
         assert!(
             reason
                 .ends_with("the resin scatters and the resin's index changes from place to place"),
             "{reason}"
         );
+    }
+
+    #[test]
+    fn a_row_reads_the_family_of_its_name() {
+        for row in MODELS {
+            let family = (row.build.read)(&tomolith_core::check::example(row)).unwrap();
+            assert_eq!(family.name(), row.name);
+            if let Some(family) = row.build.unasked {
+                assert_eq!(family().name(), row.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_judges_patterns_is_sharper_than_what_optimises_them() {
+        let mut light = light();
+        light.resin.attenuation_per_mm = 0.5;
+        let mut milk = Optics::collimated(0.1);
+        milk.motion.tilt_rad = 0.05;
+        let clear = [milk.clone()];
+        milk.scattering = Some(Scattering {
+            per_mm: 0.3,
+            phase: Arc::new(Rayleigh {}),
+        });
+        let milk = [milk];
+        let scatter: Family = Arc::new(scatter::Params::default());
+        // As many rays for each of the finer voxels, and sixteen times as many paths
+        for (asked, optics, sharp) in [
+            (None, &clear, "rays, 16 per pixel"),
+            (None, &milk, "orders (rays, 16 per pixel"),
+            (Some(&scatter), &milk, "rays, 64 per pixel"),
+        ] {
+            let of = |purpose| {
+                let scene = OpticalScene {
+                    purpose,
+                    ..around(optics, None)
+                };
+                planned(asked, scene, light.clone())
+            };
+            let [own, probe] = [Purpose::Optimize, Purpose::Probe].map(of);
+            assert!(own.contains("rays, 4 per pixel") && own == probe, "{own}");
+            let found = of(Purpose::Evaluate { refine: 2 });
+            assert!(found.starts_with(sharp), "{found}");
+        }
+        let redrawn = scatter.random_paths().unwrap();
+        assert_eq!((redrawn.optimizing, redrawn.evaluating), (4, 64));
     }
 
     #[test]
@@ -680,25 +448,12 @@ mod tests {
             Arc::new(Phantom::build(&section, &placement, "target").unwrap());
         let grid = VolumeGrid::centered([6, 8, 8], 0.15);
         let optics = [Optics::collimated(0.1)];
-        let setup = Setup {
-            vial: &VIAL,
-            optics: &optics,
-            solid: Some(&ball),
-            asked_often: true,
-            dose_factor: 1.0,
-            orders_off: None,
+        let scene = OpticalScene {
+            lights: &[light()],
+            ..around(&optics, Some(&ball))
         };
         let nothing = Volume::filled(grid.clone(), 0u8);
-        let any = Choice::Cheapest;
-        let plan = plan(
-            &any,
-            setup,
-            vec![light()],
-            grid,
-            Some(&nothing),
-            &Run::new(),
-        )
-        .unwrap();
+        let plan = plan(None, scene, &grid, Some(&nothing), &Run::new()).unwrap();
         let layout = &plan.model.outputs()[0];
         assert_eq!(layout.cells.as_ref().map(|cells| cells.len()), Some(8));
         // In six frames the columns and rows at ±0.05 mm, with rays at ±0.025 and ±0.075, meet the ball

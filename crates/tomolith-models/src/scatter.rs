@@ -65,12 +65,16 @@
 use super::parallel::Light;
 use super::rays::accumulation::Accumulation;
 use super::rays::{Emission, Optics, Rays, Scattered};
-use super::{Choice, ChooseModel};
+use super::{
+    Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind, OpticalScene,
+    Purpose, RandomPaths,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::space::Limits;
 use tomolith_optics::vial::Vial;
@@ -117,13 +121,12 @@ impl Default for Params {
 }
 
 /// Paths of the judgement for each of the optimisation.
-pub const JUDGING: usize = 16;
+const JUDGING: usize = 16;
 
 impl Params {
     /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
     /// back what they smear out, so that what the optimisation's cells smooth away shows like noise does.
-    #[must_use]
-    pub fn for_judging(&self, refine: usize) -> Self {
+    fn for_judging(&self, refine: usize) -> Self {
         Params {
             paths_per_pixel: JUDGING * self.paths_per_pixel,
             seed: !self.seed,
@@ -135,40 +138,108 @@ impl Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "scatter",
     summary: "Rays in a resin that scatters: frozen random paths with their exact adjoint.",
     example: "[model.scatter]\npaths_per_pixel = 4\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let params: Params = section.parse()?;
-        let refuse = |key: &str, found: String, accepted: &str| {
-            Err(Error::config(
-                format!("{}.{key}", section.path),
-                found,
-                accepted,
-            ))
-        };
-        if !(1..=4096).contains(&params.paths_per_pixel) {
-            let found = format!("found {}", params.paths_per_pixel);
-            return refuse("paths_per_pixel", found, "1 to 4096");
-        }
-        if !(1e-6..=0.5).contains(&params.least_power) {
-            let found = format!("found {}", exact(params.least_power));
-            return refuse("least_power", found, "1e-6 to 0.5");
-        }
-        if params.renew > 10_000 {
-            return refuse("renew", format!("found {}", params.renew), "0 to 10000");
-        }
-        if params.orders > 1000 {
-            return refuse("orders", format!("found {}", params.orders), "0 to 1000");
-        }
-        if !(1..=32).contains(&params.smooth) {
-            return refuse("smooth", format!("found {}", params.smooth), "1 to 32");
-        }
-        Ok(Choice::Scatter(params))
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: Some(|| Arc::new(Params::default())),
     },
 };
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let refuse = |key: &str, found: String, accepted: &str| {
+        Err(Error::config(
+            format!("{}.{key}", section.path),
+            found,
+            accepted,
+        ))
+    };
+    if !(1..=4096).contains(&params.paths_per_pixel) {
+        let found = format!("found {}", params.paths_per_pixel);
+        return refuse("paths_per_pixel", found, "1 to 4096");
+    }
+    if !(1e-6..=0.5).contains(&params.least_power) {
+        let found = format!("found {}", exact(params.least_power));
+        return refuse("least_power", found, "1e-6 to 0.5");
+    }
+    if params.renew > 10_000 {
+        return refuse("renew", format!("found {}", params.renew), "0 to 10000");
+    }
+    if params.orders > 1000 {
+        return refuse("orders", format!("found {}", params.orders), "0 to 1000");
+    }
+    if !(1..=32).contains(&params.smooth) {
+        return refuse("smooth", format!("found {}", params.smooth), "1 to 32");
+    }
+    Ok(params)
+}
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            is_traced: true,
+            has_cells: true,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        None
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let params = match input.scene.purpose {
+            Purpose::Evaluate { refine } => &self.for_judging(refine),
+            _ => self,
+        };
+        let scene = &input.scene;
+        let (lights, grid) = (scene.lights, input.grid.clone());
+        let model = model(scene.vial, lights, scene.optics, params, grid)?;
+        Ok(input.with_cells(model))
+    }
+
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let scene = &input.scene;
+        let (lights, grid) = (scene.lights, input.grid.clone());
+        let model = straight(scene.vial, lights, scene.optics, self, grid)?;
+        Ok(input.with_cells(model))
+    }
+
+    fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
+        let (lights, optics) = (scene.lights, scene.optics);
+        Some(model(scene.vial, lights, optics, self, grid.clone()))
+    }
+
+    fn random_paths(&self) -> Option<RandomPaths> {
+        // Seeds of evaluations count up where those of optimisations count down
+        let redrawn: Family = Arc::new(Params {
+            seed: self.seed.wrapping_sub(1),
+            ..self.clone()
+        });
+        Some(RandomPaths {
+            optimizing: self.paths_per_pixel,
+            evaluating: self.for_judging(1).paths_per_pixel,
+            redrawn,
+        })
+    }
+
+    fn despite(&self, cheaper: &str, scene: &OpticalScene<'_>) -> String {
+        match scene.scatterer() {
+            None => "as asked; nothing scatters".to_owned(),
+            Some(reason) => {
+                format!("{reason}; as asked, [model.{cheaper}] covers it without noise")
+            }
+        }
+    }
+}
 
 /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
 ///
@@ -200,7 +271,7 @@ pub fn model(
 ///
 /// # Errors
 /// As [`Rays::new`].
-pub fn straight(
+pub(crate) fn straight(
     vial: &dyn Vial,
     lights: &[Light],
     optics: &[Optics],

@@ -191,8 +191,7 @@ mod tests {
     use crate::matrix;
     use crate::parallel::Parallel;
     use crate::rays::{self, Optics};
-    use crate::{Choice, planner};
-    use crate::{orders, scatter};
+    use crate::{Family, OpticalScene, Purpose, orders, planner, scatter};
     use tomolith_core::grid::VolumeGrid;
     use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     use tomolith_optics::resin::Resin;
@@ -212,6 +211,18 @@ mod tests {
         }))
     }
 
+    fn scene<'a>(lights: &'a [Light], optics: &'a [Optics]) -> OpticalScene<'a> {
+        OpticalScene {
+            vial: &VIAL,
+            lights,
+            optics,
+            solid: None,
+            purpose: Purpose::Optimize,
+            dose_factor: 1.0,
+            trial_failed: None,
+        }
+    }
+
     fn part(grid: &VolumeGrid) -> Volume<u8> {
         let mut part = Volume::filled(grid.clone(), 0u8);
         for iz in 1..6 {
@@ -225,12 +236,13 @@ mod tests {
     fn the_unknowns_of_every_model_are_those_that_may_be_lit_and_reach_the_part() {
         let grid = VolumeGrid::centered([8, 8, 8], 0.15);
         let part = part(&grid);
-        for (choice, scatters) in [
-            (Choice::Parallel(crate::parallel::Params::default()), false),
-            (Choice::Rays(rays::Params::default()), false),
-            (Choice::Scatter(scatter::Params::default()), true),
-            (Choice::Orders(orders::Params::default()), true),
-        ] {
+        let families: [(Family, bool); 4] = [
+            (Arc::new(crate::parallel::Params::default()), false),
+            (Arc::new(rays::Params::default()), false),
+            (Arc::new(scatter::Params::default()), true),
+            (Arc::new(orders::Params::default()), true),
+        ];
+        for (family, scatters) in families {
             let mut optics = [Optics::collimated(0.1)];
             let mut light = light();
             if scatters {
@@ -240,17 +252,10 @@ mod tests {
                     phase: Arc::new(Rayleigh {}),
                 });
             }
-            let setup = planner::Setup {
-                vial: &VIAL,
-                optics: &optics,
-                solid: None,
-                asked_often: true,
-                dose_factor: 1.0,
-                orders_off: None,
-            };
             let planned = |light: Light| {
-                let (lights, grid) = (vec![light], grid.clone());
-                planner::plan(&choice, setup, lights, grid, Some(&part), &Run::new()).unwrap()
+                let (lights, run) = (&[light], Run::new());
+                let scene = scene(lights, &optics);
+                planner::plan(Some(&family), scene, &grid, Some(&part), &run).unwrap()
             };
             let plain = planned(light.clone());
             light.selection.masks = vec![mask()];
@@ -275,11 +280,11 @@ mod tests {
                 };
                 assert!(
                     (a - expected).abs() <= 1e-6 * b.abs(),
-                    "{choice:?} {row} {column}"
+                    "{family:?} {row} {column}"
                 );
                 lost += usize::from(b != a);
             }
-            assert!(lost > 5, "{choice:?}: {lost}");
+            assert!(lost > 5, "{family:?}: {lost}");
             assert!(masked.model.patterns()[0].len() < plain.model.patterns()[0].len());
             // Light of a pixel that may not be lit has no effect
             let mut x = masked.model.new_patterns().unwrap();
@@ -305,18 +310,11 @@ mod tests {
         let file = folder.path().join("matrix.npz");
         matrix::export(&all, &file, &Run::new(), &mut |_| {}).unwrap();
         let optics = [Optics::collimated(0.1)];
-        let setup = planner::Setup {
-            vial: &VIAL,
-            optics: &optics,
-            solid: None,
-            asked_often: true,
-            dose_factor: 1.0,
-            orders_off: None,
-        };
         let mut light = light();
         light.selection.masks = vec![mask()];
-        let choice = Choice::Matrix(matrix::Params { file });
-        let plan = planner::plan(&choice, setup, vec![light], grid, None, &Run::new()).unwrap();
+        let family: Family = Arc::new(matrix::Params { file });
+        let (scene, run) = (scene(std::slice::from_ref(&light), &optics), Run::new());
+        let plan = planner::plan(Some(&family), scene, &grid, None, &run).unwrap();
         let mut x = plan.model.new_patterns().unwrap();
         let mut c = plan.model.new_dose().unwrap();
         c.fill(1.0);

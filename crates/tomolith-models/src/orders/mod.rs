@@ -69,18 +69,23 @@ mod level;
 mod straight;
 
 use super::parallel::{self, Light, Parallel};
+use super::rays::kept::Walks;
 use super::rays::{self, Optics, Rays};
+use super::scatter;
+use super::scene::CUT;
 use super::{
-    Choice, ChooseModel, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling,
+    Capabilities, Cost, DoseLayout, Family, HostModel, LinearOperator, MakeFamily, ModelFamily,
+    ModelInput, ModelKind, OpticalScene, PatternLayout, Purpose, Run, ZCoupling,
 };
 use glow::{Folded, Glow};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::vial::Vial;
 
@@ -103,28 +108,92 @@ impl Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "orders",
     summary: "Light in an even resin that scatters, order by order: convolutions instead of random paths.",
     example: "[model.orders]\ncell_mm = 0.2\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let params: Params = section.parse()?;
-        let refused = |key: &str, found: String, accepted: &str| {
-            let key = format!("{}.{key}", section.path);
-            Err(Error::config(key, format!("found {found}"), accepted))
-        };
-        match params.cell_mm {
-            Some(edge) if !(edge.is_finite() && edge > 0.0) => {
-                refused("cell_mm", exact(edge), "a finite number > 0")
-            }
-            _ if !(1..=4096).contains(&params.rays()) => {
-                refused("rays_per_pixel", params.rays().to_string(), "1 to 4096")
-            }
-            _ => Ok(Choice::Orders(params)),
-        }
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: Some(|| Arc::new(Params::default())),
     },
 };
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let refused = |key: &str, found: String, accepted: &str| {
+        let key = format!("{}.{key}", section.path);
+        Err(Error::config(key, format!("found {found}"), accepted))
+    };
+    match params.cell_mm {
+        Some(edge) if !(edge.is_finite() && edge > 0.0) => {
+            refused("cell_mm", exact(edge), "a finite number > 0")
+        }
+        _ if !(1..=4096).contains(&params.rays()) => {
+            refused("rays_per_pixel", params.rays().to_string(), "1 to 4096")
+        }
+        _ => Ok(params),
+    }
+}
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            is_traced: true,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<&'static str> {
+        if scene.solid.is_some() {
+            return Some(CUT);
+        }
+        beyond(scene.vial, scene.lights, scene.optics, grid).or(scene.trial_failed)
+    }
+
+    fn cost(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Result<Cost> {
+        let by_rays = scene.unscattered_beyond_slices().is_some();
+        Ok(Cost {
+            walks: (by_rays && scene.purpose == Purpose::Optimize).then_some(Walks::SINGLE),
+            ..Cost::default()
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        let mut params = self.clone();
+        if let Purpose::Evaluate { refine } = input.scene.purpose {
+            params.rays_per_pixel = Some(params.rays() * refine * refine);
+        }
+        let lights = input.scene.lights.to_vec();
+        let model = model(vial, lights, optics, &params, input.grid.clone())?;
+        Ok(Box::new(match input.scene.purpose {
+            Purpose::Optimize => model.keeping(),
+            _ => model,
+        }))
+    }
+
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        let lights = input.scene.lights.to_vec();
+        unscattered(vial, lights, optics, self, input.grid.clone())
+    }
+
+    fn compared_with(&self) -> Option<fn(usize, u64) -> Family> {
+        Some(|paths_per_pixel, seed| {
+            Arc::new(scatter::Params {
+                paths_per_pixel,
+                smooth: 1,
+                seed,
+                ..scatter::Params::default()
+            })
+        })
+    }
+}
 
 /// See the [module page](self).
 pub struct Orders {
@@ -194,13 +263,13 @@ pub fn model(
 ///
 /// # Errors
 /// As [`Parallel::new`] and [`Rays::new`].
-pub fn unscattered(
+fn unscattered(
     vial: &dyn Vial,
     lights: Vec<Light>,
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-) -> Result<Box<dyn DoseModel<Field = HostField>>> {
+) -> Result<HostModel> {
     Ok(match straight(vial, lights, optics, params, grid)? {
         OnVoxels::Level(parallel) => Box::new(parallel),
         OnVoxels::Cones(rays) => rays,

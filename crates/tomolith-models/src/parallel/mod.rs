@@ -76,7 +76,8 @@ mod walls;
 
 use crate::selection::Selection;
 use crate::{
-    Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Quantity, Run, Steps, ZCoupling,
+    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    ModelKind, OpticalScene, PatternLayout, Quantity, Refines, Run, Steps, ZCoupling,
 };
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
@@ -94,7 +95,6 @@ use tiles::{BLOCK, TILE, Tile, TileEntries};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_core::kind::Kind;
 use tomolith_core::units::exact;
 use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::interface::Polarisation;
@@ -112,13 +112,53 @@ pub struct Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "parallel",
     summary: "Collimated light through a vial that does not change along z: refraction, absorption, pure Radon.",
     example: "[model.parallel]\nkernel = \"distance-driven\"\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| Ok(Choice::Parallel(section.parse()?)),
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(section.parse::<Params>()?)),
+        unasked: Some(|| Arc::new(Params::default())),
+    },
 };
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            refines: Refines::Voxels,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        scene.beyond_slices()
+    }
+
+    fn cost(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Result<Cost> {
+        Ok(Cost {
+            runs_along_rows: true,
+            ..Cost::default()
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let mut lights = input.scene.lights.to_vec();
+        for light in &mut lights {
+            light.kernel = self.kernel;
+        }
+        let model = Parallel::under(input.scene.vial, lights, input.grid.clone(), input.run)?;
+        Ok(Box::new(model))
+    }
+
+    fn merit(&self) -> String {
+        "collimated light and a vial that does not change along z, so one slice's geometry serves all heights".to_owned()
+    }
+}
 
 /// One light: its pixels and what the resin does at its wavelength.
 #[derive(Clone, Debug)]
@@ -137,7 +177,7 @@ pub struct Light {
     pub bath: Option<Bath>,
     /// Polarisation at the projector.
     pub polarisation: Polarisation,
-    /// How a column's light is shared among voxels.
+    /// How a column's light is shared among voxels; a [`ModelFamily`] sets it to its own.
     pub kernel: Kernel,
     /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
     pub sub_angles: usize,

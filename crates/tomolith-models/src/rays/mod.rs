@@ -66,7 +66,10 @@ mod walk;
 pub(crate) mod weighted;
 
 use crate::parallel::{Kernel, Light};
-use crate::{Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling};
+use crate::{
+    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling,
+};
 use accumulation::Accumulation;
 use haze::Haze;
 use kept::{Kept, Walks};
@@ -82,7 +85,7 @@ use std::sync::{Arc, OnceLock};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::account::Account;
 use tomolith_optics::motion::Motion;
@@ -120,31 +123,93 @@ impl Default for Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "rays",
     summary: "Rays of any direction through any vial: cones, tilted axes, meshes, obstacles, reflections.",
     example: "[model.rays]\nrays_per_pixel = 4\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let params: Params = section.parse()?;
-        let range = |key: &str, found: String, accepted: &str| {
-            Err(Error::config(
-                format!("{}.{key}", section.path),
-                found,
-                accepted,
-            ))
-        };
-        if !(1..=4096).contains(&params.rays_per_pixel) {
-            let found = format!("found {}", params.rays_per_pixel);
-            return range("rays_per_pixel", found, "1 to 4096");
-        }
-        if !(0.0..=0.1).contains(&params.least_power) {
-            let found = format!("found {}", exact(params.least_power));
-            return range("least_power", found, "0 to 0.1");
-        }
-        Ok(Choice::Rays(params))
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: Some(|| Arc::new(Params::default())),
     },
 };
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let range = |key: &str, found: String, accepted: &str| {
+        Err(Error::config(
+            format!("{}.{key}", section.path),
+            found,
+            accepted,
+        ))
+    };
+    if !(1..=4096).contains(&params.rays_per_pixel) {
+        let found = format!("found {}", params.rays_per_pixel);
+        return range("rays_per_pixel", found, "1 to 4096");
+    }
+    if !(0.0..=0.1).contains(&params.least_power) {
+        let found = format!("found {}", exact(params.least_power));
+        return range("least_power", found, "0 to 0.1");
+    }
+    Ok(params)
+}
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            is_traced: true,
+            has_cells: true,
+            refines: Refines::Cells,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        scene.scatterer()
+    }
+
+    fn instead(&self) -> &'static str {
+        "[model.scatter], or no [model]"
+    }
+
+    fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
+        let optics = (scene.vial, scene.lights, scene.optics);
+        let walks = || Rays::walks(optics, self, (grid, scene.solid.is_some()));
+        Ok(Cost {
+            walks: (scene.purpose == Purpose::Optimize).then(walks),
+            ..Cost::default()
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        let mut params = self.clone();
+        if let Purpose::Evaluate { refine } = input.scene.purpose {
+            params.rays_per_pixel *= refine * refine;
+        }
+        let lights = input.scene.lights.to_vec();
+        let model = Rays::new(vial, lights, optics, &params, input.grid.clone())?;
+        Ok(input.with_cells(match input.scene.purpose {
+            Purpose::Optimize => model.keeping(),
+            _ => model,
+        }))
+    }
+
+    fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
+        let lights = scene.lights.to_vec();
+        Some(Rays::new(
+            scene.vial,
+            lights,
+            scene.optics,
+            self,
+            grid.clone(),
+        ))
+    }
+}
 
 /// What stands between a light's pixels and the vial.
 #[derive(Clone, Debug)]

@@ -81,8 +81,12 @@ mod tests;
 mod turn;
 mod window;
 
-use super::parallel::Light;
-use super::{Choice, ChooseModel, DoseLayout, DoseModel, PatternLayout, Quantity, Run, ZCoupling};
+use super::parallel::{self, Light};
+use super::rays::Rays;
+use super::{
+    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Quantity, Run, ZCoupling,
+};
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
 use coherent::{Coherent, Mode};
@@ -95,10 +99,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::Section;
 use tomolith_core::units::{concise, exact};
 use tomolith_optics::vial::Vial;
 
@@ -165,13 +170,62 @@ impl Params {
 }
 
 /// Row of [`MODELS`](super::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "wave",
     summary: "Coherent light in an index-matched vial: band-limited angular spectrum, amplitudes as unknowns.",
     example: "[model.wave]\nrelative_error = 1e-3\nnumerical_aperture = 0.05\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| Ok(Choice::Wave(params_of(section)?)),
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: None,
+    },
 };
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            linear_instead: Some("[model.spread] is the linear relative of waves"),
+            has_surrogate: true,
+            joins_frames: false,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        let beyond = || beyond(scene.vial, scene.lights);
+        scene.beyond_slices().or_else(beyond)
+    }
+
+    fn check(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Vec<String>> {
+        must_fit(scene.lights, self, grid)
+    }
+
+    fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
+        let is_optimised = scene.purpose == Purpose::Optimize;
+        Ok(Cost {
+            working_bytes: working_bytes(scene.vial, scene.lights, self, grid, is_optimised)?,
+            ..Cost::default()
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
+        Ok(Box::new(Wave::new(input.scene.vial, lights, self, grid)?))
+    }
+
+    /// Straight light through the same pixels.
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        parallel::Params::default().build(input)
+    }
+
+    fn rays(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<Result<Rays>> {
+        None
+    }
+}
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
@@ -271,7 +325,7 @@ impl Wave {
 ///
 /// # Errors
 /// As [`Wave::new`].
-pub(super) fn working_bytes(
+fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],
     params: &Params,
@@ -296,11 +350,7 @@ pub(super) fn working_bytes(
 ///
 /// # Errors
 /// As [`Wave::new`].
-pub(super) fn must_fit(
-    lights: &[Light],
-    params: &Params,
-    grid: &VolumeGrid,
-) -> Result<Vec<String>> {
+fn must_fit(lights: &[Light], params: &Params, grid: &VolumeGrid) -> Result<Vec<String>> {
     let mut warnings = Vec::new();
     for (i, light) in lights.iter().enumerate() {
         heights_of(light.pixels.pitch_mm[1], grid)?;

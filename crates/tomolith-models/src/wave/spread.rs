@@ -51,18 +51,23 @@
 //! ```
 
 use super::cones::{Cone, Cones};
-use super::lights::{Lights, heights_of, turning, working_bytes as working_bytes_of};
+use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
-use crate::parallel::Light;
-use crate::{Choice, ChooseModel, DoseLayout, LinearOperator, PatternLayout, Run, ZCoupling};
+use crate::parallel::{self, Light};
+use crate::rays::Rays;
+use crate::{
+    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    ModelKind, OpticalScene, PatternLayout, Run, ZCoupling,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::vial::Vial;
 
@@ -113,13 +118,65 @@ impl Params {
 }
 
 /// Row of [`MODELS`](crate::MODELS).
-pub const KIND: Kind<ChooseModel> = Kind {
+pub const KIND: ModelKind = ModelKind {
     name: "spread",
     summary: "Rays that fill a cone, in focus in a plane, in an index-matched vial: the étendue of an incoherent projector.",
     example: "[model.spread]\nhalf_angle_deg = 1.0\n",
     schema: || schemars::schema_for!(Params),
-    build: |section| Ok(Choice::Spread(params_of(section)?)),
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: None,
+    },
 };
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            has_surrogate: true,
+            joins_frames: false,
+            fills: true,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        let beyond = || beyond(scene.vial, scene.lights);
+        scene.beyond_slices().or_else(beyond)
+    }
+
+    /// Refuses voxels that do not lie on the rows of pixels.
+    fn check(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Vec<String>> {
+        for light in scene.lights {
+            heights_of(light.pixels.pitch_mm[1], grid)?;
+        }
+        Ok(Vec::new())
+    }
+
+    fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
+        Ok(Cost {
+            working_bytes: working_bytes(scene.vial, scene.lights, self, grid)?,
+            ..Cost::default()
+        })
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
+        Ok(Box::new(Spread::new(input.scene.vial, lights, self, grid)?))
+    }
+
+    /// Straight light through the same pixels.
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        parallel::Params::default().build(input)
+    }
+
+    fn rays(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<Result<Rays>> {
+        None
+    }
+}
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
@@ -164,21 +221,11 @@ fn params_of(section: &Section) -> Result<Params> {
 /// See the [module page](self).
 pub struct Spread(Lights<Cones<f32>>);
 
-/// Refuses voxels that do not lie on the rows of pixels, before any work.
-///
-/// # Errors
-/// As [`Spread::new`].
-pub(crate) fn must_fit(lights: &[Light], grid: &VolumeGrid) -> Result<()> {
-    lights
-        .iter()
-        .try_for_each(|light| heights_of(light.pixels.pitch_mm[1], grid).map(drop))
-}
-
 /// Bytes that frames at work take beside patterns and doses.
 ///
 /// # Errors
 /// As [`Spread::new`].
-pub(crate) fn working_bytes(
+fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],
     params: &Params,

@@ -17,11 +17,10 @@ use super::judge::lit_rows;
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::field::HostField;
-use crate::grid::{Patterns, Volume};
-use crate::models::orders;
+use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
-use crate::models::{Choice, DoseModel, Run, scatter};
+use crate::models::{DoseModel, Family, ModelInput, OpticalScene, Run};
 use crate::optics::random::Stream;
 use crate::target::label;
 use crate::units::concise;
@@ -73,36 +72,22 @@ impl Agreement {
         most_paths: usize,
         cancel: &Run,
     ) -> Result<Option<Self>> {
-        let grid = || voxels.labels.grid.clone();
-        let Choice::Orders(params) = scene.optics.model_for(1, &grid()) else {
+        let grid = &voxels.labels.grid;
+        let family = scene.optics.family(grid)?;
+        let Some(random) = family.compared_with() else {
             return Ok(None);
         };
-        let setup = scene.optics.setup();
-        let lights = lit(scene, patterns);
-        let (vial, optics) = (setup.vial, setup.optics);
-        let whole = orders::model(vial, lights.clone(), optics, &params, grid())?;
-        let whole = dose(&whole, patterns, cancel)?;
-        let straight = orders::unscattered(vial, lights, optics, &params, grid())?;
-        let by_orders = less(&whole, &dose(straight.as_ref(), patterns, cancel)?);
+        let (whole, by_orders) = scattered(&family, scene, grid, patterns, cancel)?;
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed, most_paths);
             let paths_per_pixel = paths_per_pixel(most_paths, count);
             paths = count * paths_per_pixel;
-            let lights = lit(scene, &sample);
-            let params = scatter::Params {
-                paths_per_pixel,
-                smooth: 1,
-                seed,
-                ..scatter::Params::default()
-            };
-            let model = scatter::model(vial, &lights, optics, &params, grid())?;
-            let all = dose(&model, &sample, cancel)?;
-            let model = scatter::straight(vial, &lights, optics, &params, grid())?;
-            Ok(less(&all, &dose(&model, &sample, cancel)?))
+            let random = random(paths_per_pixel, seed);
+            Ok(scattered(&random, scene, grid, &sample, cancel)?.1)
         };
         let estimates = [by_paths(1)?, by_paths(2)?];
-        let longest = grid().shape.iter().copied().max();
+        let longest = grid.shape.iter().copied().max();
         let block = longest.unwrap_or(1).div_ceil(BLOCKS);
         let mean = part_mean(&whole, &voxels.labels);
         let found = errors(&by_orders, &estimates, &voxels.labels, block);
@@ -114,7 +99,7 @@ impl Agreement {
             most_in_void: over_mean(found.most[1]),
             seen: over_mean(found.seen),
             dim: found.dim,
-            block_mm: block as f64 * grid().pitch_mm,
+            block_mm: block as f64 * grid.pitch_mm,
             paths,
         }))
     }
@@ -174,6 +159,26 @@ impl fmt::Display for Agreement {
             None => Ok(()),
         }
     }
+}
+
+/// The dose of patterns by a family, and what of it is scattered light.
+fn scattered(
+    family: &Family,
+    scene: &Scene,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    cancel: &Run,
+) -> Result<(Volume<f32>, Volume<f32>)> {
+    let lights = lit(scene, patterns);
+    let optics = OpticalScene {
+        lights: &lights,
+        ..scene.optics.scene()
+    };
+    let input = ModelInput::new(optics, grid, cancel)?;
+    let whole = dose(family.build(&input)?.as_ref(), patterns, cancel)?;
+    let straight = dose(family.unscattered(&input)?.as_ref(), patterns, cancel)?;
+    let scattered = less(&whole, &straight);
+    Ok((whole, scattered))
 }
 
 /// Paths of each of so many lit pixels.

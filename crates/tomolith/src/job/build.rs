@@ -9,9 +9,8 @@ use crate::io::mesh::read_mesh;
 use crate::io::npy::read_levels;
 use crate::kind::Section;
 use crate::models::parallel::{Kernel, Light};
-use crate::models::planner::Setup;
 use crate::models::selection::Selection;
-use crate::models::{Choice, MODELS, orders, rays, scatter};
+use crate::models::{Family, MODELS, OpticalScene, Purpose, planner, rays};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::Gradient;
 use crate::optics::motion::Motion;
@@ -24,6 +23,7 @@ use crate::optics::vial::ended::{End, Ended};
 use crate::optics::vial::{Curve, VIALS, Vial};
 use crate::target::{MeshShape, Placement, Repair, Role, Shape};
 use crate::units::{concise, exact};
+use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -40,14 +40,14 @@ pub(crate) struct Optics {
     pub(super) paths: Vec<rays::Optics>,
     /// Bodies of the job among the obstacles of a path, before the inserts of the target.
     pub(super) bodies: usize,
-    /// How light becomes dose.
-    pub(crate) model: Choice,
+    /// How light becomes dose, where the job says so; None: by the cheapest model that is exact.
+    pub(crate) model: Option<Family>,
     /// What every dose is multiplied by.
     pub(crate) dose_factor: f64,
     /// How far the target may reach into a wall, mm.
     pub(super) wall_tolerance_mm: f64,
     /// Why light that scatters does not go order by order though it could ([`trial`](super::trial)).
-    pub(crate) orders_off: Option<&'static str>,
+    pub(crate) trial_failed: Option<&'static str>,
 }
 
 impl Optics {
@@ -61,17 +61,12 @@ impl Optics {
             .kind(VIALS)?;
         let vial = with_ends((kind.build)(&section)?, &spec.vial.common)?;
         let gradient = gradient_of(spec, vial.as_ref())?;
-        let mut model = Choice::default();
-        if let Some(value) = &spec.model {
-            let (kind, section) = Section::new("model", value.clone()).kind(MODELS)?;
-            model = (kind.build)(&section)?;
-        }
-        let mut kernel = Kernel::default();
-        match &mut model {
-            Choice::Parallel(parallel) => kernel = parallel.kernel,
-            Choice::Matrix(matrix) => matrix.file = base.join(&matrix.file),
-            _ => {}
-        }
+        let read = |value: &Value| {
+            let section = Section::new("model", value.clone()).based(base);
+            let (kind, section) = section.kind(MODELS)?;
+            (kind.build.read)(&section)
+        };
+        let model = spec.model.as_ref().map(read).transpose()?;
         let obstacles = obstacles_of(spec, base, vial.as_ref())?;
         let motion = motion_of(spec)?;
         let mut paths = Vec::with_capacity(spec.light.len());
@@ -98,7 +93,6 @@ impl Optics {
                 let mut light = Light {
                     bath,
                     map: map.clone(),
-                    kernel,
                     ..light_of(spec, (i, light), path.projector.pixel_pitch_mm())
                 };
                 light.resin.gradient = gradient;
@@ -120,7 +114,7 @@ impl Optics {
             model,
             dose_factor: 1.0,
             wall_tolerance_mm: 0.0,
-            orders_off: None,
+            trial_failed: None,
         };
         if spec.resin.dose_convention == DoseConvention::Drtvam {
             optics.dose_factor = optics.refracted_factor();
@@ -129,15 +123,24 @@ impl Optics {
     }
 
     /// What light passes, as the planner sees it.
-    pub(crate) fn setup(&self) -> Setup<'_> {
-        Setup {
+    pub(crate) fn scene(&self) -> OpticalScene<'_> {
+        OpticalScene {
             vial: self.vial.as_ref(),
+            lights: &self.lights,
             optics: &self.paths,
             solid: None,
-            asked_often: false,
+            purpose: Purpose::Probe,
             dose_factor: self.dose_factor,
-            orders_off: self.orders_off,
+            trial_failed: self.trial_failed,
         }
+    }
+
+    /// The family of models that the job names, or the cheapest that covers its light on a grid of whole voxels.
+    ///
+    /// # Errors
+    /// As [`planner::choose`].
+    pub(crate) fn family(&self, grid: &VolumeGrid) -> Result<Family> {
+        planner::choose(self.model.as_ref(), &self.scene(), grid)
     }
 
     /// Leaves pixels dark that the machines of the lights cannot light; says so.
@@ -170,33 +173,6 @@ impl Optics {
             }
         }
         Ok(())
-    }
-
-    /// The model that judges, on a grid `refine` times as fine: as many rays for each of its voxels, and independent paths
-    /// on smaller cells where scattered light is followed by random ones.
-    pub(crate) fn model_for(&self, refine: usize, grid: &VolumeGrid) -> Choice {
-        let mut model = self.model.clone();
-        let setup = self.setup();
-        if matches!(model, Choice::Cheapest) {
-            if setup.scatters() && setup.beyond_orders(&self.lights, grid).is_some() {
-                model = Choice::Scatter(scatter::Params::default());
-            } else if setup.scatters() {
-                model = Choice::Orders(orders::Params::default());
-            } else if setup.beyond_parallel(&self.lights).is_some() {
-                model = Choice::Rays(rays::Params::default());
-            }
-        }
-        match &mut model {
-            Choice::Rays(params) => {
-                params.rays_per_pixel *= refine * refine;
-            }
-            Choice::Orders(params) => {
-                params.rays_per_pixel = Some(params.rays() * refine * refine);
-            }
-            Choice::Scatter(params) => *params = params.for_judging(refine),
-            _ => {}
-        }
-        model
     }
 
     /// The same lights with frames averaged over so many angles.
@@ -504,9 +480,7 @@ pub(super) mod tests {
             ]);
             let optics = Optics::new(&spec, Path::new(".")).unwrap();
             let grid = VolumeGrid::centered([4, 8, 8], 0.2);
-            let (setup, lights) = (optics.setup(), optics.lights.clone());
-            let choice = Choice::default();
-            let plan = crate::models::planner::plan(&choice, setup, lights, grid, None, &run);
+            let plan = planner::plan(None, optics.scene(), &grid, None, &run);
             let model = plan.unwrap().model;
             let mut x = model.new_patterns().unwrap();
             x.as_mut_slice().fill(1.0);
@@ -585,10 +559,8 @@ pub(super) mod tests {
         let expected = AbsorptionMap::new([1, 2, 3], 1.0, values.clone(), values).unwrap();
         assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
         let grid = VolumeGrid::centered([2, 4, 4], 0.1);
-        let lights = optics.lights.clone();
         let run = crate::models::Run::new();
-        let planned =
-            crate::models::planner::plan(&optics.model, optics.setup(), lights, grid, None, &run);
+        let planned = planner::plan(optics.model.as_ref(), optics.scene(), &grid, None, &run);
         // Light bends in this vial: rays know the map too
         let reason = planned.unwrap().reason;
         assert!(

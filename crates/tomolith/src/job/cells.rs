@@ -3,7 +3,7 @@
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::kind::Section;
-use crate::models::Choice;
+use crate::models::Family;
 use crate::models::rays::solid::Solid;
 use crate::objective::OBJECTIVES;
 use crate::objective::emphasis::Common;
@@ -32,18 +32,16 @@ pub(super) fn key(spec: &JobSpec) -> Result<Option<String>> {
 ///
 /// # Errors
 /// [`Error::Config`] with the key that asks for cells.
-pub(super) fn must_fit(spec: &JobSpec, shape: &dyn Shape, model: &Choice) -> Result<()> {
+pub(super) fn must_fit(spec: &JobSpec, shape: &dyn Shape, model: Option<&Family>) -> Result<()> {
     let Some(key) = key(spec)? else {
         return Ok(());
     };
     let (kind, optimizer) = Section::new("optimizer", spec.optimizer.clone()).kind(OPTIMIZERS)?;
     let method = (kind.build)(&optimizer)?;
-    let whole_voxels = match model {
-        Choice::Parallel(_) => Some("[model.parallel]".to_owned()),
-        Choice::Matrix(_) => Some("[model.matrix]".to_owned()),
-        Choice::Orders(_) => Some("[model.orders]".to_owned()),
-        _ if method.needs().target.is_some() => Some(format!("[optimizer.{}]", kind.name)),
-        _ => None,
+    let whole_voxels = match model.filter(|model| !model.capabilities().has_cells) {
+        Some(model) => Some(format!("[model.{}]", model.name())),
+        None if method.needs().target.is_some() => Some(format!("[optimizer.{}]", kind.name)),
+        None => None,
     };
     let (found, accepted) = if !Solid::has_surface(shape) {
         (

@@ -8,6 +8,7 @@ use super::build::Optics;
 use super::scene::Scene;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::parallel::Light;
+use crate::models::{OpticalScene, planner};
 
 /// Smallest number of voxels along an edge, and of frames, that a level may have.
 const LEAST: usize = 8;
@@ -30,9 +31,12 @@ pub(super) fn left_out(scene: &Scene) -> Option<String> {
 pub(super) fn is_large_enough(optics: &Optics, grid: &VolumeGrid, factor: usize) -> bool {
     let grid = coarser_grid(grid, factor);
     let lights = coarser_lights(&optics.lights, factor);
-    let covered = optics
-        .setup()
-        .must_be_covered(&optics.model, &lights, &grid);
+    let scene = OpticalScene {
+        lights: &lights,
+        ..optics.scene()
+    };
+    let covered = planner::choose(optics.model.as_ref(), &scene, &grid)
+        .and_then(|family| family.check(&scene, &grid));
     grid.shape[1] >= LEAST
         && lights.iter().all(|light| light.pixels.frames() >= LEAST)
         && covered.is_ok()

@@ -9,7 +9,6 @@ use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
 use crate::models::rays::kept::{self, Walks};
-use crate::models::scatter::JUDGING;
 use crate::optimize::levels;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -135,7 +134,7 @@ impl Extent {
             fields: 0,
             canvas: 0,
             walks: None,
-            glows: optics.setup().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
+            glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             working_mb: [0.0; 2],
         }
@@ -269,11 +268,12 @@ fn rows_beside(optics: &Optics, grid: &VolumeGrid) -> Option<usize> {
         let height = high.min(top) - low.max(bottom);
         (height / light.pixels.pitch_mm[1]).ceil().max(0.0) as usize
     };
-    let setup = optics.setup();
-    setup
-        .runs_along_rows(&optics.model, &optics.lights, grid)
-        .then(|| optics.lights.iter().map(rows).max())
-        .flatten()
+    let cost = optics
+        .family(grid)
+        .and_then(|family| family.cost(&optics.scene(), grid));
+    let along_rows = cost.is_ok_and(|cost| cost.runs_along_rows);
+    let most = || optics.lights.iter().map(rows).max();
+    along_rows.then(most).flatten()
 }
 
 /// What a job asks for.
@@ -284,8 +284,8 @@ pub(crate) struct Work<'a> {
     pub(crate) iterations: usize,
     /// Angles at which a frame of the optimisation and of the evaluation is averaged.
     pub(crate) sub_angles: [usize; 2],
-    /// Whether light is followed along random paths.
-    pub(crate) random_paths: bool,
+    /// Random paths of the evaluation for each of the optimisation, where light is followed along such.
+    pub(crate) random_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
     pub(crate) levels: bool,
     /// Limit of the optimisation's time, s.
@@ -311,10 +311,10 @@ impl Work<'_> {
             ..
         } = rates.judging;
         let updates = updates_per_frame * self.extent.frames as f64;
-        if self.random_paths {
+        if let Some(more) = self.random_paths {
             // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
             // standing and turning
-            return JUDGING as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
+            return more as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
         }
         // Raw and written on the job's voxels, standing and turning on finer ones
         let [own, turning] = self.sub_angles.map(|n| n as f64);
@@ -430,7 +430,7 @@ mod tests {
             extent: &extent,
             iterations: 7,
             sub_angles: [1, 4],
-            random_paths: false,
+            random_paths: None,
             levels: false,
             wall_s: None,
         };
@@ -451,7 +451,7 @@ mod tests {
         assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
         // Random paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
         let paths = Work {
-            random_paths: true,
+            random_paths: Some(16),
             ..work
         }
         .cost(&rates());

@@ -12,7 +12,7 @@ use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
-use crate::models::{Choice, Run, matrix, planner};
+use crate::models::{Family, Run, matrix, planner};
 use crate::response::RESPONSES;
 use serde::Serialize;
 use serde_json::Value;
@@ -215,17 +215,11 @@ pub fn matrix(
     };
     stage(progress, "reading the job");
     let scene = Scene::new(job)?;
-    must_be_linear(&scene).map_err(|e| job.locate(e))?;
-    let lights = scene.optics.lights.clone();
-    let plan = planner::plan(
-        &scene.optics.model,
-        scene.optics.setup(),
-        lights,
-        scene.grid.clone(),
-        None,
-        cancel,
-    )?;
-    let entries = if matches!(scene.optics.model, Choice::Spread(_)) {
+    let family = scene.optics.family(&scene.grid)?;
+    must_be_linear(&family).map_err(|e| job.locate(e))?;
+    let asked = scene.optics.model.as_ref();
+    let plan = planner::plan(asked, scene.optics.scene(), &scene.grid, None, cancel)?;
+    let entries = if family.capabilities().fills {
         let (voxels, pixels) = (scene.grid.len() as f64, scene.extent.pixels as f64);
         let text = format!(
             "light that spreads reaches every voxel from every pixel: {:.2e} entries",
@@ -251,15 +245,15 @@ pub fn matrix(
 }
 
 /// Refuses models that no matrix stands for.
-fn must_be_linear(scene: &Scene) -> Result<()> {
-    if scene.optics.model.is_linear() {
-        return Ok(());
+fn must_be_linear(family: &Family) -> Result<()> {
+    match family.capabilities().linear_instead {
+        None => Ok(()),
+        Some(instead) => Err(Error::config(
+            format!("model.{}", family.name()),
+            "the dose is not linear in the patterns, and a matrix is",
+            format!("another model, or none; {instead}"),
+        )),
     }
-    Err(Error::config(
-        "model.wave",
-        "the dose is not linear in the patterns, and a matrix is",
-        "another model, or none; [model.spread] is the linear relative of waves",
-    ))
 }
 
 /// Draws calibration frames for the machine of a job (each light has its own folder, when there are several).

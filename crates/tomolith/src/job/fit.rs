@@ -5,9 +5,7 @@ use super::refinement::LEAST_REFINE;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
-use crate::io::csr::Csr;
 use crate::models::parallel::Light;
-use crate::models::{Choice, matrix};
 use crate::target::{Shape, label};
 use crate::units::{concise, exact};
 use rayon::prelude::*;
@@ -35,60 +33,29 @@ pub(super) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Re
 }
 
 impl Optics {
-    /// Refuses an evaluation that a stored matrix cannot give.
+    /// Refuses an evaluation that a model with voxels and frames of its own cannot give.
     ///
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
         let evaluate = &spec.evaluate;
-        if !matches!(self.model, Choice::Matrix(_))
-            || (evaluate.refine, evaluate.sub_angles) == (Some(1), 1)
-        {
+        let model = self.model.as_ref();
+        let Some(stored) = model.filter(|model| model.capabilities().is_stored) else {
+            return Ok(());
+        };
+        if (evaluate.refine, evaluate.sub_angles) == (Some(1), 1) {
             return Ok(());
         }
+        let name = stored.name();
         Err(Error::config(
             "evaluate",
             format!(
-                "refine = {} and sub_angles = {}, but a matrix is known for its own voxels and frames only",
+                "refine = {} and sub_angles = {}, but a {name} is known for its own voxels and frames only",
                 evaluate.refine.unwrap_or(LEAST_REFINE),
                 evaluate.sub_angles
             ),
-            "refine = 1 and sub_angles = 1 with [model.matrix]",
+            format!("refine = 1 and sub_angles = 1 with [model.{name}]"),
         ))
-    }
-
-    /// Reads the stored matrix of a job that names one, and refuses one that does not fit: it is read again when it is needed.
-    ///
-    /// # Errors
-    /// [`Error::Config`] at `model.matrix.file`.
-    pub(crate) fn matrix_must_fit(&self, grid: &VolumeGrid) -> Result<()> {
-        let Choice::Matrix(matrix) = &self.model else {
-            return Ok(());
-        };
-        let pixels: Vec<PatternGrid> = self.lights.iter().map(|l| l.pixels.clone()).collect();
-        let fits = Csr::read(&matrix.file).and_then(|csr| matrix::must_fit(&csr, &pixels, grid));
-        fits.map_err(|error| {
-            let (found, accepted) = match error {
-                Error::Format {
-                    path,
-                    found,
-                    accepted,
-                } => (format!("{}: {found}", path.display()), accepted),
-                Error::Shape {
-                    what,
-                    expected,
-                    found,
-                } => (
-                    format!("{} holds {found:?}", matrix.file.display()),
-                    format!("{expected:?}: {what}"),
-                ),
-                other => (
-                    other.to_string(),
-                    "an .npz of scipy.sparse.save_npz, relative to the job file".to_owned(),
-                ),
-            };
-            Error::config("model.matrix.file", found, accepted)
-        })
     }
 
     /// Refuses a target whose box is larger than the vial or the field: known before it is voxelised. Says by how much it touches the
@@ -541,11 +508,11 @@ mod tests {
         for tilt in ["0", "25"] {
             let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
             let optics = Optics::new(&spec, Path::new("")).unwrap();
-            let setup = optics.setup();
+            let scene = optics.scene();
             let rays = rays::Rays::new(
-                setup.vial,
+                scene.vial,
                 optics.lights.clone(),
-                setup.optics,
+                scene.optics,
                 &rays::Params::default(),
                 VolumeGrid::centered([8, 8, 8], 1.0),
             )
@@ -673,9 +640,11 @@ mod tests {
             "evaluate"
         );
         optics(&own).must_be_judged(&own).unwrap();
-        let Choice::Matrix(matrix) = optics(&own).model else {
-            panic!("another model");
-        };
-        assert_eq!(matrix.file, Path::new("/jobs/m.npz"));
+        // The file is looked for beside the job
+        let grid = VolumeGrid::centered([2, 2, 2], 0.1);
+        let found = optics(&own);
+        let missing = found.family(&grid).unwrap().check(&found.scene(), &grid);
+        let text = missing.unwrap_err().to_string();
+        assert!(text.contains("/jobs/m.npz"), "{text}");
     }
 }

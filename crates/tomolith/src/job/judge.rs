@@ -20,7 +20,7 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
-use crate::models::{Choice, DoseLayout, Run, planner};
+use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -337,13 +337,14 @@ fn dose(
     cancel: &Run,
 ) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
     let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
-    let choice = scene.optics.model_for(refine, grid);
-    dose_by(&choice, scene, lights, grid, patterns, room, cancel)
+    let model = (scene.optics.model.as_ref(), Purpose::Evaluate { refine });
+    dose_by(model, scene, lights, grid, patterns, room, cancel)
 }
 
-/// Doses of patterns on a grid, of the first and of further species, and what is said of the model.
+/// Doses of patterns on a grid, of the first and of further species, by a model (the cheapest that is exact, where none is named), and what is
+/// said of it.
 pub(super) fn dose_by(
-    choice: &Choice,
+    (model, purpose): (Option<&Family>, Purpose),
     scene: &Scene,
     mut lights: Vec<Light>,
     grid: &VolumeGrid,
@@ -355,17 +356,14 @@ pub(super) fn dose_by(
         light.active = Some(lit_rows(patterns));
         light.selection = Selection::default();
     }
-    let setup = scene.optics.setup();
+    let optics = OpticalScene {
+        lights: &lights,
+        purpose,
+        ..scene.optics.scene()
+    };
     let making = cancel.part(0.1);
-    let planner::Plan { model, reason, .. } = planned(
-        scene.mixing.as_deref(),
-        choice,
-        setup,
-        lights,
-        grid,
-        None,
-        &making,
-    )?;
+    let planner::Plan { model, reason, .. } =
+        planned(scene.mixing.as_deref(), model, optics, grid, None, &making)?;
     drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {

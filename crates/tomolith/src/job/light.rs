@@ -1,10 +1,9 @@
 //! Where the light of a job goes, before any work: some rays of every light, and what becomes of their power.
 
 use super::build::Optics;
-use super::trace::rays;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
-use crate::models::Choice;
+use crate::models::OpticalScene;
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::optics::account::Account;
@@ -15,21 +14,24 @@ const ACROSS: usize = 16;
 /// Largest part of the power that limits may take without a word.
 const CUT: f64 = 1e-3;
 
-/// What may be wrong with the light of rays; nothing is traced where `parallel` or a stored matrix serves.
+/// What may be wrong with the light of rays; nothing is traced where the model is none of rays.
 ///
 /// # Errors
 /// [`Error::Config`] for a light that never reaches the resin, with where it ends.
-pub(super) fn must_arrive(optics: &Optics) -> Result<Vec<String>> {
-    let is_traced = match &optics.model {
-        Choice::Rays(_) | Choice::Scatter(_) => true,
-        Choice::Matrix(_) => false,
-        _ => optics.setup().beyond_parallel(&optics.lights).is_some(),
-    };
-    if !is_traced {
+pub(super) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<String>> {
+    let family = optics.family(grid)?;
+    if !family.capabilities().is_traced {
         return Ok(Vec::new());
     }
     let few: Vec<Light> = optics.lights.iter().map(thinned).collect();
-    let model = rays(optics, few.clone(), VolumeGrid::centered([1, 1, 1], 1.0))?;
+    let scene = OpticalScene {
+        lights: &few,
+        ..optics.scene()
+    };
+    let rays = family.rays(&scene, &VolumeGrid::centered([1, 1, 1], 1.0));
+    let Some(model) = rays.transpose()? else {
+        return Ok(Vec::new());
+    };
     let mut warnings = Vec::new();
     for (i, light) in few.iter().enumerate() {
         let frames = light.pixels.frames();
@@ -113,7 +115,8 @@ mod tests {
             document.set(change).unwrap();
         }
         let spec = JobSpec::from_document(&document).unwrap();
-        must_arrive(&Optics::new(&spec, Path::new("")).unwrap())
+        let grid = VolumeGrid::centered([8, 8, 8], 1.0);
+        must_arrive(&Optics::new(&spec, Path::new("")).unwrap(), &grid)
     }
 
     #[test]

@@ -67,10 +67,7 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
         ends: scene
             .shape
             .upright_mm()
-            .filter(|_| {
-                let optics = &scene.optics;
-                !scene.shape.is_grey() && optics.setup().beyond_parallel(&optics.lights).is_none()
-            })
+            .filter(|_| !scene.shape.is_grey() && scene.optics.scene().beyond_slices().is_none())
             .map(|z| Ends::of(z, &scene.optics.lights[0].pixels)),
         falling: optimised
             .filter(|o| !converges(o))

@@ -8,7 +8,7 @@ use crate::field::{Field, HostField};
 use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
-use crate::models::{Choice, DoseLayout, PatternLayout};
+use crate::models::{DoseLayout, Family, PatternLayout};
 use crate::objective::emphasis::{Common, Ground};
 use crate::objective::penalty::{PENALTIES, Penalties};
 use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
@@ -109,7 +109,12 @@ pub(super) fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Pena
 }
 
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
-pub(super) fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path) -> Result<()> {
+pub(super) fn try_kinds(
+    spec: &JobSpec,
+    model: Option<&Family>,
+    grey: bool,
+    base: &Path,
+) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let mut layout = DoseLayout::new("dose", grid.clone(), 0);
     if cells::key(spec)?.is_some() {
@@ -142,7 +147,7 @@ pub(super) fn try_kinds(spec: &JobSpec, model: &Choice, grey: bool, base: &Path)
     solid_at(spec, response.as_ref())?;
     penalties(spec, &[])?;
     let is = Are {
-        linear: model.is_linear(),
+        linear: model.is_none_or(|model| model.capabilities().is_linear()),
         convex: objective.is_convex(),
         tolerant: grey || tolerates_dose(&objective, &layout, &labels),
     };

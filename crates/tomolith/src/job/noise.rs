@@ -9,7 +9,7 @@ use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::grid::{Patterns, Volume};
 use crate::metrics::{Measure, iou, pw};
-use crate::models::{Choice, Run, scatter};
+use crate::models::{Family, Purpose, Run};
 use crate::target::label;
 use serde::Serialize;
 use std::fmt;
@@ -53,18 +53,14 @@ impl Noise {
         patterns: &[Patterns],
         cancel: &Run,
     ) -> Result<Option<Self>> {
-        let Choice::Scatter(judging) = scene.optics.model_for(1, &scene.grid) else {
+        let family = scene.optics.family(&scene.grid)?;
+        let Some(paths) = family.random_paths() else {
             return Ok(None);
         };
-        let training = match &scene.optics.model {
-            Choice::Scatter(params) => params.clone(),
-            _ => scatter::Params::default(),
-        };
-        let response = |params: &scatter::Params| -> Result<Volume<f32>> {
+        let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
             let lights = scene.optics.lights_turning(1);
-            let choice = Choice::Scatter(params.clone());
-            let room = &mut Room::default();
-            let (dose, ..) = dose_by(&choice, scene, lights, &scene.grid, patterns, room, cancel)?;
+            let (model, room) = ((Some(family), purpose), &mut Room::default());
+            let (dose, ..) = dose_by(model, scene, lights, &scene.grid, patterns, room, cancel)?;
             scene.responses(dose)
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
@@ -74,17 +70,15 @@ impl Noise {
                 pw::KIND.metric.measure(&print),
             ])
         };
-        let [training_iou, training_pw] = measures(&response(&training)?)?;
-        let first = response(&judging)?;
-        let second = response(&scatter::Params {
-            seed: judging.seed.wrapping_add(1),
-            ..judging.clone()
-        })?;
+        let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;
+        let judging = Purpose::Evaluate { refine: 1 };
+        let first = response(&family, judging)?;
+        let second = response(&paths.redrawn, judging)?;
         let [independent_iou, independent_pw] = measures(&first)?;
         let [part, void] = differences(&first, &second, &voxels.labels);
         Ok(Some(Noise {
-            training_paths: training.paths_per_pixel,
-            judging_paths: judging.paths_per_pixel,
+            training_paths: paths.optimizing,
+            judging_paths: paths.evaluating,
             training_iou,
             independent_iou,
             training_pw,

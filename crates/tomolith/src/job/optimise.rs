@@ -14,7 +14,7 @@ use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::dimmed::{Dimmed, darken, pixels_through};
-use crate::models::{DoseLayout, DoseModel, PatternLayout, Quantity, Run};
+use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, PerSpecies, Sum};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{Start, StartInput};
@@ -225,16 +225,13 @@ impl<'a> Stage<'a> {
         let others = scene.others.iter().map(|other| other.voxels(&level.grid));
         let others = others.collect::<Result<Vec<_>>>()?;
         let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
-        let plan = planned(
-            scene.mixing.as_deref(),
-            &scene.optics.model,
-            scene.setup(),
-            level.lights.clone(),
-            &level.grid,
-            Some(&all),
-            cancel,
-        )?;
-        let straight = plan.straight.as_deref();
+        let optics = OpticalScene {
+            lights: &level.lights,
+            ..scene.optimising()
+        };
+        let (mixing, asked) = (scene.mixing.as_deref(), scene.optics.model.as_ref());
+        let plan = planned(mixing, asked, optics, &level.grid, Some(&all), cancel)?;
+        let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
         let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
@@ -250,7 +247,7 @@ impl<'a> Stage<'a> {
             voxels,
             others,
             model,
-            straight: plan.straight,
+            straight: plan.surrogate,
             dark,
             reason: plan.reason,
         })
@@ -805,16 +802,10 @@ mod tests {
         let job = Job::read(&file, &[]).unwrap();
         let scene = Scene::new(&job).unwrap();
         let voxels = scene.voxels(&scene.grid).unwrap();
-        let plan = planner::plan(
-            &scene.optics.model,
-            scene.setup(),
-            scene.optics.lights.clone(),
-            scene.grid.clone(),
-            Some(&voxels.wanted()),
-            &Run::new(),
-        )
-        .unwrap();
-        let models = (plan.model.as_ref(), plan.straight.as_deref());
+        let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
+        let (optics, run) = (scene.optimising(), Run::new());
+        let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
+        let models = (plan.model.as_ref(), plan.surrogate.as_deref());
         let start = scene.start().unwrap();
         let x = starting_patterns(&scene, &[&voxels], models, start.as_ref(), &Run::new()).unwrap();
         (voxels, plan, x)
@@ -849,7 +840,7 @@ mod tests {
             for value in energies.as_mut_slice() {
                 *value *= *value;
             }
-            let straight = plan.straight.as_deref().unwrap();
+            let straight = plan.surrogate.as_deref().unwrap();
             let rays = factor(&in_part(straight, &energies, &voxels));
             let off = (rays - 1.0).abs();
             // What fades of the pixels' band is little; a narrow pupil takes more
@@ -867,7 +858,7 @@ mod tests {
     #[test]
     fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
         let (voxels, plan, x) = started("{ spread = { half_angle_deg = 0.5 } }");
-        let straight = plan.straight.as_deref().unwrap();
+        let straight = plan.surrogate.as_deref().unwrap();
         let [own, rays] = [plan.model.as_ref(), straight].map(|m| factor(&in_part(m, &x, &voxels)));
         assert!((rays - 1.0).abs() < 1e-5, "{rays}");
         // Roots of energies would be off by several times

@@ -17,10 +17,10 @@ use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
 use crate::models::parallel::Light;
-use crate::models::planner::{self, Plan, Setup};
+use crate::models::planner::{self, Plan};
 use crate::models::rays::kept;
 use crate::models::selection::Selection;
-use crate::models::{Choice, DoseModel, Run};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::objective::Objective;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -122,21 +122,21 @@ impl CallRate {
 /// # Errors
 /// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
-    let mut setup = scene.setup();
-    let (mut trials, mut plan) = by_optimiser(scene, setup, voxels, run)?;
+    let mut optics = scene.optimising();
+    let (mut trials, mut plan) = by_optimiser(scene, optics, voxels, run)?;
     let updates = trials[0].updates_per_frame() * scene.extent.frames as f64;
     let walks = scene.extent.walks;
     if walks.is_some_and(|walks| updates * walks.per_update > kept::MOST as f64) {
         // What few frames can keep is too much for all
-        setup.asked_often = false;
-        (trials, plan) = by_optimiser(scene, setup, voxels, run)?;
+        optics.purpose = Purpose::Probe;
+        (trials, plan) = by_optimiser(scene, optics, voxels, run)?;
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
     let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
-    let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.setup().scatters();
+    let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
     let (judging_refine, grid) = if is_small {
         (scene.extent.refine, fine)
     } else {
@@ -159,22 +159,24 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
 /// Calls of the optimiser's model with few frames and with some more, and the second of these models.
 fn by_optimiser(
     scene: &Scene,
-    setup: Setup<'_>,
+    optics: OpticalScene<'_>,
     voxels: &Voxels,
     run: &Run,
 ) -> Result<([Calls; 2], Plan)> {
-    let choice = computed(&scene.optics.model);
+    let asked = computed(scene);
+    let joins_frames = joins_frames(scene)?;
     let trial = |frames| -> Result<(Calls, Plan)> {
-        let (lights, grid) = (some_frames(scene, frames), scene.grid.clone());
+        let lights = &some_frames(scene, frames, joins_frames);
+        let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
         let (making_s, plan) =
-            timed(|| planner::plan(&choice, setup, lights, grid, Some(&wanted), run));
+            timed(|| planner::plan(asked, optics, &scene.grid, Some(&wanted), run));
         let plan = plan?;
         let cotangent = cotangent_of_a_good_dose(&plan, scene, voxels)?;
         let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
         Ok((calls, plan))
     };
-    let least = if choice.joins_frames() {
+    let least = if joins_frames {
         TRIAL_GROUPS * TRIAL_FRAMES
     } else {
         rayon::current_num_threads()
@@ -200,49 +202,52 @@ fn by_judge(
     [few, more]: &[Calls; 2],
     run: &Run,
 ) -> Result<[Calls; 2]> {
-    let choice = match scene.optics.model_for(refine, grid) {
-        Choice::Scatter(_) => scene.optics.model.clone(),
-        other => computed(&other),
+    let family = scene.optics.family(grid)?;
+    let purpose = match family.random_paths() {
+        Some(_) => Purpose::Probe,
+        None => Purpose::Evaluate { refine },
     };
+    let joins_frames = joins_frames(scene)?;
     let trial = |calls: &Calls| -> Result<Calls> {
-        let mut lights = some_frames(scene, calls.asked);
+        let mut lights = some_frames(scene, calls.asked, joins_frames);
         for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
             let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
             (light.active, light.selection) = (Some(lit.collect()), Selection::default());
         }
-        let (setup, grid) = (scene.optics.setup(), grid.clone());
-        let (making_s, plan) = timed(|| planner::plan(&choice, setup, lights, grid, None, run));
+        let optics = OpticalScene {
+            lights: &lights,
+            purpose,
+            ..scene.optics.scene()
+        };
+        let (making_s, plan) = timed(|| planner::plan(computed(scene), optics, grid, None, run));
         Calls::of(&plan?, calls.asked, making_s, None, run)
     };
     let few = trial(few)?;
     // Few frames that are taken alone say nothing of what making the model takes
-    let enough = if choice.joins_frames() {
-        TRIAL_S
-    } else {
-        ENOUGH_S
-    };
+    let enough = if joins_frames { TRIAL_S } else { ENOUGH_S };
     if few.seconds() > enough {
         return Ok([few.clone(), few]);
     }
     Ok([few, trial(more)?])
 }
 
-/// A matrix is known for its own pixels only: what the geometry would take stands for it.
-fn computed(choice: &Choice) -> Choice {
-    match choice {
-        Choice::Matrix(_) => Choice::default(),
-        other => other.clone(),
-    }
+/// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.
+fn computed(scene: &Scene) -> Option<&Family> {
+    let asked = scene.optics.model.as_ref();
+    asked.filter(|family| !family.capabilities().is_stored)
+}
+
+/// Whether the model takes neighbouring frames together.
+fn joins_frames(scene: &Scene) -> Result<bool> {
+    let optics = scene.optics.scene();
+    let family = planner::choose(computed(scene), &optics, &scene.grid)?;
+    Ok(family.capabilities().joins_frames)
 }
 
 /// The job's lights with about so many of their frames.
-fn some_frames(scene: &Scene, frames: usize) -> Vec<Light> {
+fn some_frames(scene: &Scene, frames: usize, joins_frames: bool) -> Vec<Light> {
     let mut lights = scene.optics.lights_turning(1);
-    let together = if scene.optics.model.joins_frames() {
-        TRIAL_FRAMES
-    } else {
-        1
-    };
+    let together = if joins_frames { TRIAL_FRAMES } else { 1 };
     for light in &mut lights {
         let chosen = in_groups(light.pixels.frames(), (frames, together));
         let azimuths = &mut light.pixels.azimuths;

@@ -109,7 +109,7 @@ impl Job {
             .objective
             .iter_mut()
             .chain(spec.objectives.iter_mut().flatten());
-        for table in tables.chain([&mut spec.response]) {
+        for table in tables.chain([&mut spec.response]).chain(&mut spec.model) {
             each_file(table, &|file| absolute(&self.base().join(file)));
         }
         spec.output.folder = Some(absolute(&self.folder()));
@@ -119,14 +119,6 @@ impl Job {
         }
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
             *file = absolute(&self.base().join(&*file));
-        }
-        if let Some(file) = spec
-            .model
-            .as_mut()
-            .and_then(|m| m.pointer_mut("/matrix/file"))
-        {
-            let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
-            *file = path.display().to_string().into();
         }
         for wall in ["/mesh/outer", "/mesh/inner"] {
             if let Some(file) = spec.vial.kind.pointer_mut(wall) {

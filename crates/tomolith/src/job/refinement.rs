@@ -21,8 +21,8 @@ use super::named::optimizer;
 use super::spec::JobSpec;
 use crate::error::Result;
 use crate::grid::VolumeGrid;
-use crate::models::Choice;
 use crate::models::parallel::Light;
+use crate::models::{ModelFamily, Refines};
 use crate::objective::emphasis::Common;
 use crate::objective::{OBJECTIVES, threshold};
 use crate::report::number::significant;
@@ -97,7 +97,7 @@ fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
 /// [`Error::Config`](crate::Error::Config) for an objective that is none.
 pub(super) fn levels(
     spec: &JobSpec,
-    optics: &Optics,
+    (optics, family): (&Optics, &dyn ModelFamily),
     grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
 ) -> Result<Vec<Level>> {
@@ -120,8 +120,9 @@ pub(super) fn levels(
         levels.push(Level::new(grid.clone(), lights, None, until));
         return Ok(levels);
     }
-    if !is_free(spec, optics)? {
-        let has_cells = has_free_cells(spec, optics)?;
+    let refines = family.capabilities().refines;
+    if !is_free(spec, refines)? {
+        let has_cells = has_free_cells(spec, refines)?;
         let fine = has_cells.then(|| of_cells(spec, lights, grid));
         let grid = fine.unwrap_or_else(|| grid.clone());
         return Ok(vec![Level::new(grid, lights, None, iterations)]);
@@ -196,13 +197,8 @@ pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
-fn is_free(spec: &JobSpec, optics: &Optics) -> Result<bool> {
-    let is_parallel = match &optics.model {
-        Choice::Cheapest => optics.setup().beyond_parallel(&optics.lights).is_none(),
-        Choice::Parallel(_) => true,
-        _ => false,
-    };
-    Ok(is_parallel && !asks_of_voxels(spec) && sees_fractions(spec)?)
+fn is_free(spec: &JobSpec, refines: Refines) -> Result<bool> {
+    Ok(refines == Refines::Voxels && !asks_of_voxels(spec) && sees_fractions(spec)?)
 }
 
 /// Whether a run ends by what the job's own voxels say.
@@ -211,13 +207,8 @@ fn asks_of_voxels(spec: &JobSpec) -> bool {
 }
 
 /// Whether the program chooses the voxels of a job with surface-aware cells.
-fn has_free_cells(spec: &JobSpec, optics: &Optics) -> Result<bool> {
-    let is_straight = match &optics.model {
-        Choice::Cheapest => !optics.setup().scatters(),
-        Choice::Rays(_) => true,
-        _ => false,
-    };
-    if !is_straight || asks_of_voxels(spec) || cells::key(spec)?.is_none() {
+fn has_free_cells(spec: &JobSpec, refines: Refines) -> Result<bool> {
+    if refines != Refines::Cells || asks_of_voxels(spec) || cells::key(spec)?.is_none() {
         return Ok(false);
     }
     for section in spec.objectives()? {
@@ -369,6 +360,9 @@ mod tests {
     use super::super::build::Optics;
     use super::*;
     use crate::job::Job;
+    use crate::models::{OpticalScene, planner};
+    use crate::target::Shape;
+    use std::sync::Arc;
 
     /// Pitches of the levels of a small job, with further lines.
     fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
@@ -390,7 +384,15 @@ mod tests {
         let optics = Optics::new(&job.spec, &job.base()).unwrap();
         let grid = VolumeGrid::centered([10, 10, 10], 0.1);
         let bounds = [[-0.4; 3], [0.4; 3]];
-        let levels = levels(&job.spec, &optics, &grid, bounds).unwrap();
+        let shape = crate::target::build(&job.spec.target, &job.base(), "target").unwrap();
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        let scene = OpticalScene {
+            solid: (surface == "cells").then_some(&shape),
+            ..optics.scene()
+        };
+        let family = planner::choose(optics.model.as_ref(), &scene, &grid).unwrap();
+        let of = (&optics, family.as_ref());
+        let levels = levels(&job.spec, of, &grid, bounds).unwrap();
         levels.iter().map(|level| level.grid.pitch_mm).collect()
     }
 

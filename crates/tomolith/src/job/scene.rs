@@ -20,8 +20,8 @@ use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
 use crate::kind::Section;
-use crate::models::planner::Setup;
 use crate::models::{DoseLayout, PatternLayout, Run};
+use crate::models::{OpticalScene, Purpose, planner};
 use crate::objective::emphasis::Common;
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
@@ -128,8 +128,9 @@ impl Scene {
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
         let has_cells = cells::key(&spec)?.is_some();
-        try_kinds(&spec, &optics.model, shape.is_grey(), &job.base()).map_err(known_elsewhere)?;
-        cells::must_fit(&spec, shape.as_ref(), &optics.model)?;
+        try_kinds(&spec, optics.model.as_ref(), shape.is_grey(), &job.base())
+            .map_err(known_elsewhere)?;
+        cells::must_fit(&spec, shape.as_ref(), optics.model.as_ref())?;
         property::must_fit(&spec, &job.base())?;
         counted_as(&spec, shape.is_grey())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
@@ -153,13 +154,10 @@ impl Scene {
         notes.extend(moved(moved_mm));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
-        let covered = optics
-            .setup()
-            .must_be_covered(&optics.model, &optics.lights, &grid)?;
         // A file that is missing is told before numbers that do not suit it
-        optics.matrix_must_fit(&grid)?;
+        let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
         optics.must_be_judged(&spec)?;
-        let light = light::must_arrive(&optics)?;
+        let light = light::must_arrive(&optics, &grid)?;
         for section in spec.objectives()? {
             let path = section.path.clone();
             let (common, _) = Common::split(section)?;
@@ -167,27 +165,26 @@ impl Scene {
                 .check_files(&grid, &job.base())
                 .map_err(|e| e.under(&path))?;
         }
-        let levels = refinement::levels(&spec, &optics, &grid, shape.bounds_mm())?;
+        let lit = optimising(&optics, &shape, has_cells);
+        let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
+        let of = (&optics, family.as_ref());
+        let levels = refinement::levels(&spec, of, &grid, shape.bounds_mm())?;
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
-        let setup = optimising(&optics, &shape, has_cells);
+        let finest = levels[levels.len() - 1].grid.clone();
         let extent = Extent {
-            finest: levels[levels.len() - 1].grid.clone(),
             effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
-            walks: setup.walks(
-                &optics.model,
-                &optics.lights,
-                &levels[levels.len() - 1].grid,
-            ),
+            walks: family.cost(&lit, &finest).ok().and_then(|cost| cost.walks),
+            finest,
             fields: with_fields(&spec, shape.is_grey())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
             working_mb: [
-                setup.working_mb(&optics.model, &optics.lights, &grid)?,
+                family.cost(&lit, &grid)?.working_bytes as f64 / 1e6,
                 judged_mb(&optics, &grid, refine)?,
             ],
             ..plain
@@ -351,7 +348,7 @@ impl Scene {
     }
 
     /// What light passes in the optimisation, and the surface where an objective has cells.
-    pub(crate) fn setup(&self) -> Setup<'_> {
+    pub(crate) fn optimising(&self) -> OpticalScene<'_> {
         optimising(&self.optics, &self.shape, self.has_cells)
     }
 
@@ -683,8 +680,12 @@ fn must_be_seen(shape: &dyn Shape, grid: &VolumeGrid, question: Option<&str>) ->
 /// Memory of the frames that are judged at a time, MB.
 fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     let grid = grid.refined(refine);
-    let choice = optics.model_for(refine, &grid);
-    optics.setup().working_mb(&choice, &optics.lights, &grid)
+    let scene = OpticalScene {
+        purpose: Purpose::Evaluate { refine },
+        ..optics.scene()
+    };
+    let cost = optics.family(&grid)?.cost(&scene, &grid)?;
+    Ok(cost.working_bytes as f64 / 1e6)
 }
 
 /// The box of all that is to be printed, of all species.
@@ -866,11 +867,15 @@ fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
 }
 
 /// What light passes in an optimisation for a shape.
-fn optimising<'a>(optics: &'a Optics, shape: &'a Arc<dyn Shape>, has_cells: bool) -> Setup<'a> {
-    Setup {
+fn optimising<'a>(
+    optics: &'a Optics,
+    shape: &'a Arc<dyn Shape>,
+    has_cells: bool,
+) -> OpticalScene<'a> {
+    OpticalScene {
         solid: has_cells.then_some(shape),
-        asked_often: true,
-        ..optics.setup()
+        purpose: Purpose::Optimize,
+        ..optics.scene()
     }
 }
 

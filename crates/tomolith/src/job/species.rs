@@ -10,10 +10,9 @@ use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, ResinSpec};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
-use crate::models::parallel::Light;
-use crate::models::planner::{self, Plan, Setup};
+use crate::models::planner::{self, Plan};
 use crate::models::spectral::SpectralMixing;
-use crate::models::{Choice, Run};
+use crate::models::{Family, OpticalScene, Run};
 use crate::units::exact;
 
 /// A species by name, and its row of M.
@@ -127,7 +126,8 @@ pub(super) fn must_fit(scene: &Scene) -> Result<()> {
     if scene.mixing.is_none() {
         return Ok(());
     }
-    if matches!(scene.optics.model, Choice::Matrix(_)) {
+    let asked = scene.optics.model.as_ref();
+    if asked.is_some_and(|family| family.capabilities().is_stored) {
         let found = "a stored matrix holds the lights together, not one by one";
         return Err(Error::config(
             "species",
@@ -186,35 +186,27 @@ pub(super) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
 /// As [`planner::plan`].
 pub(super) fn planned(
     mixing: Option<&[Row]>,
-    choice: &Choice,
-    setup: Setup<'_>,
-    lights: Vec<Light>,
+    asked: Option<&Family>,
+    optics: OpticalScene<'_>,
     grid: &VolumeGrid,
     voxels: Option<&[&Voxels]>,
     run: &Run,
 ) -> Result<Plan> {
     let Some(rows) = mixing else {
         let wanted = voxels.map(|voxels| voxels[0].wanted());
-        return planner::plan(choice, setup, lights, grid.clone(), wanted.as_ref(), run);
+        return planner::plan(asked, optics, grid, wanted.as_ref(), run);
     };
-    let count = lights.len();
+    let count = optics.lights.len();
     let mut plans = Vec::with_capacity(count);
-    for (i, light) in lights.into_iter().enumerate() {
-        let own = Setup {
-            optics: &setup.optics[i..=i],
-            ..setup
+    for i in 0..count {
+        let own = OpticalScene {
+            lights: &optics.lights[i..=i],
+            optics: &optics.optics[i..=i],
+            ..optics
         };
         let wanted = voxels.map(|voxels| lit_by(rows, i, voxels));
         let part = run.part(1.0 / count as f64);
-        let light = vec![light];
-        plans.push(planner::plan(
-            choice,
-            own,
-            light,
-            grid.clone(),
-            wanted.as_ref(),
-            &part,
-        )?);
+        plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
     }
     let mixed = |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as _);
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
@@ -231,7 +223,7 @@ pub(super) fn planned(
         plans.iter().flat_map(of).collect()
     };
     let reason = plans[0].reason.clone();
-    let straight: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.straight.take()).collect();
+    let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
     let model: Box<_> = mixed(plans.into_iter().map(|plan| plan.model).collect())?;
     Ok(Plan {
         reason: format!(
@@ -240,7 +232,7 @@ pub(super) fn planned(
         ),
         model,
         dark,
-        straight: straight.map(mixed).transpose()?,
+        surrogate: surrogates.map(mixed).transpose()?,
     })
 }
 
@@ -346,8 +338,10 @@ mod tests {
         );
         assert_eq!(own, (1.6, Some(0.4), None));
         let job = resolved(&[]).unwrap();
-        let seen = |light: &Light| (light.resin.refractive_index, light.resin.attenuation_per_mm);
-        let seen: Vec<_> = job.lights().iter().map(seen).collect();
+        let resins = job.lights().iter().map(|light| &light.resin);
+        let seen: Vec<_> = resins
+            .map(|resin| (resin.refractive_index, resin.attenuation_per_mm))
+            .collect();
         assert_eq!(seen, [(1.5, 0.3), (1.6, 0.4)]);
     }
 

@@ -18,7 +18,7 @@ use super::trial::try_orders;
 use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
-use crate::models::{Choice, Run};
+use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::report::Timing;
@@ -321,6 +321,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     // How much there is to time is not known beforehand
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
     let rates = rates::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
+    let paths = scene.optics.family(&scene.grid)?.random_paths();
     let work = Work {
         extent: &scene.extent,
         iterations: scene.spec.stop.iterations,
@@ -328,7 +329,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             scene.optics.lights[0].sub_angles,
             scene.spec.evaluate.sub_angles,
         ],
-        random_paths: matches!(scene.optics.model_for(1, &scene.grid), Choice::Scatter(_)),
+        random_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
         levels: levels::asked(&scene.spec.evaluate),
         wall_s: scene.spec.stop.wall_s,
     };

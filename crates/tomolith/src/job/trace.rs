@@ -1,15 +1,11 @@
 //! What becomes of the light of single pixels: numbers, and a picture of their dose.
 
-use super::build::Optics;
 use super::read::Job;
 use super::scene::Scene;
 use crate::error::{Error, Result};
-use crate::grid::{Volume, VolumeGrid};
-use crate::models::DoseModel;
-use crate::models::parallel::Light;
-use crate::models::planner::Setup;
-use crate::models::rays::{Params, Rays};
-use crate::models::{Choice, Run, scatter};
+use crate::grid::Volume;
+use crate::models::rays::Rays;
+use crate::models::{DoseModel, Run};
 use crate::optics::account::Account;
 use crate::optics::space::Leg;
 use serde::Serialize;
@@ -59,18 +55,19 @@ impl From<Leg> for TracedLeg {
     }
 }
 
-/// Refuses jobs whose light is not made of rays.
-fn must_be_rays(scene: &Scene) -> Result<()> {
-    let model = match scene.optics.model {
-        Choice::Wave(_) => "wave",
-        Choice::Spread(_) => "spread",
-        _ => return Ok(()),
+/// Rays of the job's own model, or of its optics; refuses jobs whose light is not made of rays.
+fn rays(scene: &Scene) -> Result<Rays> {
+    let family = scene.optics.family(&scene.grid)?;
+    let none = || {
+        Err(Error::config(
+            format!("model.{}", family.name()),
+            "`tomolith trace` follows rays, and this light is none",
+            "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
+        ))
     };
-    Err(Error::config(
-        format!("model.{model}"),
-        "`tomolith trace` follows rays, and this light is none",
-        "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
-    ))
+    family
+        .rays(&scene.optics.scene(), &scene.grid)
+        .unwrap_or_else(none)
 }
 
 /// Traces pixels of a job by the `rays` model, or the `scatter` model where the resin scatters, and gives the dose of all of them at a value of 1.
@@ -79,8 +76,8 @@ fn must_be_rays(scene: &Scene) -> Result<()> {
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
     let scene = Scene::new(job)?;
-    must_be_rays(&scene).map_err(|e| job.locate(e))?;
-    let lights = scene.optics.lights.clone();
+    let model = rays(&scene).map_err(|e| job.locate(e))?;
+    let lights = &scene.optics.lights;
     for pixel in pixels {
         let grid = lights.get(pixel.light).map(|light| &light.pixels);
         let shape = grid.map_or([0; 3], |grid| grid.shape());
@@ -102,7 +99,6 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             ));
         }
     }
-    let model = rays(&scene.optics, lights, scene.grid.clone())?;
     let mut x = DoseModel::new_patterns(&model)?;
     let mut traced = Vec::with_capacity(pixels.len());
     for &pixel in pixels {
@@ -121,18 +117,4 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
     model.dose(&x, &mut dose, cancel)?;
     let volume = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
     Ok((traced, volume))
-}
-
-/// Rays of the job's own model, or of the one that covers its optics.
-pub(super) fn rays(of: &Optics, lights: Vec<Light>, grid: VolumeGrid) -> Result<Rays> {
-    let setup = of.setup();
-    let Setup { vial, optics, .. } = setup;
-    match &of.model {
-        Choice::Scatter(params) => scatter::model(vial, &lights, optics, params, grid),
-        Choice::Rays(params) => Rays::new(vial, lights, optics, params, grid),
-        _ if setup.scatters() => {
-            scatter::model(vial, &lights, optics, &scatter::Params::default(), grid)
-        }
-        _ => Rays::new(vial, lights, optics, &Params::default(), grid),
-    }
 }

@@ -1,6 +1,6 @@
 //! Whether scattered light may go order by order, tried before any work.
 //!
-//! A job that names no model takes [`orders`] where it covers vial and lights. How near it comes to random paths is known for some scenes
+//! A job that names no model takes [`orders`](crate::models::orders) where it covers vial and lights. How near it comes to random paths is known for some scenes
 //! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
 //! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, random
 //! paths are taken instead, and that is said. The trial knows nothing of patterns, so a run, its `check` and a later `simulate` decide
@@ -13,14 +13,14 @@ use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::models::selection::contributions;
-use crate::models::{Choice, Run, orders};
+use crate::models::{ModelInput, OpticalScene, Run};
 
 /// Voxels along the longest edge of a trial.
 const VOXELS: usize = 32;
 /// Paths of each of its two estimates, about: half a second of a core.
 const PATHS: usize = 100_000;
 
-/// Takes random paths for a scene that names no model and whose trial by [`orders`] is far off; says so.
+/// Takes random paths for a scene that names no model and whose trial by orders is far off; says so.
 ///
 /// # Errors
 /// What the models and the target refuse; [`Error::Cancelled`].
@@ -29,18 +29,17 @@ pub(crate) fn try_orders(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<()> {
-    let scatters = scene.optics.setup().scatters();
-    if !scatters || !matches!(scene.optics.model, Choice::Cheapest) {
+    if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
         return Ok(());
     }
     let text = match trial(scene, cancel) {
         Err(Error::Config { key, found, .. }) if key == "model.orders.cell_mm" => {
-            scene.optics.orders_off = Some("light by orders would need too many cells");
+            scene.optics.trial_failed = Some("light by orders would need too many cells");
             format!("scattered light by random paths: by orders it would take {found}")
         }
         Err(error) => return Err(error),
         Ok(Some(found)) if found.is_far_off() => {
-            scene.optics.orders_off = Some("a trial of light by orders was too far off");
+            scene.optics.trial_failed = Some("a trial of light by orders was too far off");
             format!("scattered light by random paths: tried by orders, it was {found}")
         }
         Ok(_) => return Ok(()),
@@ -52,13 +51,17 @@ pub(crate) fn try_orders(
 fn trial(scene: &Scene, cancel: &Run) -> Result<Option<Agreement>> {
     let longest = scene.grid.shape.iter().copied().max();
     let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
-    let Choice::Orders(params) = scene.optics.model_for(1, &grid) else {
+    let family = scene.optics.family(&grid)?;
+    if family.compared_with().is_none() {
         return Ok(None);
-    };
+    }
     let voxels = scene.voxels(&grid)?;
-    let setup = scene.optics.setup();
     let lights = scene.optics.lights_turning(1);
-    let straight = orders::unscattered(setup.vial, lights, setup.optics, &params, grid)?;
+    let optics = OpticalScene {
+        lights: &lights,
+        ..scene.optics.scene()
+    };
+    let straight = family.unscattered(&ModelInput::new(optics, &grid, cancel)?)?;
     let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
     let lit: Vec<f32> = (brought.as_slice().iter())
         .map(|&brought| f32::from(brought > 0.0))
@@ -92,8 +95,8 @@ mod tests {
         let mut scene = Scene::new(&Job::read(&file, &[]).unwrap()).unwrap();
         let mut said = Said(Vec::new());
         try_orders(&mut scene, &mut said, &Run::new()).unwrap();
-        let choice = scene.optics.model_for(1, &scene.grid);
-        (said.0, matches!(choice, Choice::Scatter(_)))
+        let family = scene.optics.family(&scene.grid).unwrap();
+        (said.0, family.random_paths().is_some())
     }
 
     struct Said(Vec<String>);

@@ -12,9 +12,9 @@ use tomolith::kind::Section;
 use tomolith::metrics::published::{Options, published, value_of};
 use tomolith::metrics::scan::Scan;
 use tomolith::models::parallel::Light;
-use tomolith::models::planner::{self, Plan, Setup};
+use tomolith::models::planner::{self, Plan};
 use tomolith::models::rays::Optics;
-use tomolith::models::{Choice, DoseModel, Run};
+use tomolith::models::{DoseModel, OpticalScene, Purpose, Run};
 use tomolith::objective::{OBJECTIVES, Objective, ObjectiveInput};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
@@ -89,22 +89,16 @@ impl Case {
         let vial = IndexMatched {
             radius_mm: 0.75 * field_mm,
         };
-        let setup = Setup {
+        let scene = OpticalScene {
             vial: &vial,
             optics: &[Optics::collimated(light.pixels.pitch_mm[0])],
+            lights: &[light],
             solid: None,
-            asked_often: true,
+            purpose: Purpose::Optimize,
             dose_factor: 1.0,
-            orders_off: None,
+            trial_failed: None,
         };
-        let plan = planner::plan(
-            &Choice::default(),
-            setup,
-            vec![light],
-            grid,
-            Some(&wanted),
-            &Run::new(),
-        )?;
+        let plan = planner::plan(None, scene, &grid, Some(&wanted), &Run::new())?;
         Ok(Case {
             name,
             spec,

@@ -1,0 +1,93 @@
+//! What light passes from the projectors to the resin, as families of models see it.
+
+use super::family::Purpose;
+use super::parallel::{self, Light};
+use super::rays::{self, Optics, Rays};
+use super::scatter;
+use std::sync::Arc;
+use tomolith_core::error::Result;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::vial::Vial;
+use tomolith_target::Shape;
+
+/// What light passes from the projectors to the resin, and what its dose is for.
+#[derive(Clone, Copy)]
+pub struct OpticalScene<'a> {
+    /// The vial.
+    pub vial: &'a dyn Vial,
+    /// The lights.
+    pub lights: &'a [Light],
+    /// What stands between each light's pixels and the vial.
+    pub optics: &'a [Optics],
+    /// The shape whose surface cuts voxels into cells; None: whole voxels.
+    pub solid: Option<&'a Arc<dyn Shape>>,
+    /// What the doses are for.
+    pub purpose: Purpose,
+    /// What every dose is multiplied by: 1, or the factor of another program's doses.
+    pub dose_factor: f64,
+    /// What a trial found against families that are only [compared with](crate::ModelFamily::compared_with) exact ones; None: nothing.
+    pub trial_failed: Option<&'static str>,
+}
+
+/// Why whole voxels are not enough.
+pub(crate) const CUT: &str = "the target's surface cuts voxels into cells";
+
+impl OpticalScene<'_> {
+    /// Whether light is scattered anywhere.
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        self.optics.iter().any(Optics::scatters)
+    }
+
+    /// What scatters light; None where nothing does.
+    #[must_use]
+    pub fn scatterer(&self) -> Option<&'static str> {
+        self.scatters().then(|| {
+            if self.optics.iter().any(|o| o.scattering.is_some()) {
+                "the resin scatters"
+            } else {
+                "a diffuse body scatters light"
+            }
+        })
+    }
+
+    /// Why light does not stay in the slice that it comes in, the same way in all slices; None when it does, and nothing scatters it.
+    #[must_use]
+    pub fn beyond_slices(&self) -> Option<&'static str> {
+        self.scatterer()
+            .or_else(|| self.unscattered_beyond_slices())
+    }
+
+    /// The same of light that is not scattered.
+    pub(crate) fn unscattered_beyond_slices(&self) -> Option<&'static str> {
+        if !self.vial.is_invariant() {
+            Some("the vial changes along z")
+        } else if let Some(reason) = self.optics.iter().find_map(Optics::beyond_level) {
+            Some(reason)
+        } else if self.optics.iter().any(|o| !o.obstacles.is_empty()) {
+            Some("bodies stand in the light")
+        } else if self.solid.is_some() {
+            Some(CUT)
+        } else {
+            let mut lights = self.lights.iter();
+            lights.find_map(|light| parallel::beyond(light, self.vial))
+        }
+    }
+
+    /// Rays of its light with default parameters.
+    pub(crate) fn rays(&self, grid: &VolumeGrid) -> Result<Rays> {
+        let (vial, lights, optics) = (self.vial, self.lights, self.optics);
+        if self.scatters() {
+            scatter::model(
+                vial,
+                lights,
+                optics,
+                &scatter::Params::default(),
+                grid.clone(),
+            )
+        } else {
+            let params = rays::Params::default();
+            Rays::new(vial, lights.to_vec(), optics, &params, grid.clone())
+        }
+    }
+}
