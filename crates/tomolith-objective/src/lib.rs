@@ -549,9 +549,11 @@ mod tests {
             assert_eq!(found, format!("{path}.{key}"));
         }
         let bands = Bands::labels(vec![0], &[(0, Band::new(0.5, 0.4, 1.0))]);
-        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_err());
+        assert!(
+            BandObjective::<HostField>::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_err()
+        );
         let bands = Bands::labels(vec![0], &[(0, Band::exactly(0.5))]);
-        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_ok());
+        assert!(BandObjective::<HostField>::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_ok());
     }
 
     #[test]
