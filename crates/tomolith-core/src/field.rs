@@ -4,8 +4,27 @@
 //! one in this machine's memory; a device has its own. The meaning of an element (which pixel, which voxel) is in the
 //! model's layouts.
 //!
-//! Sums run over fixed blocks whose partial results are added in order, so a number does not depend on how many threads
-//! computed it.
+//! Every operation has a name, and none takes code of the host. What an operation needs beside fields and numbers is plain data
+//! that a backend compiles once, for where its fields live: [`Bounds`], [`BandLoss`] (bands, weights, response), [`PatternCost`].
+//!
+//! **What a backend implements**
+//!
+//! | type | what it is | made from |
+//! |---|---|---|
+//! | [`Field`] | the vector: copies, sums, steps, the formulas of methods | host values |
+//! | [`Field::Bounds`] | bounds of the elements | [`Field::compile_bounds`] of [`Bounds`] |
+//! | [`Field::Pairs`] | memory of a quasi-Newton method ([`Pairs`]) | compiled bounds |
+//! | [`Field::Bands`] | the band loss and its derivatives ([`BandKernel`]) | [`BandLoss`] |
+//! | [`Field::Costs`] | penalties on patterns ([`CostKernel`]) | [`PatternCost`] |
+//! | [`DoseModel`](crate::dose::DoseModel) | a model whose fields these are | |
+//!
+//! That is all: problems, searches, optimisers, objectives, penalties and starts are generic over the field. A sum may differ from the
+//! host's by rounding, but must be the same in every run. Whoever wants the host's bits follows the order of sums that each operation
+//! states; `crates/tomolith-optimize/tests/sealed` is a whole backend that does.
+//!
+//! Sums of the host run over fixed blocks ([`BLOCK`] elements, or the [pieces](Bounds::pieces) of bounds) whose partial results are
+//! added in order, so a number does not depend on how many threads computed it. Within a block a product is an f64 and goes to
+//! running sum i mod 8; these are added in order, then the sum of what is left beyond a multiple of eight.
 //!
 //! ```
 //! use tomolith_core::field::{Field, HostField};
@@ -16,9 +35,13 @@
 //! assert_eq!(x.dot(&y), 3.0 * 2.0 * 3.0); // three elements, 2·3 each
 //! ```
 
-pub mod group;
+pub mod bands;
+pub mod costs;
+pub(crate) mod group;
 mod pairs;
 
+pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
+pub use costs::{CostKernel, HostCosts, PatternCost};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -64,6 +87,11 @@ impl Bounds {
             }
         }
         Bounds { blocks }
+    }
+
+    /// Pieces (length, lower, upper), one after the other, none longer than [`BLOCK`]: those that sums of the host go by.
+    pub fn pieces(&self) -> impl Iterator<Item = (usize, f32, f32)> + '_ {
+        self.blocks.iter().map(|b| (b.len, b.lower, b.upper))
     }
 
     /// Number of elements.
@@ -127,9 +155,15 @@ pub struct Secant {
 
 /// A flat vector of f32 somewhere. All operations on two fields need equal lengths and panic otherwise
 /// (a programming error, not a user's).
-pub trait Field: Clone + Send + Sync {
+pub trait Field: Clone + Send + Sync + 'static {
+    /// Bounds of the elements of such fields.
+    type Bounds: Send + Sync;
     /// The memory of a quasi-Newton method over such fields.
     type Pairs: Pairs<Self>;
+    /// The band loss of doses in such fields.
+    type Bands: BandKernel<Self>;
+    /// Penalties on patterns in such fields.
+    type Costs: CostKernel<Self>;
 
     /// Number of elements.
     fn len(&self) -> usize;
@@ -143,41 +177,71 @@ pub trait Field: Clone + Send + Sync {
     fn copy_from(&mut self, other: &Self);
     /// Overwrites with one value.
     fn fill(&mut self, value: f32);
-    /// Σ selfᵢ·otherᵢ, summed in f64.
-    fn dot(&self, other: &Self) -> f64;
-    /// √Σ selfᵢ², summed in f64.
-    fn norm(&self) -> f64 {
-        self.dot(self).sqrt()
-    }
-    /// self ← self + a·x
-    fn axpy(&mut self, a: f32, x: &Self);
-    /// self ← a·self
-    fn scale(&mut self, a: f32);
-    /// self ← min(max(self, lower), upper)
-    fn clamp(&mut self, lower: f32, upper: f32);
-    /// self ← P(self + a·step), P the projection onto the bounds.
-    fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds);
-    /// self ← P(x − t·gradient) − x, the projected gradient step of length t.
-    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums;
-    /// selfᵢ ← f(selfᵢ, otherᵢ): for the own formulas of a method.
-    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync);
-    /// Largest f(selfᵢ, otherᵢ), 0 at least; NaN if any is NaN.
-    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32;
-    /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
-    /// bound, the largest element takes its place.
-    fn quantise(&mut self, levels: u32, bounds: &Bounds);
-    /// Secant sums of the step `self` between two gradients.
-    fn secant(&self, before: &Self, after: &Self) -> Secant;
-    /// Largest |selfᵢ|; NaN if any element is NaN.
-    fn max_abs(&self) -> f32;
     /// Copies to host memory.
     fn to_host(&self) -> Vec<f32>;
     /// The bytes of the elements (f32), copied only where they live elsewhere.
     fn host_bytes(&self) -> Cow<'_, [u8]> {
         Cow::Owned(bytemuck::cast_slice(&self.to_host()).to_vec())
     }
-    /// Overwrites from host memory.
-    fn copy_from_host(&mut self, values: &[f32]);
+    /// Overwrites elements from `begin` on with values from host memory.
+    fn write(&mut self, begin: usize, values: &[f32]);
+    /// Overwrites all elements from host memory.
+    fn copy_from_host(&mut self, values: &[f32]) {
+        assert_eq!(self.len(), values.len(), "a field of another length");
+        self.write(0, values);
+    }
+
+    /// Σ selfᵢ·otherᵢ, summed in f64.
+    fn dot(&self, other: &Self) -> f64;
+    /// √Σ selfᵢ², summed in f64.
+    fn norm(&self) -> f64 {
+        self.dot(self).sqrt()
+    }
+    /// Largest |selfᵢ|; NaN if any element is NaN.
+    fn max_abs(&self) -> f32;
+    /// Largest selfᵢ where `marks` is not below 0, 0 at least; NaN if any of these elements is NaN.
+    fn max_marked(&self, marks: &Self) -> f32;
+    /// Smallest selfᵢ, 0 at most.
+    fn lowest(&self) -> f32;
+
+    /// self ← self + a·x
+    fn axpy(&mut self, a: f32, x: &Self);
+    /// self ← a·self
+    fn scale(&mut self, a: f32);
+    /// self ← self + a
+    fn shift(&mut self, a: f32);
+    /// self ← min(max(self, lower), upper)
+    fn clamp(&mut self, lower: f32, upper: f32);
+    /// selfᵢ ← selfᵢ·otherᵢ
+    fn multiply(&mut self, other: &Self);
+    /// selfᵢ ← 0 where `marks` is not above 0.
+    fn keep_positive(&mut self, marks: &Self);
+    /// self ← keep·self + (1 − keep)·x, a running mean.
+    fn mix(&mut self, keep: f32, x: &Self);
+    /// selfᵢ ← keep·selfᵢ + (1 − keep)·xᵢ², a running mean of squares.
+    fn mix_squares(&mut self, keep: f32, x: &Self);
+    /// selfᵢ ← selfᵢ/(√(factor·squaresᵢ) + epsilon)
+    fn divide_by_roots(&mut self, squares: &Self, factor: f32, epsilon: f32);
+    /// selfᵢ ← 1/(1 + e^((midpoint − selfᵢ)/width)) − targetᵢ, and 0 where the target is below 0.
+    fn logistic_error(&mut self, target: &Self, midpoint: f32, width: f32);
+
+    /// Brings bounds to where `self` lives; they are for fields of their own length.
+    fn compile_bounds(&self, bounds: &Bounds) -> Self::Bounds;
+    /// self ← P(self + a·step), P the projection onto the bounds.
+    fn move_along(&mut self, step: &Self, a: f32, bounds: &Self::Bounds);
+    /// self ← P(x − t·gradient) − x, the projected gradient step of length t.
+    fn project_step(
+        &mut self,
+        x: &Self,
+        gradient: &Self,
+        t: f32,
+        bounds: &Self::Bounds,
+    ) -> StepSums;
+    /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
+    /// bound, the largest element takes its place.
+    fn quantise(&mut self, levels: u32, bounds: &Self::Bounds);
+    /// Secant sums of the step `self` between two gradients, one element after the other in a block.
+    fn secant(&self, before: &Self, after: &Self) -> Secant;
 }
 
 /// Sixteen floats on a 64-byte boundary: one cache line, one AVX-512 register.
@@ -262,6 +326,18 @@ impl HostField {
             .zip(other.as_slice().par_chunks(BLOCK))
             .for_each(|(a, b)| f(a, b));
     }
+
+    fn zip_blocks(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
+        self.update_blocks(other, |a, b| {
+            a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
+        });
+    }
+
+    fn map_blocks(&mut self, f: impl Fn(f32) -> f32 + Sync) {
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .for_each(|block| block.iter_mut().for_each(|v| *v = f(*v)));
+    }
 }
 
 /// `value` brought into the bounds; a NaN stays one, which `f32::clamp` would also do but not `max` and `min`.
@@ -300,7 +376,10 @@ pub fn dot_block(a: &[f32], b: &[f32]) -> f64 {
 }
 
 impl Field for HostField {
+    type Bounds = Bounds;
     type Pairs = HostPairs;
+    type Bands = HostBands;
+    type Costs = HostCosts;
 
     fn len(&self) -> usize {
         self.len
@@ -331,15 +410,11 @@ impl Field for HostField {
     }
 
     fn scale(&mut self, a: f32) {
-        self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .for_each(|block| block.iter_mut().for_each(|v| *v *= a));
+        self.map_blocks(|v| v * a);
     }
 
     fn clamp(&mut self, lower: f32, upper: f32) {
-        self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .for_each(|block| block.iter_mut().for_each(|v| *v = v.max(lower).min(upper)));
+        self.map_blocks(|v| v.max(lower).min(upper));
     }
 
     fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
@@ -415,19 +490,63 @@ impl Field for HostField {
             .reduce(|| 0.0, larger)
     }
 
-    fn map_with(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
-        self.update_blocks(other, |a, b| {
-            a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
+    fn max_marked(&self, marks: &Self) -> f32 {
+        assert_eq!(self.len, marks.len, "fields of different length");
+        let marked = |value: f32, mark: f32| if mark < 0.0 { 0.0 } else { value };
+        self.as_slice()
+            .par_chunks(BLOCK)
+            .zip(marks.as_slice().par_chunks(BLOCK))
+            .map(|(a, b)| {
+                a.iter()
+                    .zip(b)
+                    .map(|(&a, &b)| marked(a, b))
+                    .fold(0.0, larger)
+            })
+            .reduce(|| 0.0, larger)
+    }
+
+    fn lowest(&self) -> f32 {
+        self.as_slice().par_iter().copied().reduce(|| 0.0, f32::min)
+    }
+
+    fn shift(&mut self, a: f32) {
+        self.map_blocks(|v| v + a);
+    }
+
+    fn multiply(&mut self, other: &Self) {
+        self.zip_blocks(other, |a, b| a * b);
+    }
+
+    fn keep_positive(&mut self, marks: &Self) {
+        self.zip_blocks(marks, |v, mark| if mark > 0.0 { v } else { 0.0 });
+    }
+
+    fn mix(&mut self, keep: f32, x: &Self) {
+        self.zip_blocks(x, |mean, x| keep * mean + (1.0 - keep) * x);
+    }
+
+    fn mix_squares(&mut self, keep: f32, x: &Self) {
+        self.zip_blocks(x, |mean, x| keep * mean + (1.0 - keep) * x * x);
+    }
+
+    fn divide_by_roots(&mut self, squares: &Self, factor: f32, epsilon: f32) {
+        self.zip_blocks(squares, |v, square| {
+            v / ((square * factor).sqrt() + epsilon)
         });
     }
 
-    fn largest_with(&self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) -> f32 {
-        assert_eq!(self.len, other.len, "fields of different length");
-        self.as_slice()
-            .par_chunks(BLOCK)
-            .zip(other.as_slice().par_chunks(BLOCK))
-            .map(|(a, b)| a.iter().zip(b).map(|(&a, &b)| f(a, b)).fold(0.0, larger))
-            .reduce(|| 0.0, larger)
+    fn logistic_error(&mut self, target: &Self, midpoint: f32, width: f32) {
+        self.zip_blocks(target, |dose, target| {
+            if target < 0.0 {
+                0.0
+            } else {
+                1.0 / (1.0 + ((midpoint - dose) / width).exp()) - target
+            }
+        });
+    }
+
+    fn compile_bounds(&self, bounds: &Bounds) -> Bounds {
+        bounds.clone()
     }
 
     #[expect(clippy::cast_precision_loss, reason = "at most 2¹⁶ levels")]
@@ -460,8 +579,8 @@ impl Field for HostField {
         Cow::Borrowed(bytemuck::cast_slice(self.as_slice()))
     }
 
-    fn copy_from_host(&mut self, values: &[f32]) {
-        self.as_mut_slice().copy_from_slice(values);
+    fn write(&mut self, begin: usize, values: &[f32]) {
+        self.as_mut_slice()[begin..][..values.len()].copy_from_slice(values);
     }
 }
 
@@ -485,8 +604,40 @@ mod tests {
     fn what_is_no_number_is_not_lost_in_the_largest() {
         let x = HostField::from_slice(&[1.0, f32::NAN, 3.0]);
         assert!(x.max_abs().is_nan());
-        assert!(x.largest_with(&x, |a, _| a).is_nan());
+        let all = HostField::from_slice(&[0.0, 1.0, 0.0]);
+        assert!(x.max_marked(&all).is_nan());
         let y = HostField::from_slice(&[1.0, -5.0, 3.0]);
-        assert_eq!(y.largest_with(&y, |a, _| a), 3.0);
+        assert_eq!((y.max_marked(&all), y.lowest()), (3.0, -5.0));
+        // What does not count may be anything
+        let some = HostField::from_slice(&[0.0, -1.0, -1.0]);
+        assert_eq!((x.max_marked(&some), y.max_marked(&some)), (1.0, 1.0));
+    }
+
+    /// The formulas that methods are made of, one element each, in numbers without rounding.
+    #[test]
+    fn the_formulas_of_methods_are_what_their_names_say() {
+        let of = |values: &[f32]| HostField::from_slice(values);
+        let after = |change: &dyn Fn(&mut HostField)| {
+            let mut x = of(&[2.0, -4.0, 0.5]);
+            change(&mut x);
+            x.as_slice().to_vec()
+        };
+        let other = of(&[4.0, -1.0, 0.0]);
+        assert_eq!(after(&|x| x.shift(1.0)), [3.0, -3.0, 1.5]);
+        assert_eq!(after(&|x| x.multiply(&other)), [8.0, 4.0, 0.0]);
+        assert_eq!(after(&|x| x.keep_positive(&other)), [2.0, 0.0, 0.0]);
+        assert_eq!(after(&|x| x.mix(0.75, &other)), [2.5, -3.25, 0.375]);
+        assert_eq!(after(&|x| x.mix_squares(0.75, &other)), [5.5, -2.75, 0.375]);
+        // √(4·4) + 1 and √0 + 1
+        let squares = of(&[4.0, 0.0, 0.0]);
+        assert_eq!(
+            after(&|x| x.divide_by_roots(&squares, 4.0, 1.0)),
+            [0.4, -4.0, 0.5]
+        );
+        // ½ − 4 at the midpoint; what is marked does not count; 1/(1 + e) − 0 a width below the midpoint
+        let found = after(&|x| x.logistic_error(&other, 2.0, 1.5));
+        assert_eq!(found[..2], [-3.5, 0.0]);
+        assert!((found[2] - 1.0 / (1.0 + std::f32::consts::E)).abs() < 1e-6);
+        assert_eq!(after(&|x| x.write(1, &[7.0])), [2.0, 7.0, 0.5]);
     }
 }

@@ -1,6 +1,6 @@
 //! What everything of Tomolith stands on: grids, fields, errors, kinds, units, dose models as a trait, material responses and run control.
 //!
-//! Users find all of it in the crate `tomolith`; whoever writes a dose model needs this crate alone.
+//! Users find all of it in the crate `tomolith`; whoever writes a dose model, or fields in the memory of a device, needs this crate alone.
 
 pub mod check;
 pub mod dose;

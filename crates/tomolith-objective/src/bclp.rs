@@ -14,6 +14,7 @@ use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The parameters of BCLP.
@@ -66,16 +67,19 @@ impl Params {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildObjective> = Kind {
-    name: "bclp",
-    summary: "band-constrained Lp norm: the target plus or minus epsilon",
-    example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "bclp",
+        summary: "band-constrained Lp norm: the target plus or minus epsilon",
+        example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands().map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

@@ -10,19 +10,23 @@
 
 use super::least::Params;
 use super::{BuildObjective, ObjectiveInput};
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The row of the table.
-pub const KIND: Kind<BuildObjective> = Kind {
-    name: "dose_matching",
-    summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
-    example: "[objective.dose_matching]",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "dose_matching",
+        summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
+        example: "[objective.dose_matching]",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

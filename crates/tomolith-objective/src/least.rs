@@ -14,6 +14,7 @@ use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The parameters of `l2` and `l1`.
@@ -54,12 +55,12 @@ impl Params {
     }
 }
 
-const fn kind(
+const fn kind<F: Field>(
     name: &'static str,
     summary: &'static str,
     example: &'static str,
-    build: BuildObjective,
-) -> Kind<BuildObjective> {
+    build: BuildObjective<F>,
+) -> Kind<BuildObjective<F>> {
     Kind {
         name,
         summary,
@@ -70,29 +71,35 @@ const fn kind(
 }
 
 /// The row of least squares.
-pub const L2: Kind<BuildObjective> = kind(
-    "l2",
-    "least squares: part to 1, void to 0, or grey values as they are",
-    "[objective.l2]",
-    |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands(2.0).map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-);
+#[must_use]
+pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
+    kind(
+        "l2",
+        "least squares: part to 1, void to 0, or grey values as they are",
+        "[objective.l2]",
+        |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands(2.0).map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    )
+}
 
 /// The row of least absolute deviation.
-pub const L1: Kind<BuildObjective> = kind(
-    "l1",
-    "least absolute deviation: part to 1, void to 0, or grey values as they are",
-    "[objective.l1]",
-    |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-);
+#[must_use]
+pub const fn l1<F: Field>() -> Kind<BuildObjective<F>> {
+    kind(
+        "l1",
+        "least absolute deviation: part to 1, void to 0, or grey values as they are",
+        "[objective.l1]",
+        |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    )
+}

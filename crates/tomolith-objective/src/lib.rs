@@ -88,21 +88,29 @@ pub struct ObjectiveInput<'a> {
 }
 
 /// Builds an objective from its section.
-pub type BuildObjective = fn(&Section, &ObjectiveInput) -> BoxedObjective<HostField>;
+pub type BuildObjective<F = HostField> = fn(&Section, &ObjectiveInput) -> BoxedObjective<F>;
 
-/// Every objective.
-pub static OBJECTIVES: &[Kind<BuildObjective>] = &[
-    threshold::KIND,
-    least::L2,
-    least::L1,
-    dose_matching::KIND,
-    pm::KIND,
-    osmo::KIND,
-    bclp::KIND,
-    window::L2N,
-    window::OSP,
-    window::OSPW,
-];
+/// Every objective, for doses in host memory.
+pub static OBJECTIVES: &[Kind<BuildObjective>] = objectives();
+
+/// Every objective, wherever doses live.
+#[must_use]
+pub const fn objectives<F: Field>() -> &'static [Kind<BuildObjective<F>>] {
+    const {
+        &[
+            threshold::kind(),
+            least::l2(),
+            least::l1(),
+            dose_matching::kind(),
+            pm::kind(),
+            osmo::kind(),
+            bclp::kind(),
+            window::l2n(),
+            window::osp(),
+            window::ospw(),
+        ]
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -543,9 +551,11 @@ mod tests {
             assert_eq!(found, format!("{path}.{key}"));
         }
         let bands = Bands::labels(vec![0], &[(0, Band::new(0.5, 0.4, 1.0))]);
-        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_err());
+        assert!(
+            BandObjective::<HostField>::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_err()
+        );
         let bands = Bands::labels(vec![0], &[(0, Band::exactly(0.5))]);
-        assert!(BandObjective::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_ok());
+        assert!(BandObjective::<HostField>::new(0..1, bands, 2.0, 2.0, Arc::new(Identity)).is_ok());
     }
 
     #[test]

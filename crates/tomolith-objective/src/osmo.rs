@@ -14,6 +14,7 @@ use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The parameters of OSMO's implicit loss.
@@ -54,16 +55,19 @@ impl Params {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildObjective> = Kind {
-    name: "osmo",
-    summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
-    example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "osmo",
+        summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
+        example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands().map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

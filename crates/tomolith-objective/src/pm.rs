@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Kind;
 use tomolith_core::target::label;
@@ -95,22 +96,25 @@ impl Params {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildObjective> = Kind {
-    name: "pm",
-    summary: "penalty minimisation: part above d_h, void below d_l, a free buffer at the surface",
-    example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        params
-            .bands()
-            .and_then(|bands| {
-                if params.buffer_mm.0 == 0.0 || input.target.grey {
-                    bands.build(params.surface, input)
-                } else {
-                    bands.build_with_labels(params.surface, input, &params.eroded(input))
-                }
-            })
-            .map_err(|e| e.under(&section.path))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "pm",
+        summary: "penalty minimisation: part above d_h, void below d_l, a free buffer at the surface",
+        example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            params
+                .bands()
+                .and_then(|bands| {
+                    if params.buffer_mm.0 == 0.0 || input.target.grey {
+                        bands.build(params.surface, input)
+                    } else {
+                        bands.build_with_labels(params.surface, input, &params.eroded(input))
+                    }
+                })
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

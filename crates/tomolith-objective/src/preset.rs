@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::HostField;
+use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
@@ -74,7 +74,7 @@ impl PartAndVoid {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a grey target, [`Error::Config`] for bands out of range.
-    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+    pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
         if input.target.grey {
             return Err(Error::Unsupported {
                 what: "an objective of part and void".to_owned(),
@@ -89,12 +89,12 @@ impl PartAndVoid {
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    pub fn build_with_labels(
+    pub fn build_with_labels<F: Field>(
         &self,
         surface: Surface,
         input: &ObjectiveInput,
         labels: &Volume<u8>,
-    ) -> BoxedObjective<HostField> {
+    ) -> BoxedObjective<F> {
         check_shape("labels", &labels.grid.shape, input)?;
         surface.must_fit(input.layout)?;
         let bands = match surface {
@@ -168,7 +168,7 @@ impl AroundTarget {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a grey target with a surface fraction, [`Error::Config`] for bands out of range.
-    pub fn build(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+    pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
         let around = |value: f32, weight: f32| {
             Band::new(value - self.half_width, value + self.half_width, weight)
         };
@@ -213,9 +213,9 @@ impl AroundTarget {
     }
 }
 
-fn finish(bands: Bands, p: f64, q: f64, input: &ObjectiveInput) -> BoxedObjective<HostField> {
+fn finish<F: Field>(bands: Bands, p: f64, q: f64, input: &ObjectiveInput) -> BoxedObjective<F> {
     check_shape("target", &input.target.inside.grid.shape, input)?;
-    Ok(Box::new(BandObjective::new(
+    Ok(Box::new(BandObjective::<F>::new(
         input.layout.range(),
         bands,
         p,

@@ -21,6 +21,7 @@ use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 use tomolith_core::units::exact;
 
@@ -92,17 +93,23 @@ impl Params {
     }
 }
 
+/// What it is called in a job.
+pub const NAME: &str = "threshold";
+
 /// The row of the table.
-pub const KIND: Kind<BuildObjective> = Kind {
-    name: "threshold",
-    summary: "part between an upper threshold and the ceiling, void below a lower threshold",
-    example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        let bands = params.bands().map_err(|e| e.under(&section.path))?;
-        bands
-            .build(params.surface, input)
-            .map_err(|e| e.under(&section.path))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: NAME,
+        summary: "part between an upper threshold and the ceiling, void below a lower threshold",
+        example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            let bands = params.bands().map_err(|e| e.under(&section.path))?;
+            bands
+                .build(params.surface, input)
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

@@ -19,6 +19,7 @@ use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The parameters of `l2n` and `osp`.
@@ -88,55 +89,64 @@ fn squared(
 
 /// The row of L2N.
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-pub const L2N: Kind<BuildObjective> = Kind {
-    name: "l2n",
-    summary: "L2N: part to the upper threshold, void to the lower one, both sides",
-    example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        squared(params.lower, params.upper, |l, u| {
-            (Band::exactly(u as f32), Band::exactly(l as f32))
-        })
-        .and_then(|bands| bands.build(params.surface, input))
-        .map_err(|e| e.under(&section.path))
-    },
-};
-
-/// The row of OSP.
-#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-pub const OSP: Kind<BuildObjective> = Kind {
-    name: "osp",
-    summary: "OSP: part above the upper threshold, void below the lower one",
-    example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
-    schema: || schemars::schema_for!(Params),
-    build: |section, input: &ObjectiveInput| {
-        let params: Params = section.parse()?;
-        squared(params.lower, params.upper, |l, u| {
-            (Band::above(u as f32), Band::below(l as f32))
-        })
-        .and_then(|bands| bands.build(params.surface, input))
-        .map_err(|e| e.under(&section.path))
-    },
-};
-
-/// The row of OSPW.
-#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-pub const OSPW: Kind<BuildObjective> = Kind {
-    name: "ospw",
-    summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
-    example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
-    schema: || schemars::schema_for!(WindowParams),
-    build: |section, input: &ObjectiveInput| {
-        let params: WindowParams = section.parse()?;
-        not_negative("w", params.w)
-            .and_then(|()| {
-                squared(params.lower, params.upper, |l, u| {
-                    let part = Band::new(u as f32, (u + params.w) as f32, 1.0);
-                    (part, Band::below(l as f32))
-                })
+#[must_use]
+pub const fn l2n<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "l2n",
+        summary: "L2N: part to the upper threshold, void to the lower one, both sides",
+        example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            squared(params.lower, params.upper, |l, u| {
+                (Band::exactly(u as f32), Band::exactly(l as f32))
             })
             .and_then(|bands| bands.build(params.surface, input))
             .map_err(|e| e.under(&section.path))
-    },
-};
+        },
+    }
+}
+
+/// The row of OSP.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+#[must_use]
+pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "osp",
+        summary: "OSP: part above the upper threshold, void below the lower one",
+        example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            squared(params.lower, params.upper, |l, u| {
+                (Band::above(u as f32), Band::below(l as f32))
+            })
+            .and_then(|bands| bands.build(params.surface, input))
+            .map_err(|e| e.under(&section.path))
+        },
+    }
+}
+
+/// The row of OSPW.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+#[must_use]
+pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: "ospw",
+        summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
+        example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
+        schema: || schemars::schema_for!(WindowParams),
+        build: |section, input: &ObjectiveInput| {
+            let params: WindowParams = section.parse()?;
+            not_negative("w", params.w)
+                .and_then(|()| {
+                    squared(params.lower, params.upper, |l, u| {
+                        let part = Band::new(u as f32, (u + params.w) as f32, 1.0);
+                        (part, Band::below(l as f32))
+                    })
+                })
+                .and_then(|bands| bands.build(params.surface, input))
+                .map_err(|e| e.under(&section.path))
+        },
+    }
+}

@@ -95,17 +95,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "adam",
-    summary: "Adam within bounds: steps of one length for all pixels, whatever their gradient",
-    example: "[optimizer.adam]\nstep = 0.1",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Adam::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "adam",
+        summary: "Adam within bounds: steps of one length for all pixels, whatever their gradient",
+        example: "[optimizer.adam]\nstep = 0.1",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Adam::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Adam<F> {
     /// The method with these parameters.
@@ -172,13 +175,13 @@ impl<F: Field> Optimizer<F> for Adam<F> {
             Schedule::Constant => self.params.step,
         };
         let (b1, b2, epsilon) = (beta_1 as f32, beta_2 as f32, epsilon as f32);
-        mean.map_with(gradient, |m, g| b1 * m + (1.0 - b1) * g);
-        square.map_with(gradient, |v, g| b2 * v + (1.0 - b2) * g * g);
+        mean.mix(b1, gradient);
+        square.mix_squares(b2, gradient);
         let grown = (1.0 / (1.0 - beta_2.powi(k))) as f32;
         gradient.copy_from(mean);
-        gradient.map_with(square, |m, v| m / ((v * grown).sqrt() + epsilon));
+        gradient.divide_by_roots(square, grown, epsilon);
         let t = (length / (1.0 - beta_1.powi(k))) as f32;
-        let sums = step.project_step(x, gradient, t, problem.bounds());
+        let sums = step.project_step(x, gradient, t, problem.bounds(x));
         let mut taken = 0.0;
         if sums.square != 0.0 {
             problem.take(x, step, at)?;

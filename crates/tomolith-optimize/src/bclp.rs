@@ -74,17 +74,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "bclp",
-    summary: "BCLP's descent as published: a raw step, over- and underdose together or in turn",
-    example: "[optimizer.bclp]\nstep = 1.2",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Bclp::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "bclp",
+        summary: "BCLP's descent as published: a raw step, over- and underdose together or in turn",
+        example: "[optimizer.bclp]\nstep = 1.2",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Bclp::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Bclp<F> {
     /// The method with these parameters.
@@ -127,7 +130,7 @@ impl<F: Field> Bclp<F> {
         let step = self.params.step as f32;
         let sums = fields
             .step
-            .project_step(x, &fields.gradient, step, problem.bounds());
+            .project_step(x, &fields.gradient, step, problem.bounds(x));
         Ok(sums.square)
     }
 }

@@ -112,17 +112,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "cal",
-    summary: "CAL as published: steps along the projected error of a sigmoid, doses relative to the largest",
-    example: "[optimizer.cal]\nlearning_rate = 0.01\nd_h = 0.8",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Cal::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "cal",
+        summary: "CAL as published: steps along the projected error of a sigmoid, doses relative to the largest",
+        example: "[optimizer.cal]\nlearning_rate = 0.01\nd_h = 0.8",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Cal::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Cal<F> {
     /// The method with these parameters.
@@ -186,13 +189,7 @@ impl<F: Field> Cal<F> {
     ) -> Result<()> {
         let (d_h, width) = (self.params.d_h as f32, self.params.sigmoid as f32);
         at.cotangent.copy_from(&at.dose);
-        at.cotangent.map_with(problem.target()?, |dose, target| {
-            if target < 0.0 {
-                0.0
-            } else {
-                1.0 / (1.0 + ((d_h - dose) / width).exp()) - target
-            }
-        });
+        at.cotangent.logistic_error(problem.target()?, d_h, width);
         problem.project(x, &at.cotangent, delta)
     }
 }
@@ -216,7 +213,8 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         }
         x.clamp(0.0, f32::INFINITY);
         if let Some(levels) = problem.levels() {
-            x.quantise(levels, &Bounds::uniform(x.len(), 0.0, f32::INFINITY));
+            let open = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, f32::INFINITY));
+            x.quantise(levels, &open);
         }
         self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
         self.kept.cal += 1;
@@ -379,7 +377,8 @@ mod tests {
             (serde_json::json!({"filter": "ramlak"}), "filter"),
         ] {
             let section = tomolith_core::kind::Section::new("optimizer.cal", json);
-            let Err(Error::Config { key: found, .. }) = (KIND.build)(&section) else {
+            let Err(Error::Config { key: found, .. }) = (kind::<HostField>().build)(&section)
+            else {
                 panic!("{key} was accepted")
             };
             assert_eq!(found, format!("optimizer.cal.{key}"));

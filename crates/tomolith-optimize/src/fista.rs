@@ -118,17 +118,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "fista",
-    summary: "FISTA with restart, step 1/L by power iteration: for linear models and convex objectives",
-    example: "[optimizer.fista]\nrestart = \"gradient\"",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Fista::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "fista",
+        summary: "FISTA with restart, step 1/L by power iteration: for linear models and convex objectives",
+        example: "[optimizer.fista]\nrestart = \"gradient\"",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Fista::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Fista<F> {
     /// The method with these parameters.
@@ -263,7 +266,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         let mut lipschitz = lipschitz;
         let sums = loop {
             let length = (1.0 / lipschitz) as f32;
-            let sums = step.project_step(y, gradient, length, problem.bounds());
+            let sums = step.project_step(y, gradient, length, problem.bounds(x));
             trial.copy_from(y);
             trial.axpy(1.0, step);
             problem.evaluate(trial, at)?;

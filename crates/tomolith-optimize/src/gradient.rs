@@ -77,17 +77,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "gradient",
-    summary: "projected gradient, step length automatic or fixed",
-    example: "[optimizer.gradient]",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Gradient::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "gradient",
+        summary: "projected gradient, step length automatic or fixed",
+        example: "[optimizer.gradient]",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Gradient::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Gradient<F> {
     /// The method with these parameters.
@@ -173,7 +176,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let sums =
             fields
                 .step
-                .project_step(x, &fields.gradient, self.length as f32, problem.bounds());
+                .project_step(x, &fields.gradient, self.length as f32, problem.bounds(x));
         let projected_gradient = if self.length == 0.0 {
             0.0
         } else {

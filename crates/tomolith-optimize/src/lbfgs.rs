@@ -71,18 +71,24 @@ const STRETCH: f32 = 1.5;
 /// A direction must promise at least this part of what the projected gradient step promises.
 const DESCENT: f64 = 1e-3;
 
+/// What it is called in a job.
+const NAME: &str = "lbfgs";
+
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "lbfgs",
-    summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
-    example: "[optimizer.lbfgs]\nmemory = 6",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Lbfgs::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: NAME,
+        summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
+        example: "[optimizer.lbfgs]\nmemory = 6",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Lbfgs::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 /// L-BFGS with bounds; see the [module](self).
 pub struct Lbfgs<F: Field> {
@@ -102,7 +108,7 @@ struct Fields<F: Field> {
 impl<F: Field> Fields<F> {
     fn like(x: &F, memory: usize, problem: &Problem<F>) -> Self {
         Fields {
-            pairs: F::Pairs::new(memory, problem.bounds()),
+            pairs: F::Pairs::new(memory, problem.bounds(x)),
             gradient: x.zeros_like(),
             before: x.zeros_like(),
             step: x.zeros_like(),
@@ -218,7 +224,7 @@ impl<F: Field> Lbfgs<F> {
             ));
         }
         Ok(Lbfgs {
-            name: KIND.name,
+            name: NAME,
             curvature: Curvature::new(params.memory),
             params,
             fields: None,
@@ -258,7 +264,7 @@ impl<F: Field> Lbfgs<F> {
                 before,
                 after: gradient,
             };
-            let products = pairs.record(slot, &latest, problem.bounds());
+            let products = pairs.record(slot, &latest, problem.bounds(x));
             self.curvature.take(slot, &products, self.params.tolerance);
             Some(products)
         } else {
@@ -266,12 +272,12 @@ impl<F: Field> Lbfgs<F> {
             None
         };
         let direction = self.curvature.direction(products.as_ref());
-        let sums = pairs.direction(&direction, x, gradient, problem.bounds(), step);
+        let sums = pairs.direction(&direction, x, gradient, problem.bounds(x), step);
         let scale = self.curvature.scale;
         let mut slope = sums.slope;
         if slope > DESCENT * sums.gradient_slope || slope.is_nan() {
             slope = step
-                .project_step(x, gradient, scale as f32, problem.bounds())
+                .project_step(x, gradient, scale as f32, problem.bounds(x))
                 .slope;
         }
         let projected_gradient = if scale == 0.0 {
@@ -311,7 +317,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
                 let length = self.curvature.scale as f32;
                 let sums = fields
                     .step
-                    .project_step(x, &fields.gradient, length, problem.bounds());
+                    .project_step(x, &fields.gradient, length, problem.bounds(x));
                 alpha = problem.search(x, &fields.step, sums.slope, at)?.alpha;
             }
         }

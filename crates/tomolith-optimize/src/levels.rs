@@ -180,7 +180,7 @@ impl Pass<'_, '_, '_, '_> {
             };
             velocity.scale(MOMENTUM);
             velocity.axpy(1.0, &gradient);
-            asked.move_along(&velocity, -t, self.problem.bounds());
+            asked.move_along(&velocity, -t, self.problem.bounds(&velocity));
             self.brightest.cut(&mut asked, scale);
             shown = self.show(&asked)?;
             length = Some(t * if self.at.loss > loss { SHORTER } else { LONGER });

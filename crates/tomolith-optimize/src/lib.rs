@@ -159,19 +159,27 @@ pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Re
 }
 
 /// Builds an optimiser from its section.
-pub type BuildOptimizer = fn(&Section) -> Result<Box<dyn Optimizer<HostField>>>;
+pub type BuildOptimizer<F = HostField> = fn(&Section) -> Result<Box<dyn Optimizer<F>>>;
 
-/// Every optimiser.
-pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = &[
-    lbfgs::KIND,
-    gradient::KIND,
-    fista::KIND,
-    adam::KIND,
-    osmo::KIND,
-    cal::KIND,
-    pm::KIND,
-    bclp::KIND,
-];
+/// Every optimiser, for patterns in host memory.
+pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = optimizers();
+
+/// Every optimiser, wherever patterns live.
+#[must_use]
+pub const fn optimizers<F: Field>() -> &'static [Kind<BuildOptimizer<F>>] {
+    const {
+        &[
+            lbfgs::kind(),
+            gradient::kind(),
+            fista::kind(),
+            adam::kind(),
+            osmo::kind(),
+            cal::kind(),
+            pm::kind(),
+            bclp::kind(),
+        ]
+    }
+}
 
 #[cfg(test)]
 mod tests {

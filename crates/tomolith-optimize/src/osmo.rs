@@ -109,17 +109,20 @@ struct Kept {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "osmo",
-    summary: "OSMO as published: corrections in object space, doses relative to the largest (use [objective.osmo])",
-    example: "[optimizer.osmo]\nfilter = \"ram_lak\"",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        Ok(Box::new(
-            Osmo::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-        ))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: "osmo",
+        summary: "OSMO as published: corrections in object space, doses relative to the largest (use [objective.osmo])",
+        example: "[optimizer.osmo]\nfilter = \"ram_lak\"",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            Ok(Box::new(
+                Osmo::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
+            ))
+        },
+    }
+}
 
 impl<F: Field> Osmo<F> {
     /// The method with these parameters.
@@ -157,7 +160,8 @@ impl<F: Field> Osmo<F> {
             x.scale(1.0 / largest);
         }
         if let Some(levels) = problem.levels() {
-            x.quantise(levels, &Bounds::uniform(x.len(), 0.0, 1.0));
+            let shares = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, 1.0));
+            x.quantise(levels, &shares);
         }
         x.clamp(self.params.inhibition as f32, f32::INFINITY);
         problem
@@ -192,8 +196,7 @@ impl<F: Field> Osmo<F> {
         turn.keep(&mut at.cotangent);
         at.cotangent.scale(-0.5);
         if is_of_edges {
-            at.cotangent
-                .map_with(problem.edges()?, |error, edge| error * edge);
+            at.cotangent.multiply(problem.edges()?);
         }
         let square = at.cotangent.dot(&at.cotangent);
         problem.project(x, &at.cotangent, &mut fields.scratch)?;

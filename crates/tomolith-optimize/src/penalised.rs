@@ -89,7 +89,7 @@ fn a_search_ends_where_the_whole_sum_is_lowest() {
     let mut gradient = x.zeros_like();
     problem.gradient(&x, &at, &mut gradient).unwrap();
     let mut step = x.zeros_like();
-    let sums = step.project_step(&x, &gradient, 1.0, problem.bounds());
+    let sums = step.project_step(&x, &gradient, 1.0, problem.bounds(&x));
     let (from, before) = (x.clone(), at.loss);
     let found = problem.search(&mut x, &step, sums.slope, &mut at).unwrap();
     assert!(

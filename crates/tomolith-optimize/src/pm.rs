@@ -23,6 +23,7 @@ use super::BuildOptimizer;
 use super::lbfgs::{self, Lbfgs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// The parameters of penalty minimisation's solver.
@@ -39,19 +40,25 @@ impl Default for Params {
     }
 }
 
+/// What it is called in a job.
+const NAME: &str = "pm";
+
 /// The row of the table.
-pub const KIND: Kind<BuildOptimizer> = Kind {
-    name: "pm",
-    summary: "penalty minimisation as published: quasi-Newton with ten pairs (use [objective.pm])",
-    example: "[optimizer.pm]",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let Params { memory } = section.parse()?;
-        let params = lbfgs::Params {
-            memory,
-            ..lbfgs::Params::default()
-        };
-        let solver = Lbfgs::new(params).map_err(|e| e.under(&section.path))?;
-        Ok(Box::new(solver.named(KIND.name)))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
+    Kind {
+        name: NAME,
+        summary: "penalty minimisation as published: quasi-Newton with ten pairs (use [objective.pm])",
+        example: "[optimizer.pm]",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            let Params { memory } = section.parse()?;
+            let params = lbfgs::Params {
+                memory,
+                ..lbfgs::Params::default()
+            };
+            let solver = Lbfgs::<F>::new(params).map_err(|e| e.under(&section.path))?;
+            Ok(Box::new(solver.named(NAME)))
+        },
+    }
+}

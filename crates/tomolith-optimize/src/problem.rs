@@ -8,6 +8,7 @@
 //! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
 //! then costs passes over the dose only; for waves it is a quadratic in α, whose three coefficients serve it. (Searching first and clamping afterwards promises losses that are not delivered.)
 
+use std::sync::OnceLock;
 use std::time::Instant;
 use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
 use tomolith_core::error::{Error, Result};
@@ -52,6 +53,8 @@ pub struct Problem<'a, F: Field> {
     objective: &'a dyn Objective<F>,
     penalties: Penalties<F>,
     bounds: Bounds,
+    /// The bounds where patterns live, from the first patterns on.
+    compiled: OnceLock<F::Bounds>,
     /// Levels of a pixel, when patterns are rounded in every step.
     levels: Option<u32>,
     /// Target per element of the dose field, below 0 where a voxel does not count.
@@ -99,6 +102,7 @@ impl<'a, F: Field> Problem<'a, F> {
             objective,
             penalties: Penalties::default(),
             bounds,
+            compiled: OnceLock::new(),
             levels: None,
             target: None,
             edges: None,
@@ -167,10 +171,10 @@ impl<'a, F: Field> Problem<'a, F> {
         self.objective
     }
 
-    /// The bounds of every pixel.
+    /// The bounds of every pixel, where `x` lives.
     #[must_use]
-    pub fn bounds(&self) -> &Bounds {
-        &self.bounds
+    pub fn bounds(&self, x: &F) -> &F::Bounds {
+        self.compiled.get_or_init(|| x.compile_bounds(&self.bounds))
     }
 
     /// The levels that pixels are rounded to in every step, or None.
@@ -298,8 +302,7 @@ impl<'a, F: Field> Problem<'a, F> {
         at: &mut Position<F>,
     ) -> Result<f64> {
         self.dose(x, &mut at.dose)?;
-        let counted = |dose: f32, target: f32| if target < 0.0 { 0.0 } else { dose };
-        let largest = f64::from(at.dose.largest_with(self.target()?, counted));
+        let largest = f64::from(at.dose.max_marked(self.target()?));
         if largest == 0.0 {
             return Err(Error::Unsupported {
                 what: "normalising by the largest dose".to_owned(),
@@ -310,9 +313,9 @@ impl<'a, F: Field> Problem<'a, F> {
         let scale = (1.0 / largest) as f32;
         x.scale(scale);
         at.dose.scale(scale);
-        let cut = scratch.project_step(x, x, 0.0, &self.bounds).square > 0.0;
+        let cut = scratch.project_step(x, x, 0.0, self.bounds(x)).square > 0.0;
         if cut {
-            x.move_along(scratch, 1.0, &self.bounds);
+            x.move_along(scratch, 1.0, self.bounds(x));
             self.dose(x, &mut at.dose)?;
         }
         let Position {
@@ -329,14 +332,14 @@ impl<'a, F: Field> Problem<'a, F> {
     /// Into the bounds, and to the levels.
     fn settle(&self, x: &mut F) {
         let zero = x.zeros_like();
-        x.move_along(&zero, 0.0, &self.bounds);
+        x.move_along(&zero, 0.0, self.bounds(x));
         self.round(x);
     }
 
     /// To the levels, when there are any.
     fn round(&self, x: &mut F) {
         if let Some(levels) = self.levels {
-            x.quantise(levels, &self.bounds);
+            x.quantise(levels, self.bounds(x));
         }
     }
 
@@ -372,7 +375,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Cancelled`].
     pub fn take(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
-        x.move_along(step, 1.0, &self.bounds);
+        x.move_along(step, 1.0, self.bounds(x));
         self.round(x);
         self.measure(x, at)
     }
@@ -416,7 +419,7 @@ impl<'a, F: Field> Problem<'a, F> {
             found
         });
         if found.alpha != 0.0 {
-            x.move_along(step, found.alpha, &self.bounds);
+            x.move_along(step, found.alpha, self.bounds(x));
         }
         at.loss += self.timed(|_, penalties| penalties.value(x));
         Ok(found)
@@ -463,7 +466,7 @@ impl<'a, F: Field> Problem<'a, F> {
             found
         });
         if found.alpha != 0.0 {
-            x.move_along(step, found.alpha, &self.bounds);
+            x.move_along(step, found.alpha, self.bounds(x));
         }
         at.loss += self.timed(|_, penalties| penalties.value(x));
         found
@@ -487,7 +490,7 @@ impl<'a, F: Field> Problem<'a, F> {
         };
         for _ in 0..20 {
             let mut trial = x.clone();
-            trial.move_along(step, alpha as f32, &self.bounds);
+            trial.move_along(step, alpha as f32, self.bounds(x));
             let Position { cotangent, .. } = &mut *at;
             self.dose(&trial, cotangent)?;
             let loss = self
@@ -545,7 +548,7 @@ impl<'a, F: Field> Problem<'a, F> {
         } else {
             1.0 / largest
         };
-        let sums = direction.project_step(x, gradient, unit as f32, &self.bounds);
+        let sums = direction.project_step(x, gradient, unit as f32, self.bounds(x));
         if sums.slope >= 0.0 {
             return Ok(unit);
         }

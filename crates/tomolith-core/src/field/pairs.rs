@@ -13,7 +13,7 @@
 //! [`direction`](Pairs::direction) reads 8 + 4m and writes 4. Memory: 4m bytes per element, as m pattern fields.
 
 use super::group::{Group, total};
-use super::{Bounds, HostField, LANES};
+use super::{Bounds, Field, HostField, LANES};
 use crate::error::Result;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -76,20 +76,20 @@ pub struct DirectionSums {
 }
 
 /// The memory of a quasi-Newton method: a fixed number of slots, each for one pair.
-pub trait Pairs<F>: Send + Sync + Sized {
+pub trait Pairs<F: Field>: Send + Sync + Sized {
     /// Empty slots for fields with these bounds; at most [`MAX_MEMORY`](Self::MAX_MEMORY).
-    fn new(slots: usize, bounds: &Bounds) -> Self;
+    fn new(slots: usize, bounds: &F::Bounds) -> Self;
     /// Largest number of slots.
     const MAX_MEMORY: usize;
     /// Writes the newest pair into a slot, and takes all products in the same pass.
-    fn record(&mut self, slot: usize, latest: &Latest<F>, bounds: &Bounds) -> Products;
+    fn record(&mut self, slot: usize, latest: &Latest<F>, bounds: &F::Bounds) -> Products;
     /// out ← P(x + stretch·d) − x
     fn direction(
         &self,
         direction: &Direction,
         x: &F,
         gradient: &F,
-        bounds: &Bounds,
+        bounds: &F::Bounds,
         out: &mut F,
     ) -> DirectionSums;
     /// Names and bytes of what is stored, for a checkpoint.
@@ -562,7 +562,6 @@ impl Pairs<HostField> for HostPairs {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::Field;
 
     /// What is left of a number that was stored.
     fn stored(value: f32) -> f32 {

@@ -24,7 +24,7 @@
 //! assert!((response.value_and_slope(0.5).1 - 2.5).abs() < 1e-5);
 //! ```
 
-use super::{BuildResponse, Response};
+use super::{BuildResponse, Form, Response};
 use crate::error::{Error, Result};
 use crate::field::Lanes;
 use crate::field::group::Group;
@@ -178,6 +178,10 @@ impl Response for Logistic {
         let height =
             ((f64::from(response) - p.lower) / (p.upper - p.lower)).clamp(1e-7, 1.0 - 1e-7);
         (p.midpoint - (height.powf(-p.asymmetry) - 1.0).ln() / p.steepness) as f32
+    }
+
+    fn form(&self) -> Form<'_> {
+        Form::Logistic(&self.params)
     }
 
     fn range(&self) -> [f64; 2] {

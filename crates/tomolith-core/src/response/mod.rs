@@ -16,6 +16,19 @@ pub use identity::Identity;
 pub use logistic::Logistic;
 pub use table::Table;
 
+/// What a response is as data, for a backend that computes it where its fields live.
+#[derive(Clone, Copy, Debug)]
+pub enum Form<'a> {
+    /// M(d) = d
+    Identity,
+    /// The formula of [`logistic`] with these parameters.
+    Logistic(&'a logistic::Params),
+    /// A cubic between two doses, a line beyond the first and the last.
+    Table(&'a Table),
+    /// Known as code of the host only: a backend that cannot call it takes a table of [`Response::value_and_slope`].
+    Code,
+}
+
 /// A scalar, increasing map of the dose.
 pub trait Response: std::fmt::Debug + Send + Sync {
     /// M(d)
@@ -28,9 +41,13 @@ pub trait Response: std::fmt::Debug + Send + Sync {
     fn range(&self) -> [f64; 2] {
         [f64::NEG_INFINITY, f64::INFINITY]
     }
+    /// What it is as data.
+    fn form(&self) -> Form<'_> {
+        Form::Code
+    }
     /// Whether M(d) = d, so that kernels may skip it.
     fn is_identity(&self) -> bool {
-        false
+        matches!(self.form(), Form::Identity)
     }
     /// Sixteen voxels at once: replaces doses by responses and writes the slopes. Overridden where a loop without calls
     /// is faster; the numbers are those of [`value_and_slope`](Self::value_and_slope).

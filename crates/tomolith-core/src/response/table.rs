@@ -27,7 +27,7 @@
 //! ```
 
 use super::curve::Curve;
-use super::{BuildResponse, Response};
+use super::{BuildResponse, Form, Response};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::units::exact;
@@ -120,17 +120,34 @@ impl Table {
         })
     }
 
+    /// Per interval its first dose and the four coefficients of its cubic in the dose minus that, the constant first.
+    #[must_use]
+    pub fn pieces(&self) -> &[[f32; 5]] {
+        &self.pieces
+    }
+
+    /// Dose, response and slope of the line that goes on before the first point, and beyond the last.
+    #[must_use]
+    pub fn lines(&self) -> [[f32; 3]; 2] {
+        [0, self.last()].map(|end| self.line(end))
+    }
+
+    fn line(&self, end: usize) -> [f32; 3] {
+        let slope = match self.beyond {
+            Beyond::Linear => narrow(self.slopes[end]),
+            Beyond::Flat => 0.0,
+        };
+        [narrow(self.doses[end]), narrow(self.responses[end]), slope]
+    }
+
     fn last(&self) -> usize {
         self.doses.len() - 1
     }
 
     /// Response and slope beyond an end.
     fn past(&self, end: usize, dose: f32) -> (f32, f32) {
-        let slope = match self.beyond {
-            Beyond::Linear => narrow(self.slopes[end]),
-            Beyond::Flat => 0.0,
-        };
-        let value = narrow(self.responses[end]) + slope * (dose - narrow(self.doses[end]));
+        let [begin, response, slope] = self.line(end);
+        let value = response + slope * (dose - begin);
         (value.clamp(f32::MIN, f32::MAX), slope)
     }
 
@@ -270,6 +287,10 @@ impl Response for Table {
         }
         let k = self.responses.partition_point(|&y| narrow(y) < response) - 1;
         narrow(self.solve(k, wanted))
+    }
+
+    fn form(&self) -> Form<'_> {
+        Form::Table(self)
     }
 
     fn range(&self) -> [f64; 2] {

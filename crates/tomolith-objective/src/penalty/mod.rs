@@ -9,9 +9,10 @@ pub mod smoothness;
 pub mod sparsity;
 mod weighted;
 
+use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::{CostKernel, Field, HostField, PatternCost};
 use tomolith_core::kind::{Kind, Section};
 pub use weighted::Penalties;
 
@@ -28,11 +29,57 @@ pub trait PatternPenalty<F: Field>: Send + Sync {
 }
 
 /// Builds a penalty from its section, for patterns of these layouts (one per light, one after the other in the field).
-pub type BuildPenalty =
-    fn(&Section, &[PatternLayout]) -> Result<Box<dyn PatternPenalty<HostField>>>;
+pub type BuildPenalty<F = HostField> =
+    fn(&Section, &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>>;
 
-/// Every penalty.
-pub static PENALTIES: &[Kind<BuildPenalty>] = &[sparsity::KIND, smoothness::KIND];
+/// Every penalty, for patterns in host memory.
+pub static PENALTIES: &[Kind<BuildPenalty>] = penalties();
+
+/// Every penalty, wherever patterns live.
+#[must_use]
+pub const fn penalties<F: Field>() -> &'static [Kind<BuildPenalty<F>>] {
+    const { &[sparsity::kind(), smoothness::kind()] }
+}
+
+/// A penalty that is plain data, compiled by the field's backend when it sees the first patterns.
+pub struct CostPenalty<F: Field> {
+    cost: Arc<PatternCost>,
+    /// The penalty where patterns live.
+    kernel: OnceLock<F::Costs>,
+}
+
+impl<F: Field> CostPenalty<F> {
+    /// The penalty of these data.
+    #[must_use]
+    pub fn new(cost: PatternCost) -> Self {
+        CostPenalty {
+            cost: Arc::new(cost),
+            kernel: OnceLock::new(),
+        }
+    }
+
+    fn kernel(&self, x: &F) -> &F::Costs {
+        self.kernel.get_or_init(|| F::Costs::new(&self.cost, x))
+    }
+}
+
+impl<F: Field> PatternPenalty<F> for CostPenalty<F> {
+    fn value(&self, x: &F) -> f64 {
+        self.kernel(x).value(x)
+    }
+
+    fn add_gradient(&self, x: &F, scale: f64, gradient: &mut F) -> f64 {
+        self.kernel(x).add_gradient(x, scale, gradient)
+    }
+
+    fn slope_along(&self, x: &F, step: &F, alpha: f32) -> (f64, f64) {
+        self.kernel(x).slope_along(x, step, alpha)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.cost.is_convex()
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -130,7 +177,7 @@ mod tests {
             let section = Section::new("penalties[0].smoothness", json.clone());
             check_penalty(
                 &json.to_string(),
-                &*(smoothness::KIND.build)(&section, &layouts).unwrap(),
+                &*(smoothness::kind().build)(&section, &layouts).unwrap(),
                 len,
             );
         }
@@ -141,7 +188,7 @@ mod tests {
             );
             check_penalty(
                 &format!("power {exponent}"),
-                &*(sparsity::KIND.build)(&section, &layouts).unwrap(),
+                &*(sparsity::kind().build)(&section, &layouts).unwrap(),
                 len,
             );
         }

@@ -24,12 +24,11 @@
 
 use super::{BuildStart, Start, StartInput};
 use crate::filter::{Filter, Projection};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// What becomes of negative values.
@@ -71,17 +70,20 @@ pub struct Params {
 pub struct Fbp(pub Params);
 
 /// The row of the table.
-pub const KIND: Kind<BuildStart> = Kind {
-    name: "fbp",
-    summary: "filtered back-projection: the ramp-filtered adjoint of the target",
-    example: "[start.fbp]\nfilter = \"ram_lak\"\nnegative = \"clip\"",
-    schema: || schemars::schema_for!(Params),
-    build: |section| Ok(Box::new(Fbp(section.parse()?))),
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
+    Kind {
+        name: "fbp",
+        summary: "filtered back-projection: the ramp-filtered adjoint of the target",
+        example: "[start.fbp]\nfilter = \"ram_lak\"\nnegative = \"clip\"",
+        schema: || schemars::schema_for!(Params),
+        build: |section| Ok(Box::new(Fbp(section.parse()?))),
+    }
+}
 
-impl Start for Fbp {
+impl<F: Field> Start<F> for Fbp {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("fbp")?;
         let wanted = input.wanted_dose()?;
         let mut x = input.model.new_patterns()?;
@@ -99,11 +101,10 @@ impl Start for Fbp {
         let mut x = projection.patterns;
         let lowest = match self.0.negative {
             Negative::Clip => 0.0,
-            Negative::Offset => x.as_slice().par_iter().copied().reduce(|| 0.0, f32::min),
+            Negative::Offset => x.lowest(),
         };
-        x.as_mut_slice()
-            .par_iter_mut()
-            .for_each(|v| *v = (*v - lowest).max(0.0));
+        x.shift(-lowest);
+        x.clamp(0.0, f32::INFINITY);
         match self.0.scale {
             Scale::Fit => input.scaled(x, &wanted, run),
             Scale::Analytic => {

@@ -27,9 +27,9 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use tomolith_core::dose::{PatternLayout, Run};
+use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::HostField;
+use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, Patterns};
 use tomolith_core::kind::Kind;
 use tomolith_io::npy::read_patterns;
@@ -43,16 +43,19 @@ pub struct Params {
 }
 
 /// The row of the table.
-pub const KIND: Kind<BuildStart> = Kind {
-    name: "patterns",
-    summary: "patterns of a file: those of an earlier run, or of another program",
-    example: "[start.patterns]\nfile = \"patterns.npz\"",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let Params { file } = section.parse()?;
-        Ok(Box::new(OfFile(file)))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
+    Kind {
+        name: "patterns",
+        summary: "patterns of a file: those of an earlier run, or of another program",
+        example: "[start.patterns]\nfile = \"patterns.npz\"",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            let Params { file } = section.parse()?;
+            Ok(Box::new(OfFile(file)))
+        },
+    }
+}
 
 /// Patterns of a file, read when they are asked for.
 #[derive(Clone, Debug)]
@@ -62,12 +65,12 @@ pub struct OfFile(pub PathBuf);
 #[derive(Clone, Debug)]
 pub struct Given(pub Vec<Patterns>);
 
-impl Start for OfFile {
+impl<F: Field> Start<F> for OfFile {
     fn is_given(&self) -> bool {
         true
     }
 
-    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         let lights = input.model.patterns();
         let arrays = read_patterns(&self.0)?;
         if arrays.len() != lights.len() {
@@ -88,12 +91,12 @@ impl Start for OfFile {
     }
 }
 
-impl Start for Given {
+impl<F: Field> Start<F> for Given {
     fn is_given(&self) -> bool {
         true
     }
 
-    fn patterns(&self, input: &StartInput, _: &Run) -> Result<HostField> {
+    fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
         let lights = input.model.patterns();
         if self.0.len() != lights.len() {
             return Err(Error::Shape {
@@ -103,17 +106,14 @@ impl Start for Given {
             });
         }
         let mut x = input.model.new_patterns()?;
+        // Images are host memory: their pixels are sorted there
+        let mut values = vec![0.0; x.len()];
         for (given, light) in self.0.iter().zip(lights) {
-            fill(given, light, &mut x);
+            light.fill_field(&resample(given, &light.grid), &mut values);
         }
+        x.copy_from_host(&values);
         input.bounded(x)
     }
-}
-
-/// The patterns of a light, in the quantity of the model.
-fn fill(given: &Patterns, light: &PatternLayout, x: &mut HostField) {
-    let patterns = resample(given, &light.grid);
-    light.fill_field(&patterns, x.as_mut_slice());
 }
 
 /// The grid of patterns with another shape on the same field of view and arc.

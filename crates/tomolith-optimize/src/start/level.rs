@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
 /// They have no parameters.
@@ -26,31 +26,37 @@ pub struct Uniform;
 pub struct Zero;
 
 /// The row of `uniform`.
-pub const UNIFORM: Kind<BuildStart> = Kind {
-    name: "uniform",
-    summary: "every pixel alike, the part's mean dose right",
-    example: "[start.uniform]",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        section.parse::<Params>()?;
-        Ok(Box::new(Uniform))
-    },
-};
+#[must_use]
+pub const fn uniform<F: Field>() -> Kind<BuildStart<F>> {
+    Kind {
+        name: "uniform",
+        summary: "every pixel alike, the part's mean dose right",
+        example: "[start.uniform]",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            section.parse::<Params>()?;
+            Ok(Box::new(Uniform))
+        },
+    }
+}
 
 /// The row of `zero`.
-pub const ZERO: Kind<BuildStart> = Kind {
-    name: "zero",
-    summary: "all pixels dark, or at their lower bound",
-    example: "[start.zero]",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        section.parse::<Params>()?;
-        Ok(Box::new(Zero))
-    },
-};
+#[must_use]
+pub const fn zero<F: Field>() -> Kind<BuildStart<F>> {
+    Kind {
+        name: "zero",
+        summary: "all pixels dark, or at their lower bound",
+        example: "[start.zero]",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            section.parse::<Params>()?;
+            Ok(Box::new(Zero))
+        },
+    }
+}
 
-impl Start for Uniform {
-    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+impl<F: Field> Start<F> for Uniform {
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("uniform")?;
         let mut x = input.model.new_patterns()?;
         x.fill(1.0);
@@ -58,11 +64,8 @@ impl Start for Uniform {
     }
 }
 
-impl Start for Zero {
-    fn patterns(&self, input: &StartInput, _: &Run) -> Result<HostField> {
-        let mut x = input.model.new_patterns()?;
-        let zero = x.zeros_like();
-        x.move_along(&zero, 0.0, &input.bounds()?);
-        Ok(x)
+impl<F: Field> Start<F> for Zero {
+    fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
+        input.bounded(input.model.new_patterns()?)
     }
 }

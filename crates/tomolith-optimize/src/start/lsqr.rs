@@ -14,12 +14,11 @@
 //! fields of patterns and one of dose.
 
 use super::{BuildStart, Start, StartInput};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Kind;
 use tomolith_core::target::label;
@@ -49,63 +48,63 @@ impl Default for Params {
 pub struct Lsqr(Params);
 
 /// The row of the table.
-pub const KIND: Kind<BuildStart> = Kind {
-    name: "lsqr",
-    summary: "least squares between dose and target, a few steps of LSQR, negative values cut off",
-    example: "[start.lsqr]\niterations = 8\ndamping = 0.0",
-    schema: || schemars::schema_for!(Params),
-    build: |section| {
-        let params: Params = section.parse()?;
-        let refused = |key: &str, found: String, accepted: &str| {
-            Err(Error::config(
-                format!("{}.{key}", section.path),
-                format!("found {found}"),
-                accepted,
-            ))
-        };
-        if !(1..=1000).contains(&params.iterations) {
-            return refused(
-                "iterations",
-                params.iterations.to_string(),
-                "a whole number, 1 to 1000",
-            );
-        }
-        if !(params.damping >= 0.0 && params.damping.is_finite()) {
-            return refused(
-                "damping",
-                exact(params.damping),
-                "a finite number, 0 or more",
-            );
-        }
-        Ok(Box::new(Lsqr(params)))
-    },
-};
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
+    Kind {
+        name: "lsqr",
+        summary: "least squares between dose and target, a few steps of LSQR, negative values cut off",
+        example: "[start.lsqr]\niterations = 8\ndamping = 0.0",
+        schema: || schemars::schema_for!(Params),
+        build: |section| {
+            let params: Params = section.parse()?;
+            let refused = |key: &str, found: String, accepted: &str| {
+                Err(Error::config(
+                    format!("{}.{key}", section.path),
+                    format!("found {found}"),
+                    accepted,
+                ))
+            };
+            if !(1..=1000).contains(&params.iterations) {
+                return refused(
+                    "iterations",
+                    params.iterations.to_string(),
+                    "a whole number, 1 to 1000",
+                );
+            }
+            if !(params.damping >= 0.0 && params.damping.is_finite()) {
+                return refused(
+                    "damping",
+                    exact(params.damping),
+                    "a finite number, 0 or more",
+                );
+            }
+            Ok(Box::new(Lsqr(params)))
+        },
+    }
+}
 
 /// The model on the voxels that count.
-struct Masked<'a> {
-    input: &'a StartInput<'a>,
-    counts: HostField,
+struct Masked<'a, F: Field> {
+    input: &'a StartInput<'a, F>,
+    counts: F,
     run: &'a Run,
 }
 
-impl Masked<'_> {
-    fn dose(&self, x: &HostField, out: &mut HostField) -> Result<()> {
+impl<F: Field> Masked<'_, F> {
+    fn dose(&self, x: &F, out: &mut F) -> Result<()> {
         self.input.model.dose(x, out, self.run)?;
-        out.as_mut_slice()
-            .par_iter_mut()
-            .zip(self.counts.as_slice())
-            .for_each(|(out, &counts)| *out *= counts);
+        out.multiply(&self.counts);
         Ok(())
     }
 
-    fn pullback(&self, dose: &HostField, out: &mut HostField) -> Result<()> {
+    fn pullback(&self, dose: &F, out: &mut F) -> Result<()> {
         let anywhere = out.zeros_like();
         self.input.model.pullback(&anywhere, dose, out, self.run)
     }
 }
 
-impl Start for Lsqr {
-    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField> {
+impl<F: Field> Start<F> for Lsqr {
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("lsqr")?;
         let wanted = input.wanted_dose()?;
         let labels = Volume {
@@ -119,12 +118,10 @@ impl Start for Lsqr {
         };
         let mut counts = input.model.new_dose()?;
         let layout = &input.model.outputs()[0];
-        counts.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&labels));
+        counts.write(layout.offset, &layout.field_of(&labels));
         let masked = Masked { input, counts, run };
         let mut x = self.solve(&masked, &wanted)?;
-        x.as_mut_slice()
-            .par_iter_mut()
-            .for_each(|value| *value = value.max(0.0));
+        x.clamp(0.0, f32::INFINITY);
         input.scaled(x, &wanted, run)
     }
 }
@@ -132,7 +129,7 @@ impl Start for Lsqr {
 impl Lsqr {
     /// The names are those of the paper.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn solve(&self, a: &Masked<'_>, b: &HostField) -> Result<HostField> {
+    fn solve<F: Field>(&self, a: &Masked<'_, F>, b: &F) -> Result<F> {
         let mut x = a.input.model.new_patterns()?;
         let mut u = b.clone();
         let mut beta = unit(&mut u);
@@ -177,7 +174,7 @@ impl Lsqr {
 
 /// Scales to norm 1; returns the norm there was.
 #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-fn unit(field: &mut HostField) -> f64 {
+fn unit<F: Field>(field: &mut F) -> f64 {
     let norm = field.norm();
     if norm > 0.0 {
         field.scale((1.0 / norm) as f32);
@@ -189,6 +186,7 @@ fn unit(field: &mut HostField) -> f64 {
 mod tests {
     use super::*;
     use crate::Limits;
+    use tomolith_core::field::HostField;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_core::response::Identity;
     use tomolith_core::target::Target;

@@ -20,9 +20,9 @@ use tomolith_core::target::{Target, label};
 use tomolith_objective::buffer::near_the_other_kind;
 
 /// What first patterns are made from.
-pub struct StartInput<'a> {
+pub struct StartInput<'a, F: Field = HostField> {
     /// The model.
-    pub model: &'a dyn DoseModel<Field = HostField>,
+    pub model: &'a dyn DoseModel<Field = F>,
     /// The target on the grid of the model's first output.
     pub target: &'a Target,
     /// Label of each voxel ([`label`]), array order.
@@ -34,12 +34,12 @@ pub struct StartInput<'a> {
 }
 
 /// A way to make first patterns.
-pub trait Start: std::fmt::Debug + Send + Sync {
+pub trait Start<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     /// First patterns, within the bounds.
     ///
     /// # Errors
     /// [`Error::Cancelled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
-    fn patterns(&self, input: &StartInput, run: &Run) -> Result<HostField>;
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F>;
     /// Whether the patterns are given, and do not depend on the target.
     fn is_given(&self) -> bool {
         false
@@ -47,18 +47,26 @@ pub trait Start: std::fmt::Debug + Send + Sync {
 }
 
 /// Builds a start from its section.
-pub type BuildStart = fn(&Section) -> Result<Box<dyn Start>>;
+pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn Start<F>>>;
 
-/// Every start; the first is the default.
-pub static STARTS: &[Kind<BuildStart>] = &[
-    fbp::KIND,
-    level::UNIFORM,
-    level::ZERO,
-    given::KIND,
-    lsqr::KIND,
-];
+/// Every start, for patterns in host memory; the first is the default.
+pub static STARTS: &[Kind<BuildStart>] = starts();
 
-impl StartInput<'_> {
+/// Every start, wherever patterns live; the first is the default.
+#[must_use]
+pub const fn starts<F: Field>() -> &'static [Kind<BuildStart<F>>] {
+    const {
+        &[
+            fbp::kind(),
+            level::uniform(),
+            level::zero(),
+            given::kind(),
+            lsqr::kind(),
+        ]
+    }
+}
+
+impl<F: Field> StartInput<'_, F> {
     /// The layout of the model's first output, whose grid target and labels must share.
     fn layout(&self) -> Result<&DoseLayout> {
         let layout = self
@@ -85,7 +93,7 @@ impl StartInput<'_> {
     }
 
     /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
-    fn wanted_dose(&self) -> Result<HostField> {
+    fn wanted_dose(&self) -> Result<F> {
         let layout = self.layout()?;
         // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
         let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
@@ -112,18 +120,19 @@ impl StartInput<'_> {
             field = labels.iter().map(of).collect();
         }
         let mut dose = self.model.new_dose()?;
-        dose.as_mut_slice()[layout.range()].copy_from_slice(&field);
+        dose.write(layout.offset, &field);
         Ok(dose)
     }
 
     /// A dose times the part of its voxel that each element has: what stands for integrals over the resin.
-    fn weighed(&self, dose: &HostField) -> HostField {
+    fn weighed(&self, dose: &F) -> F {
         let mut dose = dose.clone();
         for layout in self.model.outputs() {
             if let Some(cells) = &layout.cells {
-                let shares = cells.shares(layout.len());
-                let own = dose.as_mut_slice()[layout.range()].iter_mut();
-                own.zip(shares).for_each(|(dose, share)| *dose *= share);
+                let mut shares = dose.zeros_like();
+                shares.fill(1.0);
+                shares.write(layout.offset, &cells.shares(layout.len()));
+                dose.multiply(&shares);
             }
         }
         dose
@@ -132,13 +141,10 @@ impl StartInput<'_> {
     /// Brings patterns into the bounds and scales them: least squares between their dose and the wanted one, over the voxels
     /// that want any.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn scaled(&self, mut x: HostField, wanted: &HostField, run: &Run) -> Result<HostField> {
+    fn scaled(&self, mut x: F, wanted: &F, run: &Run) -> Result<F> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(&x, &mut dose, run)?;
-        dose.as_mut_slice()
-            .par_iter_mut()
-            .zip(wanted.as_slice())
-            .for_each(|(dose, &wanted)| *dose = if wanted > 0.0 { *dose } else { 0.0 });
+        dose.keep_positive(wanted);
         let (both, square) = (dose.dot(wanted), dose.dot(&dose));
         if both > 0.0 && square > 0.0 {
             let factor = both / square;
@@ -156,15 +162,15 @@ impl StartInput<'_> {
     ///
     /// # Errors
     /// As [`Start::patterns`].
-    pub fn scaled_anew(&self, x: HostField, run: &Run) -> Result<HostField> {
+    pub fn scaled_anew(&self, x: F, run: &Run) -> Result<F> {
         let wanted = self.wanted_dose()?;
         self.scaled(x, &wanted, run)
     }
 
     /// Brings patterns into the bounds.
-    fn bounded(&self, mut x: HostField) -> Result<HostField> {
-        let zero = x.zeros_like();
-        x.move_along(&zero, 0.0, &self.bounds()?);
+    fn bounded(&self, mut x: F) -> Result<F> {
+        let (zero, bounds) = (x.zeros_like(), x.compile_bounds(&self.bounds()?));
+        x.move_along(&zero, 0.0, &bounds);
         Ok(x)
     }
 
@@ -173,7 +179,7 @@ impl StartInput<'_> {
     ///
     /// # Errors
     /// As [`Start::patterns`].
-    pub fn target_field(&self) -> Result<HostField> {
+    pub fn target_field(&self) -> Result<F> {
         let layout = self.layout()?;
         let grey = self.target.grey;
         let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
@@ -191,7 +197,7 @@ impl StartInput<'_> {
                 };
             });
         let mut field = self.model.new_dose()?;
-        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&target));
+        field.write(layout.offset, &layout.field_of(&target));
         Ok(field)
     }
 
@@ -199,7 +205,7 @@ impl StartInput<'_> {
     ///
     /// # Errors
     /// As [`Start::patterns`].
-    pub fn edge_field(&self) -> Result<HostField> {
+    pub fn edge_field(&self) -> Result<F> {
         let layout = self.layout()?;
         let near = near_the_other_kind(self.target, layout.grid.pitch_mm);
         let marks = Volume {
@@ -207,7 +213,7 @@ impl StartInput<'_> {
             values: near.into_iter().map(f32::from).collect(),
         };
         let mut field = self.model.new_dose()?;
-        field.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
+        field.write(layout.offset, &layout.field_of(&marks));
         Ok(field)
     }
 

@@ -340,7 +340,7 @@ pub(super) fn widened(spec: &JobSpec, steps: usize) -> Result<Option<JobSpec>> {
         .iter()
         .any(|key| inner.value.get(key).is_some());
     let lower = threshold::Params::default().lower - steps as f64 * WIDER;
-    if kind.name != threshold::KIND.name || named || lower < WIDER {
+    if kind.name != threshold::NAME || named || lower < WIDER {
         return Ok(None);
     }
     let mut spec = spec.clone();
