@@ -334,7 +334,7 @@ mod tests {
     #[test]
     fn every_pullback_is_the_derivative() {
         for (stage, states) in all() {
-            for u in [0.2f32, 0.9, 2.5] {
+            for u in [-0.3f32, 0.2, 0.9, 2.5] {
                 let weights = [0.7f32, -0.4, 0.9];
                 let value = |states: &[f32], u: f32| -> f64 {
                     let (states, left) = after(stage, states, u, 2.0);

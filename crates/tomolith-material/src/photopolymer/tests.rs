@@ -81,7 +81,7 @@ fn a_step_is_the_printed_balance_of_a_voxel() {
     state.volumes[0].copy_from_host(&o);
     let seconds = 2.0;
     material.step(&mut state, &[&light], seconds).unwrap();
-    for i in 0..5 {
+    for i in 0..5usize {
         let beside = [i.checked_sub(1), Some(i + 1).filter(|j| *j < 5)];
         let flux: f64 = beside
             .into_iter()
@@ -289,7 +289,8 @@ fn both_schemes_agree_where_both_are_exact_enough() {
         state
     };
     let (faces, spectral) = (of(Scheme::Faces), of(Scheme::Spectral));
-    for (volume, tolerance) in [(0, 0.01), (1, 0.02)] {
+    // Of 1 and of about 1.4 mJ/mm³, by voxels and by splitting
+    for (volume, tolerance) in [(0, 0.02), (1, 0.03)] {
         let off =
             faces.volumes[volume].largest_with(&spectral.volumes[volume], |a, b| (a - b).abs());
         assert!(off < tolerance, "volume {volume}: {off}");
@@ -407,7 +408,7 @@ fn everything(scheme: Scheme) -> Photopolymer {
         }],
         ..Network::new("epoxy", Curing::threshold(1.5))
     };
-    let mixing = Mixing::new(vec![vec![1.0, 0.3], vec![-0.2, 0.8]]).unwrap();
+    let mixing = Mixing::new(vec![vec![1.0, 0.3], vec![-0.1, 0.8]]).unwrap();
     let grid = VolumeGrid::centered([6, 5, 7], 0.05);
     let mut domain = Domain::new(grid.clone());
     if is_faces {

@@ -125,7 +125,7 @@ fn in_time(lights: usize) -> Printing {
     let (networks, mixing, scheme) = if lights == 1 {
         (vec![first], Mixing::identity(1), Scheme::Faces)
     } else {
-        let mixing = Mixing::new(vec![vec![1.0, 0.2], vec![-0.1, 0.9]]).unwrap();
+        let mixing = Mixing::new(vec![vec![1.0, 0.2], vec![0.1, 0.9]]).unwrap();
         (vec![first, second], mixing, Scheme::Spectral)
     };
     let params = Params {
@@ -186,13 +186,13 @@ fn the_gradient_through_time_passes_a_taylor_test() {
         let (exact, at) = (grad.dot(&d), value(0.0));
         // Remainder of second order: halves of e take it to a quarter
         let remainder = |e: f32| (value(e) - at - f64::from(e) * exact).abs();
-        let [a, b, c] = [0.16, 0.08, 0.04].map(remainder);
+        let [a, b, c] = [0.08, 0.04, 0.02].map(remainder);
         assert!(
-            a / b > 3.3 && a / b < 4.8 && b / c > 3.0 && b / c < 5.2,
+            (3.2..5.0).contains(&(a / b)) && (3.2..5.0).contains(&(b / c)),
             "{lights}: {a} {b} {c}"
         );
         assert!(
-            exact.abs() > 1e-2 && c < 0.2 * 0.04 * exact.abs(),
+            exact.abs() > 1e-2 && c < 0.2 * 0.02 * exact.abs(),
             "{exact} {c}"
         );
         let slope = (value(0.02) - value(-0.02)) / 0.04;
