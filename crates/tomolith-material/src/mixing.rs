@@ -45,7 +45,7 @@ impl Mixing {
                     format!("{lights}, as many as in the first row"),
                 );
             }
-            if let Some(bad) = row.iter().find(|v| !(v.abs() <= 1e9)) {
+            if let Some(bad) = row.iter().find(|v| v.is_nan() || v.abs() > 1e9) {
                 return refuse(
                     format!("found {}", exact(*bad)),
                     "finite numbers up to 1e9".to_owned(),

@@ -435,9 +435,9 @@ impl DoseModel for Printing {
     }
 
     fn renew(&self, iteration: usize) -> bool {
-        let renewed = self.optics.iter().map(|model| model.renew(iteration));
-        // All of them, not until the first
-        renewed.fold(false, |any, own| any || own)
+        // All of them, not until the first that was
+        let renewed = self.optics.iter().filter(|model| model.renew(iteration));
+        renewed.count() > 0
     }
 
     fn is_renewed(&self) -> bool {
@@ -445,14 +445,15 @@ impl DoseModel for Printing {
     }
 
     fn updates(&self) -> u64 {
-        let per_turn = |(l, model): (usize, &Box<Model>)| {
+        let of_light = |l: usize| {
+            let updates = self.light(l).updates();
             if self.material.is_memoryless() {
-                return model.updates();
+                return updates;
             }
             let shown: usize = self.blocks.iter().map(|b| b.lit[l].len()).sum();
-            model.updates() * shown as u64 / self.schedule.frames()[l].max(1) as u64
+            updates * shown as u64 / self.schedule.frames()[l].max(1) as u64
         };
-        self.optics.iter().enumerate().map(per_turn).sum()
+        (0..self.optics.len()).map(of_light).sum()
     }
 
     fn describe(&self) -> String {

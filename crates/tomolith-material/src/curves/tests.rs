@@ -18,7 +18,7 @@ fn checkerboard(model: &SmallModel, cell: usize) -> Volume<u8> {
     for (i, l) in labels.values.iter_mut().enumerate() {
         let (iy, ix) = (i / n, i % n);
         if grid.x(ix).hypot(grid.y(iy)) < n as f64 / 2.0 - 1.0 {
-            let even = (iy / cell + ix / cell) % 2 == 0;
+            let even = (iy / cell + ix / cell).is_multiple_of(2);
             *l = if even { label::PART } else { label::VOID };
         }
     }

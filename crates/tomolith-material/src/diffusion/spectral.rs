@@ -200,8 +200,8 @@ impl Spectral {
                     Modes::Table(table) => table.as_slice()[(y * nx + x) * row + z],
                 };
                 let Some(plan) = plan else {
-                    for z in 0..nz {
-                        rows[0][z] *= at(0, z);
+                    for (z, value) in rows[0].iter_mut().enumerate().take(nz) {
+                        *value *= at(0, z);
                     }
                     return;
                 };
