@@ -1,0 +1,356 @@
+//! A dose that diffuses while it is written, as a dose model: F followed by a multiplier per cosine mode.
+//!
+//! **Equation** dose = Σ_a K_a F_a(x), a: arcs of frames, each with the multiplier of the times at which it shines,
+//!
+//! ```text
+//! K(k) = Σ_m w_m ⟨e^(−Dk²(T − t))⟩_m        Σ w_m = 1, mean over exposure m; even over T: (1 − e^(−Dk²T))/(Dk²T)
+//! ```
+//! and k the modes of a box with no flux through its walls ([`spectral`](crate::diffusion::spectral)). K is symmetric, so the derivative's transpose is
+//! F′ᵀK. Linear where F is; a line polynomial of F stays one.
+//!
+//! **Source** the heat equation; the rotation sum is that of the published time-domain blur, in closed form (`docs/material.md`).
+//!
+//! **Limits** Walls are those of the box, not of the vial: keep the part some √(DT) away from them. Doses with surface-aware cells are refused.
+//!
+//! **Cost** one pair of cosine transforms per arc and call; a volume per arc and output. Pullbacks of n > 1 arcs take n of the model's.
+
+use crate::diffusion::spectral::{Modes, Spectral};
+use crate::illumination::{elements_of, frames_of, must_show};
+use crate::schedule::{Exposure, Schedule};
+use std::ops::Range;
+use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::units::exact;
+
+/// A span of even light, counted back from the end, s; its share of the energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// How long before the end it ends, s.
+    pub before_s: f64,
+    /// How long it takes, s; 0: a flash.
+    pub seconds: f64,
+    /// Share of the energy.
+    pub share: f64,
+}
+
+/// Mean of e^(−rate·t) over these spans: what is left of a mode with rate = Dk², 1/s.
+///
+/// ```
+/// use tomolith_material::diffused::{Span, left_of};
+/// // D = 1e-4 mm²/s, period 0.2 mm, 40 s of even light
+/// let rate = 1e-4 * (std::f64::consts::TAU / 0.2f64).powi(2);
+/// let even = [Span { before_s: 0.0, seconds: 40.0, share: 1.0 }];
+/// assert!((left_of(rate, &even) - 0.248).abs() < 5e-4);
+/// ```
+#[must_use]
+pub fn left_of(rate: f64, spans: &[Span]) -> f64 {
+    let of_span = |span: &Span| {
+        let x = rate * span.seconds;
+        let mean = if x > 1e-12 { -(-x).exp_m1() / x } else { 1.0 };
+        span.share * (-rate * span.before_s).exp() * mean
+    };
+    spans.iter().map(of_span).sum()
+}
+
+/// Neighbouring frames with one multiplier.
+struct Arc {
+    frames: Range<usize>,
+    /// One per output.
+    modes: Vec<Modes>,
+}
+
+/// See the [module page](self).
+pub struct Diffused<M: ?Sized> {
+    arcs: Vec<Arc>,
+    spectral: Vec<Spectral>,
+    diffusion: f64,
+    model: Box<M>,
+}
+
+impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
+    /// Light that is even over `seconds`, with a diffusion coefficient in mm²/s.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for numbers that are negative or not finite; [`Error::Unsupported`] for doses with cells.
+    pub fn even(model: Box<M>, diffusion: f64, seconds: f64) -> Result<Self> {
+        if !(seconds >= 0.0 && seconds.is_finite()) {
+            return Err(Error::config(
+                "seconds",
+                format!("found {}", exact(seconds)),
+                "a finite time, 0 or more",
+            ));
+        }
+        let span = Span {
+            before_s: 0.0,
+            seconds,
+            share: 1.0,
+        };
+        let frames = frames_of(&*model);
+        Self::of_spans(model, diffusion, &[(0..frames, vec![span])])
+    }
+
+    /// Light of a schedule until its end, frames in so many arcs.
+    ///
+    /// # Errors
+    /// As [`even`](Self::even); [`Error::Config`] where the schedule is of other frames, or shows some never.
+    pub fn of_schedule(
+        model: Box<M>,
+        diffusion: f64,
+        schedule: &Schedule,
+        light: usize,
+        arcs: usize,
+    ) -> Result<Self> {
+        let frames = frames_of(&*model);
+        must_show(
+            frames,
+            light,
+            schedule.frames().get(light).copied().unwrap_or(0),
+        )?;
+        let arcs = arcs.clamp(1, frames.max(1));
+        let cuts: Vec<usize> = (0..=arcs).map(|i| i * frames / arcs).collect();
+        let mut spans = Vec::new();
+        for cut in cuts.windows(2) {
+            let own: Vec<&Exposure> = schedule
+                .exposures()
+                .iter()
+                .filter(|e| e.light == light && (cut[0]..cut[1]).contains(&e.frame))
+                .collect();
+            if own.is_empty() {
+                return Err(Error::config(
+                    format!("light[{light}].turns"),
+                    format!("frames {} to {} are never shown", cut[0], cut[1]),
+                    "a schedule that shows every frame",
+                ));
+            }
+            spans.push((cut[0]..cut[1], spans_of(&own, schedule.end_s())));
+        }
+        Self::of_spans(model, diffusion, &spans)
+    }
+
+    /// Any spans of time for arcs of neighbouring frames, which cover all frames.
+    ///
+    /// # Errors
+    /// As [`even`](Self::even); [`Error::Config`] at `arcs` where frames are left out.
+    pub fn of_spans(
+        model: Box<M>,
+        diffusion: f64,
+        arcs: &[(Range<usize>, Vec<Span>)],
+    ) -> Result<Self> {
+        if !(diffusion >= 0.0 && diffusion.is_finite()) {
+            return Err(Error::config(
+                "diffusion_mm2_per_s",
+                format!("found {}", exact(diffusion)),
+                "a finite number, 0 or more",
+            ));
+        }
+        let ends: Vec<usize> = arcs.iter().map(|(frames, _)| frames.end).collect();
+        let begins = arcs.iter().map(|(frames, _)| frames.start);
+        if !begins.eq([0].into_iter().chain(ends.iter().copied()).take(arcs.len()))
+            || ends.last() != Some(&frames_of(&*model))
+        {
+            return Err(Error::config(
+                "arcs",
+                format!(
+                    "frames {:?}",
+                    arcs.iter().map(|(f, _)| f).collect::<Vec<_>>()
+                ),
+                format!("neighbours that cover frames 0 to {}", frames_of(&*model)),
+            ));
+        }
+        if model.outputs().iter().any(|output| output.cells.is_some()) {
+            return Err(Error::Unsupported {
+                what: "a dose with surface-aware cells".to_owned(),
+                reason: "dose diffuses between voxels, not between the halves of one".to_owned(),
+            });
+        }
+        let spectral: Vec<Spectral> = model.outputs().iter().map(Spectral::new).collect();
+        let arc = |(frames, spans): &(Range<usize>, Vec<Span>)| Arc {
+            frames: frames.clone(),
+            modes: spectral
+                .iter()
+                .map(|s| Modes::of(s, |k2| left_of(diffusion * k2, spans)))
+                .collect(),
+        };
+        Ok(Diffused {
+            arcs: arcs.iter().map(arc).collect(),
+            spectral,
+            diffusion,
+            model,
+        })
+    }
+
+    /// The dose that does not diffuse.
+    #[must_use]
+    pub fn inner(&self) -> &M {
+        &self.model
+    }
+
+    fn multiply(&self, arc: &Arc, dose: &mut HostField) {
+        let outputs = self.model.outputs().iter().zip(&self.spectral);
+        for ((output, spectral), modes) in outputs.zip(&arc.modes) {
+            spectral.multiply(&mut dose.as_mut_slice()[output.range()], modes);
+        }
+    }
+
+    /// A field with the elements of some frames only.
+    fn only(&self, frames: &Range<usize>, d: &HostField) -> HostField {
+        let mut own = d.zeros_like();
+        for (range, _) in elements_of(&*self.model, frames.clone()) {
+            own.as_mut_slice()[range.clone()].copy_from_slice(&d.as_slice()[range]);
+        }
+        own
+    }
+}
+
+/// Exposures as spans; those that follow one another with the same power are one.
+fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
+    let energy = |e: &Exposure| e.seconds * e.irradiance_mw_per_mm2;
+    let whole: f64 = exposures.iter().map(|e| energy(e)).sum();
+    let follows = |a: &&Exposure, b: &&Exposure| {
+        (b.begin_s - a.begin_s - a.seconds).abs() < 1e-9 * (1.0 + end_s)
+            && a.irradiance_mw_per_mm2 == b.irradiance_mw_per_mm2
+    };
+    let joined = exposures.chunk_by(follows).map(|group| {
+        let last = group[group.len() - 1];
+        let seconds = last.begin_s + last.seconds - group[0].begin_s;
+        Span {
+            before_s: (end_s - last.begin_s - last.seconds).max(0.0),
+            seconds,
+            share: group.iter().map(|e| energy(e)).sum::<f64>() / whole,
+        }
+    });
+    joined.collect()
+}
+
+impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        self.model.patterns()
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        self.model.outputs()
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        self.model.new_patterns()
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        self.model.new_dose()
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        if let [arc] = &self.arcs[..] {
+            self.model.dose(x, dose, run)?;
+            self.multiply(arc, dose);
+            return Ok(());
+        }
+        dose.fill(0.0);
+        self.dose_of(0..frames_of(&*self.model), x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut own = cotangent.zeros_like();
+        let mut all = if self.arcs.len() > 1 {
+            Some(grad.zeros_like())
+        } else {
+            None
+        };
+        for arc in &self.arcs {
+            own.copy_from(cotangent);
+            self.multiply(arc, &mut own);
+            let Some(all) = &mut all else {
+                return self.model.pullback(x, &own, grad, run);
+            };
+            self.model.pullback(x, &own, all, &run.aside())?;
+            for (range, _) in elements_of(&*self.model, arc.frames.clone()) {
+                grad.as_mut_slice()[range.clone()].copy_from_slice(&all.as_slice()[range]);
+            }
+        }
+        Ok(())
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut own = dose.zeros_like();
+        for arc in &self.arcs {
+            let both = frames.start.max(arc.frames.start)..frames.end.min(arc.frames.end);
+            if both.is_empty() {
+                continue;
+            }
+            own.fill(0.0);
+            self.model.dose_of(both, x, &mut own, &run.aside())?;
+            self.multiply(arc, &mut own);
+            dose.axpy(1.0, &own);
+        }
+        Ok(())
+    }
+
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let mut sums: Option<Vec<HostField>> = None;
+        for arc in &self.arcs {
+            let own = (self.arcs.len() > 1).then(|| self.only(&arc.frames, d));
+            let terms = self
+                .model
+                .along(x, own.as_ref().unwrap_or(d), &run.aside())?;
+            let Some(mut terms) = terms else {
+                return Ok(None);
+            };
+            terms.iter_mut().for_each(|term| self.multiply(arc, term));
+            match &mut sums {
+                None => sums = Some(terms),
+                Some(sums) => {
+                    let pairs = sums.iter_mut().zip(&terms);
+                    pairs.for_each(|(sum, term)| sum.axpy(1.0, term));
+                }
+            }
+        }
+        Ok(sums)
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::Full
+    }
+
+    fn is_linear(&self) -> bool {
+        self.model.is_linear()
+    }
+
+    fn renew(&self, iteration: usize) -> bool {
+        self.model.renew(iteration)
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.model.is_renewed()
+    }
+
+    fn updates(&self) -> u64 {
+        self.model.updates()
+    }
+
+    fn describe(&self) -> String {
+        let arcs = match self.arcs.len() {
+            1 => String::new(),
+            n => format!(", {n} arcs"),
+        };
+        let model = self.model.describe();
+        format!("{model}, diffused at {} mm²/s{arcs}", exact(self.diffusion))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,158 @@
+use super::*;
+use crate::domain::Domain;
+use crate::mixing::Mixing;
+use crate::photopolymer::{Curing, Network, Params, Photopolymer};
+use crate::schedule::Turns;
+use crate::{Material, diffusion::Scheme, print};
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+use tomolith_core::check;
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::grid::VolumeGrid;
+
+const D: f64 = 1e-4;
+
+fn rate(period_mm: f64) -> f64 {
+    D * (TAU / period_mm).powi(2)
+}
+
+#[test]
+fn multipliers_of_even_light_are_the_closed_form() {
+    let even = [Span {
+        before_s: 0.0,
+        seconds: 40.0,
+        share: 1.0,
+    }];
+    for (period, expected) in [(0.1, 0.063), (0.2, 0.248), (0.5, 0.741), (1.0, 0.925)] {
+        let found = left_of(rate(period), &even);
+        assert!((found - expected).abs() < 5e-4, "{period} mm: {found}");
+    }
+    assert_eq!(left_of(0.0, &even), 1.0);
+    // Cut anywhere it is the same
+    let cut = [
+        Span {
+            before_s: 30.0,
+            seconds: 10.0,
+            share: 0.25,
+        },
+        Span {
+            before_s: 0.0,
+            seconds: 30.0,
+            share: 0.75,
+        },
+    ];
+    assert!((left_of(rate(0.2), &cut) - left_of(rate(0.2), &even)).abs() < 1e-14);
+}
+
+#[test]
+fn the_sum_over_turns_converges_to_even_light() {
+    for (turns, expected) in [(1, 0.139), (2, 0.212), (4, 0.239), (8, 0.246)] {
+        let flash = |n: usize| Span {
+            before_s: 40.0 - (n as f64 + 0.5) * 40.0 / turns as f64,
+            seconds: 0.0,
+            share: 1.0 / turns as f64,
+        };
+        let found = left_of(rate(0.2), &(0..turns).map(flash).collect::<Vec<_>>());
+        assert!((found - expected).abs() < 5e-4, "{turns} turns: {found}");
+    }
+}
+
+#[test]
+fn a_point_lit_evenly_has_variance_dt() {
+    let domain = Domain::new(VolumeGrid::centered([1, 48, 48], 0.05));
+    let mut spot = domain.zeros();
+    let g = domain.grid().clone();
+    // A wide spot, so that the voxels do not count
+    for i in 0..48 * 48 {
+        let r2 = g.x(i % 48).powi(2) + g.y(i / 48).powi(2);
+        spot.as_mut_slice()[i] = (-r2 / 0.02).exp() as f32;
+    }
+    let moments = |v: &HostField| {
+        let v = v.as_slice();
+        let mass: f64 = v.iter().map(|v| f64::from(*v)).sum();
+        let square = |i: usize| f64::from(v[i]) * g.x(i % 48).powi(2);
+        (mass, (0..v.len()).map(square).sum::<f64>() / mass)
+    };
+    let (mass, before) = moments(&spot);
+    let spectral = Spectral::new(domain.layout());
+    let even = [Span {
+        before_s: 0.0,
+        seconds: 120.0,
+        share: 1.0,
+    }];
+    let modes = Modes::of(&spectral, |k2| left_of(D * k2, &even));
+    spectral.multiply(spot.as_mut_slice(), &modes);
+    let (after, variance) = moments(&spot);
+    assert!((after / mass - 1.0).abs() < 1e-6);
+    assert!(
+        ((variance - before) / (D * 120.0) - 1.0).abs() < 2e-3,
+        "{}",
+        variance - before
+    );
+}
+
+#[test]
+fn it_is_an_exact_pair_with_one_arc_and_with_many() {
+    let small = || Box::new(SmallModel::new(9, 12, 3));
+    // The small model's voxels are 1 mm: D that matters there
+    check::model::model(&Diffused::even(small(), 0.02, 40.0).unwrap(), 1).unwrap();
+    let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.5)]).unwrap();
+    for arcs in [1, 5, 12] {
+        let model = Diffused::of_schedule(small(), 0.02, &schedule, 0, arcs).unwrap();
+        check::model::model(&model, 3).unwrap();
+        // Searches know that it is linear
+        let run = Run::new();
+        let mut x = model.new_patterns().unwrap();
+        x.copy_from_host(&check::model::noise(8, x.len()));
+        let mut dose = model.new_dose().unwrap();
+        model.dose(&x, &mut dose, &run).unwrap();
+        let terms = model.along(&x, &x, &run).unwrap().unwrap();
+        let off = dose.largest_with(&terms[0], |a, b| (a - b).abs());
+        assert!(terms.len() == 1 && off < 1e-5, "{off}");
+    }
+    let boxed: Box<dyn DoseModel<Field = HostField>> = small();
+    check::model::model(&Diffused::even(boxed, 0.02, 40.0).unwrap(), 5).unwrap();
+}
+
+#[test]
+fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
+    let model = SmallModel::new(11, 12, 1);
+    let turns = Turns {
+        dark_after_s: 3.0,
+        ..Turns::new(12, 12.0, 2.0)
+    };
+    let schedule = Schedule::of_turns(&[turns]).unwrap();
+    let mut x = DoseModel::new_patterns(&model).unwrap();
+    let noise = check::model::noise(3, x.len());
+    x.copy_from_host(&noise.iter().map(|v| v.abs()).collect::<Vec<_>>());
+    let wandering = Network {
+        dose_diffusion_mm2_per_s: 0.02,
+        ..Network::new("a", Curing::threshold(1.0))
+    };
+    let params = Params {
+        diffusion: Scheme::Spectral,
+        ..Params::new(vec![wandering])
+    };
+    let domain = Domain::of(&model).unwrap();
+    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let light = print::LightSource {
+        model: &model,
+        patterns: &x,
+    };
+    let mut printing = print::Print::new(&material, &schedule, vec![light]).unwrap();
+    let state = printing
+        .run(&Run::new(), &mut |_| ControlFlow::Continue(()))
+        .unwrap();
+    let printed = &state.volumes[material.readout(0).volume];
+    let distance = |arcs: usize| {
+        let model = Box::new(SmallModel::new(11, 12, 1));
+        let diffused = Diffused::of_schedule(model, 0.02, &schedule, 0, arcs).unwrap();
+        let mut dose = diffused.new_dose().unwrap();
+        diffused.dose(&x, &mut dose, &Run::new()).unwrap();
+        dose.axpy(-1.0, printed);
+        dose.norm() / printed.norm()
+    };
+    let [exact, rough] = [12, 1].map(distance);
+    assert!(exact < 1e-4, "{exact}");
+    assert!(rough > 10.0 * exact, "{rough} {exact}");
+}

@@ -1,0 +1,137 @@
+//! Light of single frames, through a dose model that knows whole exposures.
+
+use crate::Model;
+use std::ops::Range;
+use tomolith_core::dose::{Quantity, Run};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+
+/// Frames of a model, through all its lights.
+pub(crate) fn frames_of<M: tomolith_core::dose::DoseModel + ?Sized>(model: &M) -> usize {
+    model.patterns().iter().map(|p| p.grid.frames()).sum()
+}
+
+/// Elements of the pattern field that belong to neighbouring frames, light by light, and what a value there means.
+pub(crate) fn elements_of<M: tomolith_core::dose::DoseModel + ?Sized>(
+    model: &M,
+    frames: Range<usize>,
+) -> Vec<(Range<usize>, Quantity)> {
+    let mut first = 0;
+    let mut found = Vec::new();
+    for layout in model.patterns() {
+        let count = layout.grid.frames();
+        let own = |frame: usize| frame.clamp(first, first + count) - first;
+        let range = own(frames.start)..own(frames.end);
+        if !range.is_empty() {
+            found.push((layout.elements_of(range), layout.quantity));
+        }
+        first += count;
+    }
+    found
+}
+
+/// Refuses a model of other frames than the schedule shows.
+pub(crate) fn must_show(found: usize, light: usize, frames: usize) -> Result<()> {
+    if found == frames {
+        return Ok(());
+    }
+    Err(Error::config(
+        format!("light[{light}].frames"),
+        format!("the schedule shows {frames} frames, the patterns have {found}"),
+        "as many (times the turns, where every turn has patterns of its own)",
+    ))
+}
+
+/// The factor of a pattern value that multiplies its energy.
+pub(crate) fn factor(quantity: Quantity, energy: f64) -> f32 {
+    match quantity {
+        Quantity::Energy => energy as f32,
+        Quantity::Amplitude => energy.sqrt() as f32,
+    }
+}
+
+/// Patterns as strong as they shine in a block, and what they leave.
+pub(crate) struct Illumination {
+    lit: HostField,
+    absorbed: HostField,
+    is_dark: bool,
+}
+
+impl Illumination {
+    pub(crate) fn new(model: &Model) -> Result<Self> {
+        Ok(Illumination {
+            lit: model.new_patterns()?,
+            absorbed: model.new_dose()?,
+            is_dark: true,
+        })
+    }
+
+    /// Energy of these frames, mJ/mm³, `lit` with mJ/mm² of a pattern value of 1.
+    pub(crate) fn absorb(
+        &mut self,
+        model: &Model,
+        x: &HostField,
+        lit: &[(usize, f64)],
+        run: &Run,
+    ) -> Result<()> {
+        self.is_dark = lit.is_empty();
+        if self.is_dark {
+            return Ok(());
+        }
+        self.light(model, x, lit);
+        self.absorbed.fill(0.0);
+        for neighbours in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
+            let frames = neighbours[0].0..neighbours[neighbours.len() - 1].0 + 1;
+            model.dose_of(frames, &self.lit, &mut self.absorbed, &run.aside())?;
+        }
+        Ok(())
+    }
+
+    fn light(&mut self, model: &Model, x: &HostField, lit: &[(usize, f64)]) {
+        for &(frame, energy) in lit {
+            for (range, quantity) in elements_of(model, frame..frame + 1) {
+                let factor = factor(quantity, energy);
+                let from = &x.as_slice()[range.clone()];
+                let to = &mut self.lit.as_mut_slice()[range];
+                to.iter_mut()
+                    .zip(from)
+                    .for_each(|(to, from)| *to = factor * from);
+            }
+        }
+    }
+
+    /// What was absorbed last; empty in the dark.
+    pub(crate) fn absorbed(&self) -> &[f32] {
+        if self.is_dark {
+            &[]
+        } else {
+            self.absorbed.as_slice()
+        }
+    }
+
+    /// grad += the transpose of [`absorb`](Self::absorb).
+    ///
+    /// One pullback of all frames, of which these are taken: dose models do not offer that of a few.
+    pub(crate) fn pull(
+        &mut self,
+        model: &Model,
+        x: &HostField,
+        (lit, cotangent): (&[(usize, f64)], &HostField),
+        (scratch, grad): (&mut HostField, &mut [f32]),
+        run: &Run,
+    ) -> Result<()> {
+        self.light(model, x, lit);
+        model.pullback(&self.lit, cotangent, scratch, &run.aside())?;
+        for &(frame, energy) in lit {
+            for (range, quantity) in elements_of(model, frame..frame + 1) {
+                let factor = factor(quantity, energy);
+                let from = &scratch.as_slice()[range.clone()];
+                grad[range]
+                    .iter_mut()
+                    .zip(from)
+                    .for_each(|(to, from)| *to += factor * from);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,255 @@
+use super::*;
+use crate::diffusion::Scheme;
+use crate::domain::Domain;
+use crate::memoryless::Memoryless;
+use crate::mixing::Mixing;
+use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
+use crate::schedule::Turns;
+use tomolith_core::check;
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::response::{Logistic, Response, logistic};
+
+fn small() -> SmallModel {
+    SmallModel::new(9, 12, 3)
+}
+
+fn logistic() -> Box<dyn Response> {
+    Box::new(Logistic::new(logistic::Params::default()).unwrap())
+}
+
+fn memoryless(mixing: Mixing, turns: &[Turns]) -> Printing {
+    let domain = Domain::of(&small()).unwrap();
+    let responses = (0..mixing.species()).map(|_| logistic()).collect();
+    let lights = mixing.lights();
+    let material = Memoryless::new(mixing, domain, responses, 0.5).unwrap();
+    let optics = (0..lights)
+        .map(|_| Box::new(small()) as Box<Model>)
+        .collect();
+    let schedule = Schedule::of_turns(turns).unwrap();
+    Printing::new(optics, schedule, Box::new(material), None).unwrap()
+}
+
+fn positive(len: usize, seed: u64) -> HostField {
+    let noise = check::model::noise(seed, len);
+    HostField::from_slice(&noise.iter().map(|v| 0.2 + v.abs()).collect::<Vec<_>>())
+}
+
+fn bits(field: &HostField) -> Vec<u32> {
+    field.as_slice().iter().map(|v| v.to_bits()).collect()
+}
+
+#[test]
+fn without_memory_it_is_the_dose_model_to_the_bit() {
+    let run = Run::new();
+    let (model, printing) = (
+        small(),
+        memoryless(Mixing::identity(1), &[Turns::new(12, 7.0, 49.0)]),
+    );
+    let x = positive(printing.new_patterns().unwrap().len(), 1);
+    let (mut a, mut b) = (
+        DoseModel::new_dose(&model).unwrap(),
+        printing.new_dose().unwrap(),
+    );
+    model.dose(&x, &mut a, &run).unwrap();
+    printing.dose(&x, &mut b, &run).unwrap();
+    assert_eq!(bits(&a), bits(&b));
+    let (mut p, mut q) = (x.zeros_like(), x.zeros_like());
+    model.pullback(&x, &a, &mut p, &run).unwrap();
+    printing.pullback(&x, &b, &mut q, &run).unwrap();
+    assert_eq!(bits(&p), bits(&q));
+    let along = printing.along(&x, &p, &run).unwrap().unwrap();
+    let plain = DoseModel::along(&model, &x, &p, &run).unwrap().unwrap();
+    assert!(along.len() == 1 && bits(&along[0]) == bits(&plain[0]));
+    assert!(printing.is_linear());
+    // What the response makes of it is what it always made
+    for dose in a.as_slice() {
+        let found = printing.material().response(0).value(*dose);
+        assert_eq!(found.to_bits(), logistic().value(*dose).to_bits());
+    }
+    // Printed in time it is the same dose, but for the order of its sums
+    let schedule = printing.schedule();
+    let light = crate::print::LightSource {
+        model: &model,
+        patterns: &x,
+    };
+    let mut print = crate::print::Print::new(printing.material(), schedule, vec![light]).unwrap();
+    let state = print
+        .run(&run, &mut |_| std::ops::ControlFlow::Continue(()))
+        .unwrap();
+    let off = state.volumes[0].largest_with(&a, |a, b| (a - b).abs());
+    assert!(off < 1e-5 * a.max_abs(), "{off}");
+}
+
+#[test]
+fn lights_are_mixed_linearly_where_there_is_no_memory() {
+    let turns = [
+        Turns {
+            power: crate::schedule::Power::Irradiance(0.3),
+            ..Turns::new(12, 6.0, 1.5)
+        },
+        Turns::new(12, 4.0, 2.0),
+    ];
+    let mixing = Mixing::new(vec![vec![1.0, -0.4], vec![0.0, 2.0], vec![0.5, 0.5]]).unwrap();
+    let printing = memoryless(mixing, &turns);
+    assert_eq!(printing.outputs().len(), 3);
+    assert_eq!(printing.patterns().len(), 2);
+    check::model::model(&printing, 4).unwrap();
+}
+
+/// Smooth consumption, a rate law, D that falls: everything that has a derivative.
+fn in_time(lights: usize) -> Printing {
+    let oxygen = Inhibitor {
+        capacity_mj_per_mm3: 0.3,
+        diffusion_mm2_per_s: 0.03,
+        cured_diffusion: if lights == 1 { 0.2 } else { 1.0 },
+        half_saturation: Some(0.1),
+        ..Inhibitor::default()
+    };
+    let first = Network {
+        inhibitors: vec![oxygen],
+        gel_width: 1.0,
+        bleaching_mm3_per_mj: 0.1,
+        ..Network::new(
+            "a",
+            Curing::RateLaw {
+                rate_per_s: 2.0,
+                exponent: 0.7,
+                gel_conversion: 0.3,
+            },
+        )
+    };
+    let second = Network {
+        dose_diffusion_mm2_per_s: 0.01,
+        ..Network::new("b", Curing::threshold(0.4))
+    };
+    let (networks, mixing, scheme) = if lights == 1 {
+        (vec![first], Mixing::identity(1), Scheme::Faces)
+    } else {
+        let mixing = Mixing::new(vec![vec![1.0, 0.2], vec![0.1, 0.9]]).unwrap();
+        (vec![first, second], mixing, Scheme::Spectral)
+    };
+    let params = Params {
+        diffusion: scheme,
+        ..Params::new(networks)
+    };
+    let domain = Domain::of(&small()).unwrap();
+    let material = Photopolymer::new(params, mixing, domain).unwrap();
+    let all = [
+        Turns {
+            dark_between_s: 1.0,
+            ..Turns::new(6, 3.0, 2.0)
+        },
+        Turns {
+            duty: 0.6,
+            ..Turns::new(12, 5.0, 1.3)
+        },
+    ];
+    // Every turn of the first has patterns of its own: 12 frames
+    let all = [
+        Turns {
+            own_patterns: true,
+            ..all[0]
+        },
+        all[1],
+    ];
+    let schedule = Schedule::of_turns(&all[..lights]).unwrap();
+    let optics = (0..lights)
+        .map(|_| Box::new(small()) as Box<Model>)
+        .collect();
+    Printing::new(optics, schedule, Box::new(material), Some(0.6)).unwrap()
+}
+
+#[test]
+fn the_gradient_through_time_passes_a_taylor_test() {
+    for lights in [1, 2] {
+        let printing = in_time(lights);
+        let run = Run::new();
+        let x = positive(printing.new_patterns().unwrap().len(), 1);
+        let mut d = x.zeros_like();
+        d.copy_from_host(&check::model::noise(2, d.len()));
+        let mut c = printing.new_dose().unwrap();
+        for output in printing.outputs() {
+            let grid = output.grid.clone();
+            let values = check::model::noise(3, grid.len());
+            let field = output.field_of(&tomolith_core::grid::Volume { grid, values });
+            c.as_mut_slice()[output.range()].copy_from_slice(&field);
+        }
+        let value = |e: f32| {
+            let (mut y, mut dose) = (x.clone(), printing.new_dose().unwrap());
+            y.axpy(e, &d);
+            printing.dose(&y, &mut dose, &run).unwrap();
+            dose.dot(&c)
+        };
+        let mut grad = x.zeros_like();
+        grad.fill(f32::NAN);
+        printing.pullback(&x, &c, &mut grad, &run).unwrap();
+        let (exact, at) = (grad.dot(&d), value(0.0));
+        // Remainder of second order: halves of e take it to a quarter
+        let remainder = |e: f32| (value(e) - at - f64::from(e) * exact).abs();
+        let [a, b, c] = [0.08, 0.04, 0.02].map(remainder);
+        assert!(
+            (3.2..5.0).contains(&(a / b)) && (3.2..5.0).contains(&(b / c)),
+            "{lights}: {a} {b} {c}"
+        );
+        assert!(
+            exact.abs() > 1e-2 && c < 0.2 * 0.02 * exact.abs(),
+            "{exact} {c}"
+        );
+        let slope = (value(0.02) - value(-0.02)) / 0.04;
+        assert!(
+            (slope / exact - 1.0).abs() < 2e-3,
+            "{lights}: {slope} {exact}"
+        );
+    }
+}
+
+#[test]
+fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
+    let printing = in_time(1);
+    let run = Run::new();
+    let x = positive(printing.new_patterns().unwrap().len(), 5);
+    let of = |threads: usize, before: f32| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| {
+            let (mut dose, mut grad) = (printing.new_dose().unwrap(), x.zeros_like());
+            dose.fill(before);
+            grad.fill(before);
+            printing.dose(&x, &mut dose, &run).unwrap();
+            printing.pullback(&x, &dose, &mut grad, &run).unwrap();
+            (bits(&dose), bits(&grad))
+        })
+    };
+    let one = of(1, 0.0);
+    assert!(one == of(2, f32::NAN) && one == of(8, 7.0));
+}
+
+#[test]
+fn what_needs_a_sum_over_frames_is_refused_with_memory() {
+    let printing = in_time(1);
+    let (x, run) = (printing.new_patterns().unwrap(), Run::new());
+    assert!(printing.along(&x, &x, &run).unwrap().is_none());
+    assert!(!printing.is_linear() && printing.z_coupling() == ZCoupling::Full);
+    let mut dose = printing.new_dose().unwrap();
+    let refused = printing.dose_of(0..2, &x, &mut dose, &run);
+    assert!(matches!(refused, Err(Error::Unsupported { .. })));
+}
+
+#[test]
+fn lights_that_do_not_fit_are_named() {
+    let schedule = Schedule::of_turns(&[Turns::new(11, 1.0, 1.0)]).unwrap();
+    let domain = Domain::of(&small()).unwrap();
+    let material = Memoryless::new(Mixing::identity(1), domain, vec![logistic()], 0.5).unwrap();
+    let optics: Vec<Box<Model>> = vec![Box::new(small())];
+    let Err(Error::Config { key, found, .. }) =
+        Printing::new(optics, schedule, Box::new(material), None)
+    else {
+        panic!("it was accepted")
+    };
+    assert!(
+        key == "light[0].frames" && found.contains("11") && found.contains("12"),
+        "{found}"
+    );
+}
