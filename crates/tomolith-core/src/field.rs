@@ -327,7 +327,8 @@ impl HostField {
             .for_each(|(a, b)| f(a, b));
     }
 
-    fn zip_blocks(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
+    /// selfᵢ ← f(selfᵢ, otherᵢ): for what works on the host alone.
+    pub fn zip_blocks(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
         self.update_blocks(other, |a, b| {
             a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
         });

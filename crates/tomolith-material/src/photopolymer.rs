@@ -534,7 +534,7 @@ impl Photopolymer {
         let network = self.chain_of(slot);
         let argument = self.argument(network);
         let mut share = self.borrow();
-        share.map_with(&state.volumes[self.chains[network].cure], |_, cure| {
+        share.zip_blocks(&state.volumes[self.chains[network].cure], |_, cure| {
             1.0 - fall * smooth_step(argument(cure)).0
         });
         if let Some(resin) = self.domain.resin() {
@@ -612,7 +612,7 @@ impl Photopolymer {
         let argument = self.argument(network);
         let width = self.params.networks[network].gel_width as f32;
         let per_unit = self.chains[network].per_gel / width.max(f32::MIN_POSITIVE);
-        grad.map_with(&before.volumes[self.chains[network].cure], |grad, cure| {
+        grad.zip_blocks(&before.volumes[self.chains[network].cure], |grad, cure| {
             let slope = smooth_step(argument(cure)).1;
             if slope > 0.0 {
                 -fall * slope * per_unit * grad

@@ -1,6 +1,6 @@
 //! Resin whose absorption changes from place to place: square cells in the plane, or cubes in space.
 //!
-//! Cells lie centred on the axis (and on z = 0); a map of one level holds at all heights. Beyond it the resin has its plain numbers.
+//! Cells lie centered on the axis and on z = 0, unless told otherwise; a map of one level holds at all heights. Beyond it the resin has its plain numbers.
 //! A ray meets the cells one after the other; within each Beer–Lambert holds with the cell's numbers.
 
 use super::projector::Ray;
@@ -14,6 +14,7 @@ use tomolith_core::units::Mm;
 pub struct AbsorptionMap {
     shape: [usize; 3],
     pitch_mm: f64,
+    center_mm: [f64; 3],
     active: Vec<f32>,
     total: Vec<f32>,
 }
@@ -61,9 +62,17 @@ impl AbsorptionMap {
         Ok(AbsorptionMap {
             shape,
             pitch_mm,
+            center_mm: [0.0; 3],
             active,
             total,
         })
+    }
+
+    /// The same map about another point [x, y, z], mm.
+    #[must_use]
+    pub fn about(mut self, center_mm: [f64; 3]) -> Self {
+        self.center_mm = center_mm;
+        self
     }
 
     /// Whether it is the same at all heights.
@@ -136,7 +145,8 @@ impl AbsorptionMap {
             return vec![vec![(0, 1.0)]; voxels];
         }
         let width = grid.pitch_mm / self.pitch_mm;
-        let low = grid.bounds_mm()[0][axis] / self.pitch_mm + cells as f64 / 2.0;
+        let low =
+            (grid.bounds_mm()[0][axis] - self.center_mm[axis]) / self.pitch_mm + cells as f64 / 2.0;
         let of_voxel = |voxel: usize| {
             let from = low + voxel as f64 * width;
             let to = from + width;
@@ -158,7 +168,8 @@ impl AbsorptionMap {
             let i = ((c - sample(0, n, self.pitch_mm)) / self.pitch_mm + 0.5).floor();
             (i >= 0.0 && i < n as f64).then_some(i as usize)
         };
-        let i = cell(y, ny)? * nx + cell(x, nx)?;
+        let [from_x, from_y, _] = self.center_mm;
+        let i = cell(y - from_y, ny)? * nx + cell(x - from_x, nx)?;
         Some([f64::from(self.active[i]), f64::from(self.total[i])])
     }
 
@@ -204,7 +215,8 @@ impl AbsorptionMap {
             if axis == 2 && n == 1 {
                 continue;
             }
-            let place = (point[axis] / self.pitch_mm + n as f64 / 2.0).floor();
+            let from = point[axis] - self.center_mm[axis];
+            let place = (from / self.pitch_mm + n as f64 / 2.0).floor();
             if !(0.0..n as f64).contains(&place) {
                 return plain;
             }
@@ -219,7 +231,7 @@ impl AbsorptionMap {
     /// The faces between cells that a ray meets along an axis (x, y, z).
     fn faces(&self, ray: &Ray, axis: usize) -> Faces {
         let n = self.shape[2 - axis];
-        let (from, slope) = (ray.from[axis], ray.direction[axis]);
+        let (from, slope) = (ray.from[axis] - self.center_mm[axis], ray.direction[axis]);
         if slope == 0.0 || (axis == 2 && n == 1) {
             return Faces {
                 next: f64::INFINITY,
@@ -314,6 +326,35 @@ mod tests {
         };
         let expected = [(0., 1., 9.), (1., 3., 1.), (3., 5., 2.), (5., 6., 9.)];
         assert_eq!(pieces(&map, up, 6.0), expected);
+    }
+
+    #[test]
+    fn a_map_about_another_point_is_moved() {
+        let values: Vec<f32> = (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect();
+        let map = || AbsorptionMap::new([3, 4, 5], 0.7, values.clone(), values.clone()).unwrap();
+        let by = [0.3, -0.2, 1.1];
+        let moved = map().about(by);
+        let direction = [0.6, 0.64, 0.48];
+        let from = [-1.5, -1.4, -0.9];
+        let there = Ray {
+            from: std::array::from_fn(|i| from[i] + by[i]),
+            direction,
+        };
+        let [here, there] = [(map(), Ray { from, direction }), (moved, there)]
+            .map(|(map, ray)| pieces(&map, ray, 4.0));
+        assert_eq!(here.len(), there.len());
+        for (a, b) in here.iter().zip(&there) {
+            assert!((a.0 - b.0).abs() < 1e-12 && a.2 == b.2, "{a:?} {b:?}");
+        }
+        let grid = VolumeGrid::centered([6, 8, 10], 0.35);
+        let elsewhere = VolumeGrid {
+            center_mm: by,
+            ..grid.clone()
+        };
+        let [own, other] = [(map(), grid), (map().about(by), elsewhere)]
+            .map(|(map, grid)| map.means(&grid, 9.0).values);
+        let worst = own.iter().zip(&other).map(|(a, b)| (a - b).abs());
+        assert!(worst.fold(0.0, f32::max) < 1e-5);
     }
 
     #[test]

@@ -370,7 +370,7 @@ mod tests {
         let domain = walled();
         let resin = domain.even(1.0);
         let mut share = noise_on(&domain, 5);
-        share.map_with(&resin, |v, r| (0.6 + 0.3 * v) * r);
+        share.zip_blocks(&resin, |v, r| (0.6 + 0.3 * v) * r);
         let (a, b) = (noise_on(&domain, 1), noise_on(&domain, 2));
         let (mut fa, mut fb) = (domain.zeros(), domain.zeros());
         let step = Step::new(&domain, 1e-4, 3.0, Some(share.as_slice()), Some(0.0));

@@ -5,6 +5,7 @@
 
 use super::agreement::{self, Agreement};
 use super::doubts;
+use super::in_time::{InTime, print_in_time};
 use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
@@ -55,6 +56,8 @@ pub(crate) struct Judged {
     pub(crate) agreement: Option<Agreement>,
     /// The model that gave the doses, and why it was chosen.
     pub(crate) model: String,
+    /// The same patterns in time, where the job has a schedule.
+    pub(crate) in_time: Option<InTime>,
     /// The prints of further species.
     pub(crate) others: Vec<Species>,
     /// What people should know.
@@ -260,6 +263,7 @@ pub(crate) fn judge(
         let text = format!("what is to stay dark gets {dark}");
         progress.event(&Event::Note { text });
     }
+    let in_time = in_time(scene, voxels, shown, progress, cancel)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
     if let Some(noise) = &noise {
         let text = format!("random paths: {noise}");
@@ -295,9 +299,44 @@ pub(crate) fn judge(
         noise,
         agreement,
         model,
+        in_time,
         others: species,
         warnings,
     })
+}
+
+/// The print in time on the job's voxels, where the job has a schedule.
+fn in_time(
+    scene: &Scene,
+    voxels: &Voxels,
+    shown: &[Patterns],
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<InTime>> {
+    if scene.spec.schedule.is_none() {
+        return Ok(None);
+    }
+    let text = "printing in time, on the job's voxels".to_owned();
+    progress.event(&Event::Note { text });
+    let others = scene.others.iter().map(|s| s.voxels(&scene.grid));
+    let others = others.collect::<Result<Vec<_>>>()?;
+    let all: Vec<&Voxels> = std::iter::once(voxels).chain(&others).collect();
+    print_in_time(scene, &all, shown, &cancel.aside())
+}
+
+/// Numbers of what is solid at this response.
+pub(super) fn measure_at(
+    scene: &Scene,
+    voxels: &Voxels,
+    response: &Volume<f32>,
+    threshold: f64,
+    patterns: &[Patterns],
+) -> Result<Evaluation> {
+    let print = Print::under(&voxels.labels, response, Run::new())?
+        .with_inside(&voxels.target.inside)?
+        .with_threshold(threshold)?
+        .with_patterns(PatternStats::of(patterns));
+    Ok(evaluate(&print).with_sub_angles(scene.spec.evaluate.sub_angles))
 }
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.

@@ -25,6 +25,7 @@ pub mod export;
 mod fit;
 pub mod folder;
 pub mod import;
+mod in_time;
 mod judge;
 pub mod kinds;
 mod levels;

@@ -24,6 +24,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use tomolith_material::photopolymer::Params;
+use tomolith_material::schedule::Power;
 
 /// A whole job.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -56,6 +58,12 @@ pub struct JobSpec {
     /// lights drive alike when left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub species: Vec<SpeciesSpec>,
+    /// What the resin becomes in the light over time; with a schedule and without this table, solid at its critical dose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<MaterialSpec>,
+    /// When which frame shines, and how strongly: with it, runs and simulations print in time, too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub schedule: Option<ScheduleSpec>,
     /// Properties of the printed material, one table `[[property]]` each: maps of what the species respond with.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub property: Vec<PropertySpec>,
@@ -298,6 +306,9 @@ pub struct LightSpec {
     /// What the resin is to this light, where that differs from `[resin]`.
     #[serde(default, skip_serializing_if = "LightResinSpec::is_default")]
     pub resin: LightResinSpec,
+    /// How strong a pattern value of 1 is in the print in time, where that differs from `schedule.power`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub power: Option<Power>,
     /// Limits of this light's pattern values, where they differ from `[bounds]`.
     #[serde(default, skip_serializing_if = "LightBoundsSpec::is_default")]
     pub bounds: LightBoundsSpec,
@@ -369,6 +380,63 @@ pub struct SpeciesSpec {
     /// What it does with its dose, one kind; the job's `[response]` when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub response: Option<Value>,
+}
+
+/// A resin that answers light over time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialSpec {
+    /// Networks that cure after inhibitors are used up.
+    pub photopolymer: Params,
+    /// Whether air lies on the top of the grid and keeps inhibitors saturated there.
+    #[serde(default)]
+    pub air_on_top: bool,
+}
+
+/// Frames are shown turn by turn, all lights side by side.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ScheduleSpec {
+    /// Duration of a turn, s; that of `output.rpm` when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seconds_per_turn: Option<f64>,
+    /// How many turns, above 0; a broken number ends within a turn.
+    pub turns: f64,
+    /// Share of a frame's time in which it shines, above 0 to 1.
+    pub duty: f64,
+    /// How strong a pattern value of 1 is: { energy_mj_per_mm2 = 1.0 } in all turns (the meaning of pattern files), {
+    /// energy_per_turn_mj_per_mm2 = … }, or { irradiance_mw_per_mm2 = … }. `light.power` says it of one light.
+    pub power: Power,
+    /// Dark time before the first turn, s.
+    pub dark_before_s: f64,
+    /// Dark time between turns, s.
+    pub dark_between_s: f64,
+    /// Dark time after the last turn, s.
+    pub dark_after_s: f64,
+    /// Longest step of time, s; a hundredth of the print, at most 1 s and what is stable, when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step_s: Option<f64>,
+    /// How often the light is computed anew where cured resin shades, s.
+    pub shading_every_s: f64,
+    /// Pictures of the print as it grows.
+    pub snapshots: usize,
+}
+
+impl Default for ScheduleSpec {
+    fn default() -> Self {
+        ScheduleSpec {
+            seconds_per_turn: None,
+            turns: 1.0,
+            duty: 1.0,
+            power: Power::default(),
+            dark_before_s: 0.0,
+            dark_between_s: 0.0,
+            dark_after_s: 0.0,
+            step_s: None,
+            shading_every_s: 2.0,
+            snapshots: 8,
+        }
+    }
 }
 
 /// A property of the printed material, such as its modulus: a map of a species' response, or of the ratio of two.

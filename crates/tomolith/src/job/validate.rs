@@ -1,5 +1,6 @@
 //! Ranges of every key, before any work.
 
+use super::in_time;
 use super::spec::{
     Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, OutputSpec, ResinSpec, SelectionSpec,
 };
@@ -248,7 +249,8 @@ fn species(spec: &JobSpec) -> Result<()> {
             ));
         }
     }
-    spec.mixing().map(drop)
+    spec.mixing()?;
+    in_time::must_fit(spec)
 }
 
 fn light(light: &LightSpec) -> Result<()> {

@@ -1,0 +1,364 @@
+//! The print in time: the written patterns of a job with a schedule, shown turn by turn to the job's material.
+//!
+//! Runs and simulations do it beside their evaluation, on the job's own voxels, in the light of the model that judges. Equations and units:
+//! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](super::spec::ScheduleSpec).
+//!
+//! **Limits** Walls are those of the vial and of inserts; with `diffusion = "spectral"` they are those of the grid's box. Light that is
+//! shaded takes the family that covers an absorption which changes from place to place, most often rays.
+
+use super::judge::{lit_rows, measure_at};
+use super::scene::{Scene, Voxels};
+use super::spec::{JobSpec, MaterialSpec};
+use super::species::Row;
+use crate::error::{Error, Result};
+use crate::field::{Field, HostField};
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::metrics::Evaluation;
+use crate::models::parallel::Light;
+use crate::models::selection::Selection;
+use crate::models::{HostModel, OpticalScene, Purpose, Run, planner};
+use crate::optics::absorption_map::AbsorptionMap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
+use tomolith_material::diffusion::Scheme;
+use tomolith_material::domain::Domain;
+use tomolith_material::mixing::Mixing;
+use tomolith_material::photopolymer::{Curing, Network, Params, Photopolymer};
+use tomolith_material::print::{LightSource, Moment, Print};
+use tomolith_material::schedule::{Schedule, Turns};
+use tomolith_material::{Absorption, Material};
+
+/// What patterns print over time.
+pub(crate) struct InTime {
+    /// When the schedule is over, s.
+    pub(crate) end_s: f64,
+    /// Steps of time.
+    pub(crate) steps: usize,
+    /// Per network.
+    pub(crate) networks: Vec<NetworkInTime>,
+}
+
+/// What a network becomes.
+pub(crate) struct NetworkInTime {
+    pub(crate) name: String,
+    pub(crate) points: Vec<Point>,
+    pub(crate) requirement_mj: Option<f64>,
+    pub(crate) ideal: IdealExposure,
+    pub(crate) phases: Phases,
+    /// The moment of the largest Jaccard index.
+    pub(crate) best: Option<Point>,
+    /// What is solid then, measured.
+    pub(crate) evaluation: Option<Evaluation>,
+    /// When each voxel gels, s; ∞ where it does not.
+    pub(crate) cure_times: Volume<f32>,
+    /// Degree of cure (1 at the gel point) over time.
+    pub(crate) snapshots: Vec<(f64, Volume<f32>)>,
+}
+
+/// Checks material and schedule before any work.
+///
+/// # Errors
+/// [`Error::Config`].
+pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
+    let Some(given) = &spec.schedule else {
+        return match &spec.material {
+            Some(_) => Err(Error::config(
+                "schedule",
+                "a [material] without a schedule is never lit",
+                "a table [schedule], for example with turns = 3",
+            )),
+            None => Ok(()),
+        };
+    };
+    schedule(spec)?;
+    let mixing = spec.mixing()?;
+    let grid = VolumeGrid::centered([1, 1, 1], 0.1);
+    let material = material(spec, mixing.as_deref(), Domain::new(grid))?;
+    if let Some(step_s) = given.step_s
+        && !(step_s > 0.0 && step_s <= material.longest_step_s())
+    {
+        return Err(Error::config(
+            "schedule.step_s",
+            format!("found {step_s} s"),
+            "a time above 0",
+        ));
+    }
+    Ok(())
+}
+
+/// The schedule of a job.
+fn schedule(spec: &JobSpec) -> Result<Schedule> {
+    let given = spec.schedule.clone().unwrap_or_default();
+    let turns: Vec<Turns> = spec
+        .light
+        .iter()
+        .map(|light| Turns {
+            duty: given.duty,
+            power: light.power.unwrap_or(given.power),
+            dark_before_s: given.dark_before_s,
+            dark_between_s: given.dark_between_s,
+            dark_after_s: given.dark_after_s,
+            ..Turns::new(
+                light.angles.count(),
+                given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm),
+                given.turns,
+            )
+        })
+        .collect();
+    Schedule::of_turns(&turns).map_err(|e| at_schedule(e))
+}
+
+/// Names the key of the job.
+fn at_schedule(error: Error) -> Error {
+    let Error::Config {
+        key,
+        found,
+        accepted,
+        ..
+    } = &error
+    else {
+        return error;
+    };
+    match key.split_once("].") {
+        Some((light, "power")) => Error::config(format!("{light}].power"), found, accepted),
+        Some((_, key)) => Error::config(format!("schedule.{key}"), found, accepted),
+        None => error.under("schedule"),
+    }
+}
+
+/// The material of a job: what it says, or a threshold at the resin's critical dose.
+fn material(spec: &JobSpec, rows: Option<&[Row]>, domain: Domain) -> Result<Photopolymer> {
+    let names = rows.map_or_else(
+        || vec!["resin".to_owned()],
+        |rows| rows.iter().map(|(name, _)| name.clone()).collect(),
+    );
+    let params = match &spec.material {
+        Some(MaterialSpec { photopolymer, .. }) => photopolymer.clone(),
+        None => {
+            let critical = spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
+                Error::config(
+                    "material",
+                    "a schedule without a material, and a resin without resin.critical_dose_mj_per_mm3",
+                    "one of the two: the dose that turns the resin solid, or [material.photopolymer]",
+                )
+            })?;
+            let network = |name: &String| Network::new(name, Curing::threshold(critical));
+            Params::new(names.iter().map(network).collect())
+        }
+    };
+    let matrix = match rows {
+        Some(rows) => rows.iter().map(|(_, row)| row.clone()).collect(),
+        None => vec![vec![1.0; spec.light.len()]],
+    };
+    let key = "material.photopolymer";
+    Photopolymer::new(params, Mixing::new(matrix)?, domain).map_err(|e| e.under(key))
+}
+
+/// Voxels of resin between walls that nothing passes, and air where the job says so.
+fn domain(scene: &Scene) -> Result<Domain> {
+    let grid = &scene.grid;
+    let mut domain = Domain::new(grid.clone());
+    let own = scene.spec.material.as_ref();
+    let has_walls = own.is_some_and(|m| m.photopolymer.diffusion == Scheme::Faces);
+    if has_walls {
+        let [_, ny, nx] = grid.shape;
+        let place = |i: usize| [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+        let resin = (0..grid.len()).map(|i| scene.optics.vial.in_resin(place(i)));
+        domain = domain.with_walls(&Volume {
+            grid: grid.clone(),
+            values: resin.collect(),
+        })?;
+    }
+    if own.is_some_and(|material| material.air_on_top) {
+        domain = domain.with_air_on_top();
+    }
+    Ok(domain)
+}
+
+/// The light that judges, one model each.
+struct Lights<'a> {
+    scene: &'a Scene,
+    lights: Vec<Light>,
+    run: &'a Run,
+}
+
+impl<'a> Lights<'a> {
+    fn new(scene: &'a Scene, patterns: &[Patterns], run: &'a Run) -> Self {
+        let mut lights = scene.optics.lights_turning(scene.spec.evaluate.sub_angles);
+        for (light, patterns) in lights.iter_mut().zip(patterns) {
+            light.active = Some(lit_rows(patterns));
+            light.selection = Selection::default();
+        }
+        Lights { scene, lights, run }
+    }
+
+    /// The model of a light in the resin as the job has it, or with this absorption.
+    fn model(&self, i: usize, absorption: Option<&Absorption>) -> Result<HostModel> {
+        let mut light = self.lights[i].clone();
+        if let Some(Absorption {
+            active_per_mm,
+            attenuation_per_mm,
+        }) = absorption
+        {
+            let grid = &active_per_mm.grid;
+            let (active, total) = (&active_per_mm.values, &attenuation_per_mm.values);
+            let map = AbsorptionMap::new(grid.shape, grid.pitch_mm, active.clone(), total.clone())?;
+            light.map = Some(Arc::new(map.about(grid.center_mm)));
+        }
+        let optics = &self.scene.optics;
+        let light = [light];
+        let all = optics.scene();
+        let own = OpticalScene {
+            lights: &light,
+            optics: &all.optics[i..=i],
+            purpose: if absorption.is_some() {
+                Purpose::Probe
+            } else {
+                Purpose::Optimize
+            },
+            ..all
+        };
+        let asked = optics.model.as_ref();
+        Ok(planner::plan(asked, own, &self.scene.grid, None, self.run)?.model)
+    }
+}
+
+/// Shows patterns to the material of a job; None where it has no schedule.
+///
+/// # Errors
+/// [`Error::Config`] where models, schedule and material do not fit; [`Error::Cancelled`].
+pub(super) fn print_in_time(
+    scene: &Scene,
+    voxels: &[&Voxels],
+    patterns: &[Patterns],
+    run: &Run,
+) -> Result<Option<InTime>> {
+    let Some(given) = &scene.spec.schedule else {
+        return Ok(None);
+    };
+    let schedule = schedule(&scene.spec)?;
+    let material = material(&scene.spec, scene.mixing.as_deref(), domain(scene)?)?;
+    let lights = Lights::new(scene, patterns, run);
+    let start = material.start()?;
+    let shaded = (0..patterns.len()).any(|i| material.absorption(&start, i).is_some());
+    let mut models = Vec::with_capacity(patterns.len());
+    for i in 0..patterns.len() {
+        let absorption = material.absorption(&start, i);
+        models.push(lights.model(i, absorption.as_ref())?);
+    }
+    let mut fields = Vec::with_capacity(models.len());
+    for (model, patterns) in models.iter().zip(patterns) {
+        let mut x = model.new_patterns()?;
+        model.patterns()[0].fill_field(patterns, x.as_mut_slice());
+        fields.push(x);
+    }
+    let sources = models.iter().zip(&fields);
+    let sources = sources.map(|(model, patterns)| LightSource {
+        model: model.as_ref(),
+        patterns,
+    });
+    let mut print = Print::new(&material, &schedule, sources.collect())?;
+    if let Some(step_s) = given.step_s {
+        print = print.with_step_s(step_s).map_err(|e| e.under("schedule"))?;
+    }
+    let mut renew = |i: usize, absorption: &Absorption| lights.model(i, Some(absorption));
+    if shaded {
+        print = print.with_renewal(given.shading_every_s, &mut renew);
+    }
+    let end = schedule.end_s();
+    let times: Vec<f64> = (1..=given.snapshots)
+        .map(|i| end * i as f64 / given.snapshots as f64)
+        .collect();
+    let mut watched = Vec::with_capacity(voxels.len());
+    for (s, voxels) in voxels.iter().enumerate() {
+        watched.push(Watched::new(&material, s, voxels, &times)?);
+    }
+    let mut steps = 0;
+    print.run(run, &mut |moment: &Moment| {
+        steps = moment.steps[0];
+        watched.iter_mut().for_each(|watched| watched.look(moment));
+        ControlFlow::Continue(())
+    })?;
+    let names = Material::species(&material);
+    let mut networks = Vec::with_capacity(names.len());
+    for ((watched, name), (scene, voxels)) in watched
+        .into_iter()
+        .zip(names)
+        .zip(scene.species().zip(voxels))
+    {
+        networks.push(watched.finish(&material, name, scene, voxels, patterns)?);
+    }
+    Ok(Some(InTime {
+        end_s: end,
+        steps,
+        networks,
+    }))
+}
+
+/// The curves of a network, and its state at the best moment so far.
+struct Watched {
+    curves: Curves,
+    best: f64,
+    readout: HostField,
+}
+
+impl Watched {
+    fn new(material: &Photopolymer, s: usize, voxels: &Voxels, times: &[f64]) -> Result<Self> {
+        let curves = Curves::new(material, s, &voxels.labels)?
+            .with_cure_times(material)
+            .with_snapshots(times);
+        Ok(Watched {
+            curves,
+            best: 0.0,
+            readout: material.domain().zeros(),
+        })
+    }
+
+    fn look(&mut self, moment: &Moment) {
+        self.curves.watch(moment);
+        let jaccard = self.curves.points().last().map_or(0.0, |p| p.jaccard);
+        if jaccard > self.best {
+            self.best = jaccard;
+            let readout = moment.material.readout(self.curves.species());
+            self.readout
+                .copy_from(&moment.state.volumes[readout.volume]);
+        }
+    }
+
+    fn finish(
+        self,
+        material: &Photopolymer,
+        name: String,
+        scene: &Scene,
+        voxels: &Voxels,
+        patterns: &[Patterns],
+    ) -> Result<NetworkInTime> {
+        let Watched {
+            curves,
+            best,
+            mut readout,
+        } = self;
+        let own = material.readout(curves.species());
+        readout.scale(own.scale);
+        let evaluation = if best > 0.0 {
+            let degree = material.domain().layout().volume_of(readout.as_slice());
+            let gel = f64::from(own.gel);
+            Some(measure_at(scene, voxels, &degree, gel, patterns)?)
+        } else {
+            None
+        };
+        let no_time = || Volume::filled(scene.grid.clone(), f32::INFINITY);
+        Ok(NetworkInTime {
+            name,
+            requirement_mj: curves.requirement_mj(),
+            ideal: curves.ideal_exposure(),
+            phases: curves.phases(),
+            best: curves.best().copied().filter(|_| best > 0.0),
+            evaluation,
+            cure_times: curves.cure_times(material).unwrap_or_else(no_time),
+            snapshots: curves.snapshots().to_vec(),
+            points: curves.points().to_vec(),
+        })
+    }
+}
