@@ -460,6 +460,44 @@ fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     })
 }
 
+/// Solid and liquid against the part, and the degree of cure (2 is the end of its scale), in two planes.
+pub(super) fn growth(labels: &Volume<u8>, degree: &Volume<f32>) -> String {
+    let grid = &labels.grid;
+    let middle = middle_of_box(grid, |i| labels.values[i] == label::PART);
+    let fates: Vec<Colour> = FATES.iter().map(|(colour, _)| *colour).collect();
+    let mut row = String::new();
+    for (axis, at) in middle.into_iter().enumerate().take(2) {
+        let slice = Slice { grid, axis, at };
+        let fate = |i: usize| match (labels.values[i], degree.values[i] >= 1.0) {
+            (label::VOID, false) => 1,
+            (label::PART, true) => 2,
+            (label::PART, false) => 3,
+            (label::VOID, true) => 4,
+            _ => 0,
+        };
+        let picture = slice.picture(|voxels| voxels.map(fate).max().unwrap_or(0));
+        add_figure(
+            &mut row,
+            &slice,
+            &picture.data_uri(&fates),
+            "solid against the part",
+        );
+        let picture = slice.picture(|voxels| {
+            let (sum, count) = voxels.fold((0.0, 0.0), |(s, n), i| {
+                (s + f64::from(degree.values[i]), n + 1.0)
+            });
+            (sum / f64::max(count, 1.0) / 2.0 * 253.0).clamp(0.0, 253.0) as u8
+        });
+        add_figure(
+            &mut row,
+            &slice,
+            &picture.data_uri(&dose_palette()),
+            "degree of cure, 0 to 2",
+        );
+    }
+    row
+}
+
 /// A picture with its scale bar.
 fn slice_svg(slice: &Slice<'_>, uri: &str, name: &str) -> String {
     let [width, height] = slice.size();

@@ -8,7 +8,7 @@ use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, sli
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
 use super::{
-    LightReport, MapReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief,
+    LightReport, MapReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief, time,
 };
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -53,6 +53,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         slices_section(data),
         species(data),
         maps(data),
+        in_time(data),
         history(data.history),
         patterns(data),
         table(data),
@@ -158,6 +159,14 @@ fn species(data: &ReportData<'_>) -> String {
     others
         .iter()
         .fold(intro, |page, species| page + &of(species))
+}
+
+/// The print in time.
+fn in_time(data: &ReportData<'_>) -> String {
+    let networks = data.time.iter().enumerate();
+    networks
+        .map(|(i, network)| time::section(network, i))
+        .collect()
 }
 
 /// Properties of the printed material.

@@ -21,6 +21,9 @@
 //!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
+//! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
+//!               best_jaccard, window_s (within 0.01 of the best), ideal_exposure_s, requirement_mj, largest_share_of_requirement (where it is
+//!               never met), evaluation (what is solid at best_s), curves
 //! properties    of the printed material: name, unit, and min, median, max where something is solid
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
@@ -34,6 +37,7 @@
 //!
 //! What is not defined is null; no number is infinite or not a number.
 
+use super::time::time_json;
 use super::{MapReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_metrics::Evaluation;
@@ -121,6 +125,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "published": data.published,
         "lights": lights,
         "species": species,
+        "time": data.time.iter().map(time_json).collect::<Vec<_>>(),
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,

@@ -14,11 +14,13 @@ pub mod number;
 mod picture;
 mod plot;
 mod relief;
+pub mod time;
 
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, Limits};
 use std::io::Write;
 use std::path::Path;
+pub use time::{TimePoint, TimeReport};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
 use tomolith_io::csv::HistoryRow;
@@ -156,6 +158,8 @@ pub struct ReportData<'a> {
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
     pub species: Vec<SpeciesReport<'a>>,
+    /// The print in time, per network, where the job has a schedule.
+    pub time: Vec<TimeReport<'a>>,
     /// Properties of the printed material.
     pub maps: Vec<MapReport<'a>>,
     /// What happened in the optimisation.
@@ -206,6 +210,7 @@ impl<'a> ReportData<'a> {
             published: serde_json::Map::new(),
             species: Vec::new(),
             maps: Vec::new(),
+            time: Vec::new(),
             history: &[],
             kept: None,
             deviation: None,
@@ -387,6 +392,7 @@ mod tests {
                 published: serde_json::Map::new(),
                 species: Vec::new(),
                 maps: Vec::new(),
+                time: Vec::new(),
                 history: &self.history,
                 kept: None,
                 deviation: None,

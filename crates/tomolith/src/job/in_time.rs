@@ -12,13 +12,17 @@ use super::spec::{JobSpec, MaterialSpec};
 use super::species::Row;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
-use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
+use crate::io::frames::FrameSet;
+use crate::io::mp4::write_movie;
 use crate::metrics::Evaluation;
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::models::{HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
+use crate::target::label;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::sync::Arc;
 use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
 use tomolith_material::diffusion::Scheme;
@@ -31,10 +35,6 @@ use tomolith_material::{Absorption, Material};
 
 /// What patterns print over time.
 pub(crate) struct InTime {
-    /// When the schedule is over, s.
-    pub(crate) end_s: f64,
-    /// Steps of time.
-    pub(crate) steps: usize,
     /// Per network.
     pub(crate) networks: Vec<NetworkInTime>,
 }
@@ -46,14 +46,41 @@ pub(crate) struct NetworkInTime {
     pub(crate) requirement_mj: Option<f64>,
     pub(crate) ideal: IdealExposure,
     pub(crate) phases: Phases,
-    /// The moment of the largest Jaccard index.
-    pub(crate) best: Option<Point>,
     /// What is solid then, measured.
     pub(crate) evaluation: Option<Evaluation>,
     /// When each voxel gels, s; ∞ where it does not.
     pub(crate) cure_times: Volume<f32>,
     /// Degree of cure (1 at the gel point) over time.
     pub(crate) snapshots: Vec<(f64, Volume<f32>)>,
+    /// Labels of the same voxels.
+    pub(crate) labels: Volume<u8>,
+    /// The middle slice at every moment: brightness up to the gel point, white beyond it.
+    slices: Vec<Vec<u16>>,
+}
+
+/// Length of the movie of a print, s.
+const MOVIE_S: f64 = 8.0;
+/// Level of resin that is about to become solid; that of solid resin is 255.
+const LIQUID: f32 = 190.0;
+
+impl NetworkInTime {
+    /// The middle slice as it grows, 8 s long.
+    ///
+    /// # Errors
+    /// [`Error::Io`], or what an encoder refuses.
+    pub(crate) fn write_movie(&self, path: &Path, run: &Run) -> Result<()> {
+        let [_, ny, nx] = self.labels.grid.shape;
+        let grid = PatternGrid::full_turn(self.slices.len(), 0.0, ny, nx, 1.0);
+        let values = self.slices.concat();
+        let set = FrameSet {
+            light: None,
+            grid: &grid,
+            bits: 8,
+            full_scale: 1.0,
+            values: &values,
+        };
+        write_movie(path, &set, self.slices.len() as f64 / MOVIE_S, &run.aside())
+    }
 }
 
 /// Checks material and schedule before any work.
@@ -274,9 +301,7 @@ pub(super) fn print_in_time(
     for (s, voxels) in voxels.iter().enumerate() {
         watched.push(Watched::new(&material, s, voxels, &times)?);
     }
-    let mut steps = 0;
     print.run(run, &mut |moment: &Moment| {
-        steps = moment.steps[0];
         watched.iter_mut().for_each(|watched| watched.look(moment));
         ControlFlow::Continue(())
     })?;
@@ -289,11 +314,7 @@ pub(super) fn print_in_time(
     {
         networks.push(watched.finish(&material, name, scene, voxels, patterns)?);
     }
-    Ok(Some(InTime {
-        end_s: end,
-        steps,
-        networks,
-    }))
+    Ok(Some(InTime { networks }))
 }
 
 /// The curves of a network, and its state at the best moment so far.
@@ -301,6 +322,8 @@ struct Watched {
     curves: Curves,
     best: f64,
     readout: HostField,
+    slices: Vec<Vec<u16>>,
+    middle: usize,
 }
 
 impl Watched {
@@ -312,11 +335,14 @@ impl Watched {
             curves,
             best: 0.0,
             readout: material.domain().zeros(),
+            slices: Vec::new(),
+            middle: middle_of(&voxels.labels),
         })
     }
 
     fn look(&mut self, moment: &Moment) {
         self.curves.watch(moment);
+        self.slices.push(self.slice(moment));
         let jaccard = self.curves.points().last().map_or(0.0, |p| p.jaccard);
         if jaccard > self.best {
             self.best = jaccard;
@@ -324,6 +350,23 @@ impl Watched {
             self.readout
                 .copy_from(&moment.state.volumes[readout.volume]);
         }
+    }
+
+    /// The middle slice, row 0 = +y.
+    fn slice(&self, moment: &Moment) -> Vec<u16> {
+        let readout = moment.material.readout(self.curves.species());
+        let values = moment.state.volumes[readout.volume].as_slice();
+        let layout = moment.material.domain().layout();
+        let [_, ny, nx] = layout.grid.shape;
+        let level = |i: usize| {
+            let (row, column) = (i / nx, i % nx);
+            let degree = readout.scale * values[layout.index(self.middle, ny - 1 - row, column)];
+            match degree >= readout.gel {
+                true => 255,
+                false => (LIQUID * (degree / readout.gel).clamp(0.0, 1.0)) as u16,
+            }
+        };
+        (0..nx * ny).map(level).collect()
     }
 
     fn finish(
@@ -338,6 +381,8 @@ impl Watched {
             curves,
             best,
             mut readout,
+            slices,
+            ..
         } = self;
         let own = material.readout(curves.species());
         readout.scale(own.scale);
@@ -354,11 +399,24 @@ impl Watched {
             requirement_mj: curves.requirement_mj(),
             ideal: curves.ideal_exposure(),
             phases: curves.phases(),
-            best: curves.best().copied().filter(|_| best > 0.0),
             evaluation,
             cure_times: curves.cure_times(material).unwrap_or_else(no_time),
             snapshots: curves.snapshots().to_vec(),
             points: curves.points().to_vec(),
+            labels: voxels.labels.clone(),
+            slices,
         })
     }
+}
+
+/// The height in the middle of what is part.
+fn middle_of(labels: &Volume<u8>) -> usize {
+    let [nz, ny, nx] = labels.grid.shape;
+    let is_part =
+        |iz: &usize| labels.values[iz * ny * nx..(iz + 1) * ny * nx].contains(&label::PART);
+    let first = (0..nz).find(is_part);
+    let last = (0..nz).rfind(is_part);
+    first
+        .zip(last)
+        .map_or(nz / 2, |(a, b)| usize::midpoint(a, b))
 }

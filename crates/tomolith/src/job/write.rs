@@ -2,6 +2,7 @@
 
 use super::device::{self, Written};
 use super::folder::RunFolder;
+use super::in_time::NetworkInTime;
 use super::judge::Judged;
 use super::levels::sentence;
 use super::limits::limits;
@@ -18,18 +19,21 @@ use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
+use crate::io::write_whole;
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, Limits, MapReport, MovieReport, ReportData, SpeciesReport, Timing,
-    write_html, write_json, write_print,
+    ExposureWindow, LightReport, Limits, MapReport, MovieReport, ReportData, SpeciesReport,
+    TimePoint, TimeReport, Timing, time, write_html, write_json, write_print,
 };
 use crate::units::concise;
+use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
+use tomolith_material::curves::{IdealExposure, Point};
 
 /// Everything there is at the end of a run.
 pub(crate) struct Done<'a> {
@@ -125,6 +129,7 @@ pub(crate) fn all(
     });
     arrays?;
     let (movies, deviation) = movies?;
+    write_time(done, &new, run)?;
     let history = done.optimised.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -234,6 +239,7 @@ fn report(
         optimisation: judged.optimisation.as_ref(),
         published: published(done, exposures.lights())?,
         species: species(done),
+        time: time(done),
         maps: made.properties.iter().map(map).collect(),
         history,
         kept: done.optimised.as_ref().map(|o| o.outcome.kept),
@@ -251,6 +257,63 @@ fn report(
     };
     write_json(&folder.join("report.json"), &data)?;
     write_html(&folder.join("report.html"), &data)
+}
+
+/// The print in time of every network.
+fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
+    let networks = done.judged.in_time.iter().flat_map(|time| &time.networks);
+    let of = |network: &'a NetworkInTime| {
+        let (ideal_s, reached) = match network.ideal {
+            IdealExposure::At(seconds) => (Some(seconds), None),
+            IdealExposure::NotReached(share) => (None, Some(share)),
+            IdealExposure::NoRequirement => (None, None),
+        };
+        TimeReport {
+            name: &network.name,
+            points: time_points(network),
+            requirement_mj: network.requirement_mj,
+            ideal_s,
+            reached,
+            phases_s: [network.phases.induction_end_s, network.phases.curing_end_s],
+            evaluation: network.evaluation.as_ref(),
+            snapshots: &network.snapshots,
+            labels: &network.labels,
+        }
+    };
+    networks.map(of).collect()
+}
+
+fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
+    let of = |p: &Point| TimePoint {
+        seconds: p.seconds,
+        imbued_mj: p.imbued_mj,
+        contribution_mj: p.contribution_mj,
+        contrast: p.contrast,
+        jaccard: p.jaccard,
+        solid: p.gelled,
+    };
+    network.points.iter().map(of).collect()
+}
+
+/// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
+fn write_time(done: &Done<'_>, new: &Path, run: &Run) -> Result<()> {
+    let Some(in_time) = &done.judged.in_time else {
+        return Ok(());
+    };
+    for network in &in_time.networks {
+        let end = match in_time.networks.len() {
+            1 => String::new(),
+            _ => format!("_{}", network.name),
+        };
+        let text = time::csv(&time_points(network));
+        write_whole(&new.join(format!("time{end}.csv")), |file| {
+            Ok(file.write_all(text.as_bytes())?)
+        })?;
+        let file = new.join(format!("cure_time{end}.npy"));
+        write_volume(&file, &network.cure_times, &run.aside())?;
+        network.write_movie(&new.join(format!("print{end}.mp4")), run)?;
+    }
+    Ok(())
 }
 
 fn map(property: &Property) -> MapReport<'_> {

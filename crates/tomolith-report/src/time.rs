@@ -1,0 +1,259 @@
+//! The print in time: curves, phases, the ideal exposure, and the part as it grows.
+//!
+//! The slider is made of radio buttons: the page needs no script.
+
+use super::figures::growth;
+use super::number::{escape, significant};
+use super::plot::{Axis, Plot};
+use serde_json::{Map, Value, json};
+use std::fmt::Write as _;
+use tomolith_core::grid::Volume;
+use tomolith_metrics::Evaluation;
+
+/// A moment of the print.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimePoint {
+    /// Time, s.
+    pub seconds: f64,
+    /// Drive that was absorbed so far, mJ.
+    pub imbued_mj: f64,
+    /// The part of it in voxels that are solid, mJ.
+    pub contribution_mj: f64,
+    /// Contrast of the dose; NaN while all is the same.
+    pub contrast: f64,
+    /// Solid ∩ part over solid ∪ part.
+    pub jaccard: f64,
+    /// Solid share of part and of void.
+    pub solid: [f64; 2],
+}
+
+/// What a network becomes over time.
+#[derive(Clone, Debug)]
+pub struct TimeReport<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Moments, ascending.
+    pub points: Vec<TimePoint>,
+    /// Least dose that makes the part solid, mJ; None where it depends on the power.
+    pub requirement_mj: Option<f64>,
+    /// When the contribution meets it, s.
+    pub ideal_s: Option<f64>,
+    /// Largest share of it that was reached, where it never is.
+    pub reached: Option<f64>,
+    /// When the first voxel is solid, and when the Jaccard index is largest, s; None where nothing becomes solid.
+    pub phases_s: [Option<f64>; 2],
+    /// What is solid when the Jaccard index is largest.
+    pub evaluation: Option<&'a Evaluation>,
+    /// Degree of cure (1: solid) and when, with the labels of the same voxels.
+    pub snapshots: &'a [(f64, Volume<f32>)],
+    /// Labels of those voxels.
+    pub labels: &'a Volume<u8>,
+}
+
+impl TimeReport<'_> {
+    /// Largest Jaccard index.
+    fn best(&self) -> Option<&TimePoint> {
+        let at = self.phases_s[1]?;
+        self.points.iter().find(|point| point.seconds >= at)
+    }
+
+    /// The window of times within which the Jaccard index is at most 0.01 below its largest, s.
+    #[must_use]
+    pub fn window_s(&self) -> Option<[f64; 2]> {
+        let least = self.best()?.jaccard - 0.01;
+        let good = |point: &&TimePoint| point.jaccard >= least;
+        let first = self.points.iter().find(good)?;
+        let last = self.points.iter().rfind(good)?;
+        Some([first.seconds, last.seconds])
+    }
+}
+
+/// One line per moment: `time.csv`.
+#[must_use]
+pub fn csv(points: &[TimePoint]) -> String {
+    let mut text =
+        "seconds,imbued_mj,contribution_mj,contrast,jaccard,solid_part,solid_void\n".to_owned();
+    for p in points {
+        let contrast = if p.contrast.is_finite() {
+            p.contrast.to_string()
+        } else {
+            String::new()
+        };
+        // Writing into a string cannot fail
+        let _ = writeln!(
+            text,
+            "{},{},{},{contrast},{},{},{}",
+            p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1]
+        );
+    }
+    text
+}
+
+pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
+    let number = |v: Option<f64>| v.filter(|v| v.is_finite()).map_or(Value::Null, Value::from);
+    let column = |of: &dyn Fn(&TimePoint) -> f64| -> Vec<Value> {
+        time.points.iter().map(|p| number(Some(of(p)))).collect()
+    };
+    let evaluation = time.evaluation.map(super::json::evaluation_json);
+    json!({
+        "name": time.name,
+        "induction_end_s": number(time.phases_s[0]),
+        "best_s": number(time.phases_s[1]),
+        "best_jaccard": number(time.best().map(|p| p.jaccard)),
+        "window_s": time.window_s(),
+        "ideal_exposure_s": number(time.ideal_s),
+        "requirement_mj": number(time.requirement_mj),
+        "largest_share_of_requirement": number(time.reached),
+        "evaluation": evaluation.unwrap_or_else(Map::new),
+        "curves": {
+            "seconds": column(&|p| p.seconds),
+            "imbued_mj": column(&|p| p.imbued_mj),
+            "contribution_mj": column(&|p| p.contribution_mj),
+            "contrast": column(&|p| p.contrast),
+            "jaccard": column(&|p| p.jaccard),
+        },
+    })
+}
+
+/// The section of a network; `number` tells the sliders of a page apart.
+pub(super) fn section(time: &TimeReport<'_>, number: usize) -> String {
+    let title = if number == 0 && time.name == "resin" {
+        "The print in time".to_owned()
+    } else {
+        format!("The print in time: {}", escape(time.name))
+    };
+    format!(
+        "<section><h2>{title}</h2><p>{}</p><div class=\"two\"><div>{}</div><div>{}</div></div>{}</section>",
+        sentence(time),
+        jaccard_plot(time),
+        energy_plot(time),
+        slider(time, number),
+    )
+}
+
+/// What happens when, in words.
+fn sentence(time: &TimeReport<'_>) -> String {
+    let s = |v: f64| significant(v, 3);
+    let end = time.points.last().map_or(0.0, |p| p.seconds);
+    let (Some(begin), Some(best)) = (time.phases_s[0], time.best()) else {
+        let share = time.reached.map_or(String::new(), |share| {
+            format!(
+                " The part gets {} % of the dose that it needs at most.",
+                s(100.0 * share)
+            )
+        });
+        return format!(
+            "Nothing becomes solid within {} s.{share} More turns, or more power, would help.",
+            s(end)
+        );
+    };
+    let mut text = format!(
+        "The first voxel is solid after {} s. The print is best after <b>{} s</b>: solid and part then overlap with a Jaccard index of <b>{}</b>.",
+        s(begin),
+        s(best.seconds),
+        significant(best.jaccard, 4),
+    );
+    if let Some([low, high]) = time.window_s() {
+        let until = if high >= end {
+            "the end".to_owned()
+        } else {
+            format!("{} s", s(high))
+        };
+        let _ = write!(
+            text,
+            " It stays within 0.01 of that from {} s to {until}.",
+            s(low)
+        );
+    }
+    match (time.ideal_s, time.reached) {
+        (Some(ideal), _) => {
+            let _ = write!(
+                text,
+                " What solid voxels have absorbed meets what the part needs after {} s (ideal exposure).",
+                s(ideal)
+            );
+        }
+        (None, Some(share)) => {
+            let _ = write!(
+                text,
+                " Solid voxels absorb at most {} % of what the part needs.",
+                s(100.0 * share)
+            );
+        }
+        (None, None) => {}
+    }
+    text
+}
+
+fn jaccard_plot(time: &TimeReport<'_>) -> String {
+    let end = time.points.last().map_or(1.0, |p| p.seconds);
+    let mut plot = Plot::new(
+        Axis::linear("time in s", 0.0, end),
+        Axis::linear("", 0.0, 1.0),
+    );
+    let line = |of: &dyn Fn(&TimePoint) -> f64| -> Vec<[f64; 2]> {
+        let points = time.points.iter().map(|p| [p.seconds, of(p)]);
+        points.filter(|p| p[1].is_finite()).collect()
+    };
+    if let Some([low, high]) = time.window_s() {
+        plot.band(low, high, "window", "within 0.01 of the best");
+    }
+    plot.line(&line(&|p| p.contrast), "still", "contrast of the dose");
+    plot.line(&line(&|p| p.solid[0]), "part", "solid share of the part");
+    plot.line(&line(&|p| p.solid[1]), "void", "of the void");
+    plot.line(&line(&|p| p.jaccard), "accent", "Jaccard index");
+    plot.svg("Jaccard index, solid shares and contrast over time")
+}
+
+fn energy_plot(time: &TimeReport<'_>) -> String {
+    let end = time.points.last().map_or(1.0, |p| p.seconds);
+    let most = time.points.last().map_or(1.0, |p| p.imbued_mj);
+    let most = most.max(time.requirement_mj.unwrap_or(0.0));
+    let mut plot = Plot::new(
+        Axis::linear("time in s", 0.0, end),
+        Axis::linear("absorbed drive in mJ", 0.0, most),
+    );
+    let line = |of: &dyn Fn(&TimePoint) -> f64| -> Vec<[f64; 2]> {
+        time.points.iter().map(|p| [p.seconds, of(p)]).collect()
+    };
+    plot.line(&line(&|p| p.imbued_mj), "void", "in all voxels");
+    plot.line(&line(&|p| p.contribution_mj), "accent", "in solid voxels");
+    if let Some(needed) = time.requirement_mj {
+        plot.line(
+            &[[0.0, needed], [end, needed]],
+            "still",
+            "what the part needs",
+        );
+    }
+    if let Some(ideal) = time.ideal_s {
+        plot.line_at(ideal, "gel", "ideal exposure");
+    }
+    plot.svg("Absorbed drive over time")
+}
+
+/// The part as it grows: a picture per snapshot, chosen by radio buttons.
+fn slider(time: &TimeReport<'_>, number: usize) -> String {
+    if time.snapshots.is_empty() {
+        return String::new();
+    }
+    let best = time.phases_s[1].unwrap_or(0.0);
+    let nearest = (0..time.snapshots.len())
+        .min_by(|&a, &b| {
+            let off = |i: usize| (time.snapshots[i].0 - best).abs();
+            off(a).total_cmp(&off(b))
+        })
+        .unwrap_or(0);
+    let mut out = String::from("<h3>As it grows</h3><div class=\"growth\">");
+    for (i, (seconds, degree)) in time.snapshots.iter().enumerate() {
+        let checked = if i == nearest { " checked" } else { "" };
+        let _ = write!(
+            out,
+            "<input type=\"radio\" name=\"growth{number}\" id=\"growth{number}-{i}\"{checked}>\
+             <label for=\"growth{number}-{i}\">{} s</label><div class=\"grown\">{}</div>",
+            significant(*seconds, 3),
+            growth(time.labels, degree),
+        );
+    }
+    out.push_str("</div>");
+    out
+}
