@@ -17,6 +17,7 @@ Examples:
   tomolith run gear.toml --set stop.iterations=10   change one key for this run
   tomolith check gear.toml                          is it sound, and what will it cost?
   tomolith simulate gear.toml --patterns old.npz    what do these patterns print?
+  tomolith print examples/19-print-in-time.toml --patterns old.npz    when is it solid?
   tomolith kinds vial                               every vial with its parameters
   tomolith schema > job.schema.json                 for editors that complete TOML
   tomolith export out/01-gear --output gear-frames  frames and movie for a machine
@@ -38,6 +39,8 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Simulate patterns of an earlier run (or of another program) under a job
     Simulate(SimulateArguments),
+    /// Print patterns of an earlier run in time: when what is solid, and when to stop; the job needs a [schedule]
+    Print(SimulateArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),
     /// List what a job can choose from: vials, objectives, optimisers, … with their parameters

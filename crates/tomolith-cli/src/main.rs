@@ -41,6 +41,7 @@ fn main() -> ExitCode {
     let (manner, done) = match &arguments.command {
         Command::Run(given) => (given.manner, run(given)),
         Command::Simulate(given) => (given.manner, simulate(given)),
+        Command::Print(given) => (given.manner, print(given)),
         Command::Check(given) => (given.manner, check(given)),
         Command::Kinds { family, name, json } => {
             let manner = Manner {
@@ -130,6 +131,19 @@ fn simulate(given: &SimulateArguments) -> Result<bool> {
     let summary = job::simulate(&job, &given.patterns, &mut screen, &cancel)?;
     screen.finish(&summary);
     Ok(summary.is_met())
+}
+
+/// `tomolith print`: a simulation of a job with a schedule.
+fn print(given: &SimulateArguments) -> Result<bool> {
+    let job = read(&given.job, given.output.as_deref())?;
+    if job.spec.schedule.is_none() {
+        return Err(Error::config(
+            "schedule",
+            "the table is missing, so nothing says when which frame shines",
+            "a table [schedule], for example with turns = 3; or `tomolith simulate`",
+        ));
+    }
+    simulate(given)
 }
 
 /// `tomolith check`: always met when it ends without an error.

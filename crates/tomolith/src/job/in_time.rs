@@ -7,6 +7,7 @@
 //! shaded takes the family that covers an absorption which changes from place to place, most often rays.
 
 use super::judge::{lit_rows, measure_at};
+use super::outcome::TimeSummary;
 use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, MaterialSpec};
 use super::species::Row;
@@ -56,6 +57,27 @@ pub(crate) struct NetworkInTime {
     pub(crate) labels: Volume<u8>,
     /// The middle slice at every moment: brightness up to the gel point, white beyond it.
     slices: Vec<Vec<u16>>,
+}
+
+impl InTime {
+    /// What is said of every network at the end.
+    pub(super) fn summary(&self) -> Vec<TimeSummary> {
+        let of = |network: &NetworkInTime| {
+            let best_s = network.phases.curing_end_s;
+            let at = |best: f64| network.points.iter().find(|p| p.seconds >= best);
+            TimeSummary {
+                name: network.name.clone(),
+                induction_end_s: network.phases.induction_end_s,
+                best_s,
+                best_jaccard: best_s.and_then(at).map(|p| p.jaccard),
+                ideal_exposure_s: match network.ideal {
+                    IdealExposure::At(seconds) => Some(seconds),
+                    _ => None,
+                },
+            }
+        };
+        self.networks.iter().map(of).collect()
+    }
 }
 
 /// Length of the movie of a print, s.

@@ -3,6 +3,7 @@
 pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::optimize::{Kept, StopReason};
+use crate::report::number::significant;
 use crate::report::{ExposureWindow, Limits};
 use crate::units::{concise, counted};
 use serde::Serialize;
@@ -61,6 +62,42 @@ impl Quality {
     }
 }
 
+/// What a network becomes over time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimeSummary {
+    /// Its name.
+    pub name: String,
+    /// When the first voxel is solid, s; None where none ever is.
+    pub induction_end_s: Option<f64>,
+    /// When solid and part overlap most, s.
+    pub best_s: Option<f64>,
+    /// Their Jaccard index then.
+    pub best_jaccard: Option<f64>,
+    /// When what solid voxels have absorbed meets what the part needs, s; None where it never does.
+    pub ideal_exposure_s: Option<f64>,
+}
+
+impl fmt::Display for TimeSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let seconds = |at: Option<f64>| {
+            at.map_or_else(
+                || "never".to_owned(),
+                |s| format!("after {} s", significant(s, 3)),
+            )
+        };
+        write!(
+            f,
+            "{}: first solid {}, best {} (Jaccard {}), ideal exposure {}",
+            self.name,
+            seconds(self.induction_end_s),
+            seconds(self.best_s),
+            self.best_jaccard
+                .map_or_else(|| "–".to_owned(), |j| format!("{j:.4}")),
+            seconds(self.ideal_exposure_s),
+        )
+    }
+}
+
 /// The end of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -82,6 +119,8 @@ pub struct Summary {
     pub optimisation: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
     pub exposure: Option<ExposureWindow>,
+    /// The print in time, per network; empty without a schedule.
+    pub in_time: Vec<TimeSummary>,
     /// What limits the print.
     pub limits: Limits,
     /// The IoU that was asked for.
@@ -171,6 +210,9 @@ impl fmt::Display for Summary {
         let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
         for text in limits.into_iter().chain(&exposure) {
             writeln!(f, "\n{text}")?;
+        }
+        for network in &self.in_time {
+            writeln!(f, "\nPrint in time, {network}.")?;
         }
         writeln!(
             f,

@@ -3,6 +3,7 @@
 use super::device::{self, Written};
 use super::estimate::Work;
 use super::folder::RunFolder;
+use super::in_time::InTime;
 use super::judge::judge;
 use super::levels;
 use super::limits::Fall;
@@ -422,6 +423,12 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
         exposure: headline.exposure,
+        in_time: done
+            .judged
+            .in_time
+            .iter()
+            .flat_map(InTime::summary)
+            .collect(),
         limits: headline.limits,
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
