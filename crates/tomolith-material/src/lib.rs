@@ -27,6 +27,7 @@ pub mod curves;
 pub mod diffused;
 pub mod diffusion;
 pub mod domain;
+pub mod frozen;
 mod illumination;
 pub mod memoryless;
 pub mod mixing;
@@ -153,4 +154,11 @@ pub trait Material: Send + Sync {
     fn is_memoryless(&self) -> bool {
         false
     }
+}
+
+/// Largest difference between two fields.
+#[cfg(test)]
+pub(crate) fn apart(a: &HostField, b: &HostField) -> f32 {
+    let pairs = a.as_slice().iter().zip(b.as_slice());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }

@@ -417,6 +417,10 @@ impl DoseModel for Printing {
         Ok(Some(terms))
     }
 
+    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        self.optics.get(i).map(AsRef::as_ref)
+    }
+
     fn z_coupling(&self) -> ZCoupling {
         if !self.material.is_memoryless() {
             return ZCoupling::Full;

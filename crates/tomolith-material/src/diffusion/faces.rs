@@ -361,7 +361,7 @@ mod tests {
             std::mem::swap(&mut now, &mut next);
         }
         let resin = domain.even(1.0);
-        let off = now.largest_with(&resin, |a, b| (a - b).abs());
+        let off = crate::apart(&now, &resin);
         assert!(off < 1e-3, "{off}");
     }
 

@@ -258,7 +258,7 @@ fn strang_splitting_converges_with_the_square_of_the_step() {
         state.volumes[1].clone()
     };
     let best = dose(512);
-    let error = |steps: usize| best.largest_with(&dose(steps), |a, b| (a - b).abs());
+    let error = |steps: usize| crate::apart(&best, &dose(steps));
     let errors = [4, 8, 16].map(error);
     assert!(
         errors[0] / errors[1] > 3.2 && errors[1] / errors[2] > 3.2,
@@ -291,8 +291,7 @@ fn both_schemes_agree_where_both_are_exact_enough() {
     let (faces, spectral) = (of(Scheme::Faces), of(Scheme::Spectral));
     // Of 1 and of about 1.4 mJ/mm³, by voxels and by splitting
     for (volume, tolerance) in [(0, 0.02), (1, 0.03)] {
-        let off =
-            faces.volumes[volume].largest_with(&spectral.volumes[volume], |a, b| (a - b).abs());
+        let off = crate::apart(&faces.volumes[volume], &spectral.volumes[volume]);
         assert!(off < tolerance, "volume {volume}: {off}");
     }
 }

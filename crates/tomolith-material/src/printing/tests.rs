@@ -76,7 +76,7 @@ fn without_memory_it_is_the_dose_model_to_the_bit() {
     let state = print
         .run(&run, &mut |_| std::ops::ControlFlow::Continue(()))
         .unwrap();
-    let off = state.volumes[0].largest_with(&a, |a, b| (a - b).abs());
+    let off = crate::apart(&state.volumes[0], &a);
     assert!(off < 1e-5 * a.max_abs(), "{off}");
 }
 

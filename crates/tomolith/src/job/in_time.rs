@@ -8,9 +8,10 @@
 
 use super::judge::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
+use super::refinement::Level;
 use super::scene::{Scene, Voxels};
-use super::spec::{JobSpec, MaterialSpec};
-use super::species::Row;
+use super::spec::{Against, JobSpec, MaterialSpec};
+use super::species::{Row, joined};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
@@ -19,7 +20,7 @@ use crate::io::mp4::write_movie;
 use crate::metrics::Evaluation;
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
-use crate::models::{HostModel, OpticalScene, Purpose, Run, planner};
+use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::target::label;
 use std::ops::ControlFlow;
@@ -28,9 +29,11 @@ use std::sync::Arc;
 use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
 use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;
+use tomolith_material::frozen::Frozen;
 use tomolith_material::mixing::Mixing;
 use tomolith_material::photopolymer::{Curing, Network, Params, Photopolymer};
 use tomolith_material::print::{LightSource, Moment, Print};
+use tomolith_material::printing::Printing;
 use tomolith_material::schedule::{Schedule, Turns};
 use tomolith_material::{Absorption, Material};
 
@@ -205,8 +208,7 @@ fn material(spec: &JobSpec, rows: Option<&[Row]>, domain: Domain) -> Result<Phot
 }
 
 /// Voxels of resin between walls that nothing passes, and air where the job says so.
-fn domain(scene: &Scene) -> Result<Domain> {
-    let grid = &scene.grid;
+fn domain(scene: &Scene, grid: &VolumeGrid) -> Result<Domain> {
     let mut domain = Domain::new(grid.clone());
     let own = scene.spec.material.as_ref();
     let has_walls = own.is_some_and(|m| m.photopolymer.diffusion == Scheme::Faces);
@@ -223,6 +225,70 @@ fn domain(scene: &Scene) -> Result<Domain> {
         domain = domain.with_air_on_top();
     }
     Ok(domain)
+}
+
+/// The dose models of a level, joined to what the job is optimized against.
+///
+/// # Errors
+/// [`Error::Config`] where they do not fit.
+pub(super) fn planned_in_time(
+    scene: &Scene,
+    optics: (Option<&Family>, OpticalScene<'_>),
+    level: &Level,
+    voxels: &[&Voxels],
+    run: &Run,
+) -> Result<planner::Plan> {
+    let rows = scene.rows().unwrap_or_default();
+    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let join = |models: Vec<HostModel>| -> Result<HostModel> {
+        let schedule = schedule(&scene.spec)?;
+        let domain = domain(scene, &level.grid)?;
+        let material = Box::new(material(&scene.spec, scene.mixing.as_deref(), domain)?);
+        Ok(match given.optimize {
+            Against::Exact => Box::new(Printing::new(models, schedule, material, given.step_s)?),
+            _ => {
+                let every = scene.spec.stop.iterations.div_ceil(given.rounds + 1);
+                Box::new(Frozen::new(
+                    models,
+                    schedule,
+                    material,
+                    given.step_s,
+                    every,
+                )?)
+            }
+        })
+    };
+    let mut plan = joined(&rows, optics, &level.grid, Some(voxels), run, join)?;
+    plan.reason = format!("{}; against the degree of cure", plan.reason);
+    Ok(plan)
+}
+
+impl Scene {
+    /// Whether patterns are optimized against what they print in time.
+    pub(crate) fn is_optimized_in_time(&self) -> bool {
+        let given = self.spec.schedule.as_ref();
+        given.is_some_and(|schedule| schedule.optimize != Against::Dose)
+    }
+
+    /// The factor of patterns of light `i` that would bring a dose of 1, so that species `s` becomes solid at the end of the schedule.
+    pub(super) fn dose_needed(&self, s: usize, i: usize) -> Result<f64> {
+        if !self.is_optimized_in_time() {
+            return Ok(1.0);
+        }
+        let energies = schedule(&self.spec)?.energies(i);
+        let mean = energies.iter().sum::<f64>() / energies.len().max(1) as f64;
+        let domain = Domain::new(VolumeGrid::centered([1, 1, 1], 0.1));
+        let material = material(&self.spec, self.mixing.as_deref(), domain)?;
+        let start = material.start()?;
+        let Some(needed) = material.requirement(s) else {
+            return Ok(1.0 / mean);
+        };
+        let of = |&(volume, capacity): &(usize, f64)| {
+            capacity * f64::from(start.volumes[volume].as_slice()[0])
+        };
+        let inhibited: f64 = needed.inhibitors.iter().map(of).sum();
+        Ok((needed.dose + inhibited) / mean)
+    }
 }
 
 /// The light that judges, one model each.
@@ -287,7 +353,11 @@ pub(super) fn print_in_time(
         return Ok(None);
     };
     let schedule = schedule(&scene.spec)?;
-    let material = material(&scene.spec, scene.mixing.as_deref(), domain(scene)?)?;
+    let material = material(
+        &scene.spec,
+        scene.mixing.as_deref(),
+        domain(scene, &scene.grid)?,
+    )?;
     let lights = Lights::new(scene, patterns, run);
     let start = material.start()?;
     let shaded = (0..patterns.len()).any(|i| material.absorption(&start, i).is_some());

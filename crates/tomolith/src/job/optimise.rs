@@ -1,6 +1,7 @@
 //! The optimisation of a job: from voxels to patterns.
 
 use super::folder::RunFolder;
+use super::in_time::planned_in_time;
 use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
 use super::refinement::{self, Level};
@@ -229,8 +230,13 @@ impl<'a> Stage<'a> {
             lights: &level.lights,
             ..scene.optimising()
         };
-        let (mixing, asked) = (scene.mixing.as_deref(), scene.optics.model.as_ref());
-        let plan = planned(mixing, asked, optics, &level.grid, Some(&all), cancel)?;
+        let asked = scene.optics.model.as_ref();
+        let plan = if scene.is_optimized_in_time() {
+            planned_in_time(scene, (asked, optics), level, &all, cancel)?
+        } else {
+            let mixing = scene.mixing.as_deref();
+            planned(mixing, asked, optics, &level.grid, Some(&all), cancel)?
+        };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
@@ -518,9 +524,9 @@ pub(super) fn starting_patterns(
     let response = scene.response()?;
     let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
     let known = straight.unwrap_or(model);
-    let mut x = match scene.mixing.as_deref() {
+    let mut x = match scene.rows() {
         Some(rows) if !start.is_given() => {
-            starting_lights(scene, (rows, voxels), known, start, (&limits, cancel))?
+            starting_lights(scene, (&rows, voxels), known, start, (&limits, cancel))?
         }
         _ => start.patterns(&input(known), cancel)?,
     };
@@ -552,7 +558,7 @@ fn starting_lights(
         let response = scenes[s].response()?;
         let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
-        own.scale(factor as f32);
+        own.scale((factor * scene.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
     }
     Ok(x)

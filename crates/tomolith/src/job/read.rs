@@ -203,7 +203,7 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
     spec.start = with_defaults(pages("start"), &spec.start);
     if spec.objective.is_none() && spec.objectives.is_none() {
-        spec.objective = Some(default_objective(&spec.target));
+        spec.objective = Some(default_objective(&spec));
     }
     for objective in spec
         .objective

@@ -18,7 +18,7 @@ use super::build::Optics;
 use super::cells;
 use super::coarse::{coarser_grid, coarser_lights, is_large_enough};
 use super::named::optimizer;
-use super::spec::JobSpec;
+use super::spec::{Against, JobSpec};
 use crate::error::Result;
 use crate::grid::VolumeGrid;
 use crate::models::parallel::Light;
@@ -201,9 +201,11 @@ fn is_free(spec: &JobSpec, refines: Refines) -> Result<bool> {
     Ok(refines == Refines::Voxels && !asks_of_voxels(spec) && sees_fractions(spec)?)
 }
 
-/// Whether a run ends by what the job's own voxels say.
+/// Whether a run ends by what the job's own voxels say, or prints in time on them.
 fn asks_of_voxels(spec: &JobSpec) -> bool {
-    spec.stop.iou.is_some() || spec.stop.loss > 0.0
+    let in_time = spec.schedule.as_ref();
+    let is_in_time = in_time.is_some_and(|schedule| schedule.optimize != Against::Dose);
+    spec.stop.iou.is_some() || spec.stop.loss > 0.0 || is_in_time
 }
 
 /// Whether the program chooses the voxels of a job with surface-aware cells.

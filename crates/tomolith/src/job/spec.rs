@@ -420,6 +420,24 @@ pub struct ScheduleSpec {
     pub shading_every_s: f64,
     /// Pictures of the print as it grows.
     pub snapshots: usize,
+    /// What the patterns are optimized against: the "dose" alone, as without a schedule; the degree of cure at the end of the schedule (1: solid)
+    /// with the inhibitor "frozen" as the last of several simulations found it; or the same through time by its "exact" derivative, for small jobs.
+    pub optimize: Against,
+    /// Simulations of the print during an optimization against "frozen".
+    pub rounds: usize,
+}
+
+/// What patterns are optimized against.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Against {
+    /// The dose.
+    #[default]
+    Dose,
+    /// The degree of cure, inhibitor frozen between simulations.
+    Frozen,
+    /// The degree of cure.
+    Exact,
 }
 
 impl Default for ScheduleSpec {
@@ -435,6 +453,8 @@ impl Default for ScheduleSpec {
             step_s: None,
             shading_every_s: 2.0,
             snapshots: 8,
+            optimize: Against::Dose,
+            rounds: 4,
         }
     }
 }
@@ -996,15 +1016,16 @@ impl Angles {
     }
 }
 
-/// The objective of a job that names none: the threshold preset with its defaults for a part and void; for a grey image,
-/// whose values are to be reproduced, least squares.
-pub(crate) fn default_objective(target: &TargetSpec) -> Value {
-    let name = if target.image.is_some() && target.grey != Some(false) {
-        "l2"
-    } else {
-        "threshold"
-    };
-    Value::String(name.to_owned())
+/// The objective of a job that names none: the threshold preset with its defaults for a part and void; for a gray image, whose values are to
+/// be reproduced, least squares; against the degree of cure a part beyond the gel point and a void below it, by a tenth.
+pub(crate) fn default_objective(spec: &JobSpec) -> Value {
+    let target = &spec.target;
+    let in_time = spec.schedule.as_ref();
+    if in_time.is_some_and(|schedule| schedule.optimize != Against::Dose) {
+        return serde_json::json!({ "osp": { "lower": 0.9, "upper": 1.1, "surface": "fraction" } });
+    }
+    let is_gray = target.image.is_some() && target.grey != Some(false);
+    Value::String(if is_gray { "l2" } else { "threshold" }.to_owned())
 }
 
 /// What no job may leave out, without the parameters of kinds: the key, and how it may look.
@@ -1123,10 +1144,7 @@ impl JobSpec {
                 "an empty list",
                 "at least one entry, or no such key",
             )),
-            (None, None) => Ok(vec![Section::new(
-                "objective",
-                default_objective(&self.target),
-            )]),
+            (None, None) => Ok(vec![Section::new("objective", default_objective(self))]),
         }
     }
 

@@ -12,8 +12,9 @@ use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::models::planner::{self, Plan};
 use crate::models::spectral::SpectralMixing;
-use crate::models::{Family, OpticalScene, Run};
+use crate::models::{Family, HostModel, OpticalScene, Run};
 use crate::units::exact;
+use std::borrow::Cow;
 
 /// A species by name, and its row of M.
 pub(crate) type Row = (String, Vec<f64>);
@@ -196,6 +197,19 @@ pub(super) fn planned(
         let wanted = voxels.map(|voxels| voxels[0].wanted());
         return planner::plan(asked, optics, grid, wanted.as_ref(), run);
     };
+    let mix = |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as HostModel);
+    joined(rows, (asked, optics), grid, voxels, run, mix)
+}
+
+/// Models of one light each, joined by `join`; their surrogates are mixed.
+pub(super) fn joined(
+    rows: &[Row],
+    (asked, optics): (Option<&Family>, OpticalScene<'_>),
+    grid: &VolumeGrid,
+    voxels: Option<&[&Voxels]>,
+    run: &Run,
+    join: impl Fn(Vec<HostModel>) -> Result<HostModel>,
+) -> Result<Plan> {
     let count = optics.lights.len();
     let mut plans = Vec::with_capacity(count);
     for i in 0..count {
@@ -208,7 +222,8 @@ pub(super) fn planned(
         let part = run.part(1.0 / count as f64);
         plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
     }
-    let mixed = |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as _);
+    let mixed =
+        |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as HostModel);
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
         Vec::new()
     } else {
@@ -224,7 +239,7 @@ pub(super) fn planned(
     };
     let reason = plans[0].reason.clone();
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
-    let model: Box<_> = mixed(plans.into_iter().map(|plan| plan.model).collect())?;
+    let model = join(plans.into_iter().map(|plan| plan.model).collect())?;
     Ok(Plan {
         reason: format!(
             "{} species by {count} lights, each alone: {reason}",
@@ -269,6 +284,18 @@ pub(super) fn beginnings(rows: &[Row]) -> Vec<Option<(usize, f64)>> {
 }
 
 impl Scene {
+    /// M, a row per species, where lights are computed one by one: with several species, or for a print in time.
+    pub(crate) fn rows(&self) -> Option<Cow<'_, [Row]>> {
+        match &self.mixing {
+            Some(rows) => Some(Cow::Borrowed(rows)),
+            None if self.is_optimized_in_time() => {
+                let row = vec![1.0; self.spec.light.len()];
+                Some(Cow::Owned(vec![("resin".to_owned(), row)]))
+            }
+            None => None,
+        }
+    }
+
     /// The species of the job, the first being this scene itself.
     pub(crate) fn species(&self) -> impl Iterator<Item = &Scene> {
         std::iter::once(self).chain(&self.others)

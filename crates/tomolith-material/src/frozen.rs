@@ -1,0 +1,384 @@
+//! A print whose inhibitor is frozen: linear light, less the dose that the inhibitor took in the last simulation.
+//!
+//! **Equation** degree of cure r_s = (A_s(x) − c_s)/E_d. A_s: drive that the patterns leave in all of the schedule, linear in x.
+//! c_s = A_s(x₀) − E_s(x₀) + Σ Oᵢ(x₀)/κᵢ: what inhibitors took from the drive of the patterns x₀ of the last simulation, what flowed in between included,
+//! and what is left of them at its end. Where voxels are alone this is exact for any x: their inhibitor takes what it takes.
+//!
+//! **Rounds** [`renew`](DoseModel::renew) simulates the print of the latest patterns anew after every so many iterations, so that a method solves, simulates
+//! and solves again. Before the first time c is what the start of the material holds.
+//!
+//! **Source** the quasi-linear tier of `docs/material.md`.
+//!
+//! **Limits** A threshold of the dose ([`Material::requirement`]); light stays as the models have it, unshaded.
+//!
+//! **Cost** that of the light, and one print in time per round. Memory: a volume per network, and one pattern field.
+
+use crate::memoryless::Memoryless;
+use crate::print::{LightSource, Print};
+use crate::printing::Printing;
+use crate::schedule::Schedule;
+use crate::{Material, Model, State};
+use rayon::prelude::*;
+use std::ops::{ControlFlow, Range};
+use std::sync::{Mutex, PoisonError, RwLock};
+use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{BLOCK, HostField};
+use tomolith_core::response::Identity;
+
+/// See the [module page](self).
+pub struct Frozen {
+    absorbed: Printing,
+    material: Box<dyn Material>,
+    step_s: Option<f64>,
+    /// 1/E_d per network, mm³/mJ.
+    per_dose: Vec<f32>,
+    /// c, in the order of the outputs.
+    taken: RwLock<HostField>,
+    /// The patterns of the latest pullback.
+    latest: Mutex<Option<HostField>>,
+    every: usize,
+}
+
+impl Frozen {
+    /// A print of these lights, simulated anew every so many iterations.
+    ///
+    /// # Errors
+    /// As [`Printing::new`]; [`Error::Unsupported`] for a network whose gel dose depends on the power.
+    pub fn new(
+        optics: Vec<Box<Model>>,
+        schedule: Schedule,
+        material: Box<dyn Material>,
+        step_s: Option<f64>,
+        every: usize,
+    ) -> Result<Self> {
+        let drives = material.drives().clone();
+        let mut per_dose = Vec::with_capacity(drives.species());
+        for s in 0..drives.species() {
+            let Some(needed) = material.requirement(s) else {
+                return Err(Error::Unsupported {
+                    what: "a frozen inhibitor".to_owned(),
+                    reason: "the dose that gels depends on the power; a network with a threshold"
+                        .to_owned(),
+                });
+            };
+            per_dose.push((1.0 / needed.dose) as f32);
+        }
+        let responses = per_dose.iter().map(|_| Box::new(Identity) as _).collect();
+        let sum = Memoryless::new(drives, material.domain().clone(), responses, 1.0)?;
+        let absorbed = Printing::new(optics, schedule, Box::new(sum), None)?;
+        let taken = absorbed.new_dose()?;
+        let frozen = Frozen {
+            absorbed,
+            step_s,
+            per_dose,
+            taken: RwLock::new(taken),
+            latest: Mutex::new(None),
+            every: every.max(1),
+            material,
+        };
+        let start = frozen.material.start()?;
+        frozen.take(&start, None);
+        Ok(frozen)
+    }
+
+    /// Prints these patterns and freezes what its inhibitors took.
+    ///
+    /// # Errors
+    /// Those of the print.
+    pub fn simulate(&self, x: &HostField, run: &Run) -> Result<()> {
+        let lights = self.absorbed.patterns().len();
+        let own: Vec<HostField> = self
+            .absorbed
+            .patterns()
+            .iter()
+            .map(|layout| HostField::from_slice(&x.as_slice()[layout.range()]))
+            .collect();
+        let sources = (0..lights).map(|l| LightSource {
+            model: self.absorbed.light(l),
+            patterns: &own[l],
+        });
+        let schedule = self.absorbed.schedule();
+        let mut print = Print::new(self.material.as_ref(), schedule, sources.collect())?;
+        if let Some(step_s) = self.step_s {
+            print = print.with_step_s(step_s)?;
+        }
+        let end = print.run(run, &mut |_| ControlFlow::Continue(()))?;
+        let mut drive = self.absorbed.new_dose()?;
+        self.absorbed.dose(x, &mut drive, run)?;
+        self.take(&end, Some(&drive));
+        Ok(())
+    }
+
+    /// c of a state that this drive has led to (None: the start).
+    fn take(&self, state: &State, drive: Option<&HostField>) {
+        let mut taken = self.taken.write().unwrap_or_else(PoisonError::into_inner);
+        for (s, output) in self.absorbed.outputs().iter().enumerate() {
+            let Some(needed) = self.material.requirement(s) else {
+                continue;
+            };
+            let readout = self.material.readout(s);
+            let dose = state.volumes[readout.volume].as_slice();
+            let per_unit = readout.scale / readout.gel * needed.dose as f32;
+            let own = &mut taken.as_mut_slice()[output.range()];
+            match drive {
+                None => own.fill(0.0),
+                Some(drive) => own
+                    .iter_mut()
+                    .zip(&drive.as_slice()[output.range()])
+                    .zip(dose)
+                    .for_each(|((c, a), e)| *c = (a - per_unit * e).max(0.0)),
+            }
+            for (volume, capacity) in needed.inhibitors {
+                let left = state.volumes[volume].as_slice();
+                let capacity = capacity as f32;
+                own.iter_mut()
+                    .zip(left)
+                    .for_each(|(c, o)| *c += capacity * o);
+            }
+        }
+    }
+}
+
+impl DoseModel for Frozen {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        self.absorbed.patterns()
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        self.absorbed.outputs()
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        self.absorbed.new_patterns()
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        self.absorbed.new_dose()
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        self.absorbed.dose(x, dose, run)?;
+        let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
+        for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
+            let blocks = dose.as_mut_slice()[output.range()].par_chunks_mut(BLOCK);
+            let taken = taken.as_slice()[output.range()].par_chunks(BLOCK);
+            blocks.zip(taken).for_each(|(dose, taken)| {
+                let pairs = dose.iter_mut().zip(taken);
+                pairs.for_each(|(d, c)| *d = per_dose * (*d - c));
+            });
+        }
+        Ok(())
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut scaled = cotangent.clone();
+        for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
+            let own = &mut scaled.as_mut_slice()[output.range()];
+            own.iter_mut().for_each(|c| *c *= per_dose);
+        }
+        self.absorbed.pullback(x, &scaled, grad, run)?;
+        let mut latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
+        *latest = Some(x.clone());
+        Ok(())
+    }
+
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+        Err(Error::Unsupported {
+            what: "the dose of some frames".to_owned(),
+            reason: "what inhibitors take belongs to all frames".to_owned(),
+        })
+    }
+
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let Some(mut terms) = self.absorbed.along(x, d, run)? else {
+            return Ok(None);
+        };
+        for term in &mut terms {
+            for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
+                let own = &mut term.as_mut_slice()[output.range()];
+                own.iter_mut().for_each(|v| *v *= per_dose);
+            }
+        }
+        Ok(Some(terms))
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::Full
+    }
+
+    fn is_linear(&self) -> bool {
+        false
+    }
+
+    fn renew(&self, iteration: usize) -> bool {
+        if iteration <= 1 || (iteration - 1) % self.every != 0 {
+            return false;
+        }
+        let latest = self
+            .latest
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        // A simulation that fails leaves the inhibitor as it was; the evaluation says why
+        latest.is_some_and(|x| self.simulate(&x, &Run::new()).is_ok())
+    }
+
+    fn is_renewed(&self) -> bool {
+        true
+    }
+
+    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        (i < self.absorbed.patterns().len()).then(|| self.absorbed.light(i))
+    }
+
+    fn updates(&self) -> u64 {
+        self.absorbed.updates()
+    }
+
+    fn describe(&self) -> String {
+        format!(
+            "{}, less what inhibitors take",
+            self.absorbed.light(0).describe()
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::mixing::Mixing;
+    use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
+    use crate::schedule::Turns;
+    use tomolith_core::check;
+    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::field::Field;
+
+    fn material(diffusion: f64, domain: Domain) -> Photopolymer {
+        let oxygen = Inhibitor {
+            capacity_mj_per_mm3: 0.15,
+            diffusion_mm2_per_s: diffusion,
+            ..Inhibitor::default()
+        };
+        let network = Network {
+            inhibitors: vec![oxygen],
+            ..Network::new("resin", Curing::threshold(0.3))
+        };
+        Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap()
+    }
+
+    /// Voxels of 1 mm.
+    fn optics() -> SmallModel {
+        SmallModel::new(12, 12, 4)
+    }
+
+    fn frozen(diffusion: f64) -> Frozen {
+        let optics = optics();
+        let material = material(diffusion, Domain::new(optics.layout().grid.clone()));
+        let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
+        Frozen::new(
+            vec![Box::new(optics)],
+            schedule,
+            Box::new(material),
+            None,
+            5,
+        )
+        .unwrap()
+    }
+
+    fn patterns(model: &Frozen) -> HostField {
+        let mut x = model.new_patterns().unwrap();
+        let noise = check::noise(x.len(), 4);
+        let values = x.as_mut_slice().iter_mut().zip(noise);
+        values.for_each(|(x, n)| *x = 0.5 + 0.4 * n);
+        x
+    }
+
+    /// The degree of cure of the print in time, and of the frozen model.
+    fn both(model: &Frozen, x: &HostField) -> (Vec<f32>, Vec<f32>) {
+        let grid = model.outputs()[0].grid.clone();
+        let schedule = model.absorbed.schedule().clone();
+        let printing = Printing::new(
+            vec![Box::new(optics())],
+            schedule,
+            Box::new(material(0.05, Domain::new(grid))),
+            None,
+        );
+        let run = Run::new();
+        let mut degree = model.new_dose().unwrap();
+        printing.unwrap().dose(x, &mut degree, &run).unwrap();
+        let mut own = model.new_dose().unwrap();
+        model.dose(x, &mut own, &run).unwrap();
+        (degree.as_slice().to_vec(), own.as_slice().to_vec())
+    }
+
+    #[test]
+    fn its_derivative_is_exact() {
+        let model = frozen(0.05);
+        let (x, run) = (patterns(&model), Run::new());
+        model.simulate(&x, &run).unwrap();
+        let mut d = x.clone();
+        d.scale(0.1);
+        let terms = model.along(&x, &d, &run).unwrap().unwrap();
+        assert_eq!(terms.len(), 1);
+        let mut moved = x.clone();
+        moved.axpy(1.0, &d);
+        let [mut before, mut after] = [model.new_dose().unwrap(), model.new_dose().unwrap()];
+        model.dose(&x, &mut before, &run).unwrap();
+        model.dose(&moved, &mut after, &run).unwrap();
+        after.axpy(-1.0, &before);
+        after.axpy(-1.0, &terms[0]);
+        assert!(after.max_abs() < 1e-5, "{}", after.max_abs());
+        // ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩
+        let c = HostField::from_slice(&check::noise(terms[0].len(), 9));
+        let mut back = x.zeros_like();
+        model.pullback(&x, &c, &mut back, &run).unwrap();
+        let (forth, back) = (terms[0].dot(&c), back.dot(&d));
+        assert!(
+            (forth - back).abs() < 1e-5 * forth.abs().max(1.0),
+            "{forth} {back}"
+        );
+    }
+
+    #[test]
+    fn it_is_the_print_where_it_was_simulated() {
+        let model = frozen(0.05);
+        let x = patterns(&model);
+        // Before, oxygen neither flows nor is anything known of it but its capacity
+        let (_, before) = both(&model, &x);
+        model.simulate(&x, &Run::new()).unwrap();
+        let (print, frozen) = both(&model, &x);
+        let mut worst = 0.0f32;
+        let mut moved = 0.0f32;
+        for ((print, frozen), before) in print.iter().zip(&frozen).zip(&before) {
+            if *print > 0.0 {
+                worst = worst.max((print - frozen).abs());
+                moved = moved.max((print - before).abs());
+            }
+        }
+        assert!(worst < 1e-4 && moved > 0.02, "{worst} {moved}");
+    }
+
+    #[test]
+    fn it_is_simulated_anew_between_rounds() {
+        let model = frozen(0.05);
+        let x = patterns(&model);
+        assert!(!model.renew(1) && !model.renew(6)); // nothing is known of any patterns yet
+        let c = model.new_dose().unwrap();
+        let mut back = x.zeros_like();
+        model.pullback(&x, &c, &mut back, &Run::new()).unwrap();
+        assert!(!model.renew(5) && model.renew(6));
+        let (print, frozen) = both(&model, &x);
+        let off = print.iter().zip(&frozen).filter(|(p, _)| **p > 0.0);
+        assert!(off.map(|(p, f)| (p - f).abs()).fold(0.0, f32::max) < 1e-4);
+    }
+}
