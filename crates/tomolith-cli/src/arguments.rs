@@ -5,10 +5,12 @@ use crate::export::{CalibrateArguments, ExportArguments};
 use crate::export_matrix::MatrixArguments;
 use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
+use crate::sweep::SweepArguments;
 use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
+use tomolith::job::Leaves;
 use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
@@ -22,6 +24,7 @@ Examples:
   tomolith schema > job.schema.json                 for editors that complete TOML
   tomolith export out/01-gear --output gear-frames  frames and movie for a machine
   tomolith compare out/01-gear out/02-gyroid        runs side by side on one page
+  tomolith sweep examples/sweeps/threshold-map.toml many runs, one table, maps
 
 Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 cancelled";
 
@@ -41,6 +44,8 @@ pub(crate) enum Command {
     Simulate(SimulateArguments),
     /// Print patterns of an earlier run in time: when what is solid, and when to stop; the job needs a [schedule]
     Print(SimulateArguments),
+    /// Run a job with many values of its keys: a table, maps, the best job
+    Sweep(SweepArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),
     /// List what a job can choose from: vials, objectives, optimisers, … with their parameters
@@ -118,8 +123,32 @@ pub(crate) struct RunArguments {
     /// Replace a finished run of another job in the run folder
     #[arg(long)]
     pub(crate) overwrite: bool,
+    /// What the run leaves
+    #[arg(long, value_enum, default_value_t = Keep::All)]
+    pub(crate) keep: Keep,
     #[command(flatten)]
     pub(crate) manner: Manner,
+}
+
+/// What a run leaves.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Keep {
+    /// job.toml, report.json, history.csv
+    Metrics,
+    /// And patterns.npz
+    Patterns,
+    /// Everything
+    All,
+}
+
+impl From<Keep> for Leaves {
+    fn from(keep: Keep) -> Self {
+        match keep {
+            Keep::Metrics => Leaves::Metrics,
+            Keep::Patterns => Leaves::Patterns,
+            Keep::All => Leaves::All,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

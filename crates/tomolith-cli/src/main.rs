@@ -10,6 +10,7 @@ mod help;
 mod import;
 mod metrics;
 mod screen;
+mod sweep;
 mod trace;
 mod trouble;
 mod voxelize;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Simulate(given) => (given.manner, simulate(given)),
         Command::Print(given) => (given.manner, print(given)),
         Command::Check(given) => (given.manner, check(given)),
+        Command::Sweep(given) => (given.manner, sweep(given)),
         Command::Kinds { family, name, json } => {
             let manner = Manner {
                 json: *json,
@@ -117,7 +119,8 @@ fn run(given: &RunArguments) -> Result<bool> {
     }
     let cancel = cancel_on_ctrl_c(given.manner);
     let mut screen = Screen::new(given.manner);
-    let summary = job::run(&job, given.resume, &mut screen, &cancel)?;
+    let leaves = given.keep.into();
+    let summary = job::run_leaving(&job, given.resume, leaves, &mut screen, &cancel)?;
     screen.finish(&summary);
     Ok(summary.is_met())
 }
@@ -144,6 +147,12 @@ fn print(given: &SimulateArguments) -> Result<bool> {
         ));
     }
     simulate(given)
+}
+
+/// `tomolith sweep`: whether no run failed, and one meets what is asked.
+fn sweep(given: &sweep::SweepArguments) -> Result<bool> {
+    prepare(given.manner)?;
+    sweep::sweep(given, &cancel_on_ctrl_c(given.manner))
 }
 
 /// `tomolith check`: always met when it ends without an error.

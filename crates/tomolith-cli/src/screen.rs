@@ -181,7 +181,7 @@ impl Progress for Screen {
     }
 }
 
-fn new_bar(length: u64, template: &str) -> ProgressBar {
+pub(crate) fn new_bar(length: u64, template: &str) -> ProgressBar {
     let style =
         ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(length).with_style(style)

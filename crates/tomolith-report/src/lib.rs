@@ -10,6 +10,7 @@ pub mod html;
 pub mod json;
 pub mod latitude;
 pub mod limits;
+pub mod maps;
 pub mod number;
 mod picture;
 mod plot;

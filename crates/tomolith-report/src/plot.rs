@@ -59,7 +59,7 @@ impl Axis {
     }
 
     /// 0 at the low end, 1 at the high end.
-    fn place(&self, value: f64) -> f64 {
+    pub(super) fn place(&self, value: f64) -> f64 {
         let place = if self.zero && value <= 0.0 {
             0.0
         } else if self.log {
@@ -78,7 +78,7 @@ impl Axis {
     }
 
     /// Values and labels of the ticks.
-    fn ticks(&self, wanted: usize) -> Vec<(f64, String)> {
+    pub(super) fn ticks(&self, wanted: usize) -> Vec<(f64, String)> {
         if self.log {
             let (low, high) = (
                 self.low.log10().round() as i32,

@@ -196,12 +196,12 @@ fn jaccard_plot(time: &TimeReport<'_>) -> String {
         points.filter(|p| p[1].is_finite()).collect()
     };
     if let Some([low, high]) = time.window_s() {
-        plot.band(low, high, "window", "within 0.01 of the best");
+        plot.band(low, high, "window", "best");
     }
-    plot.line(&line(&|p| p.contrast), "still", "contrast of the dose");
-    plot.line(&line(&|p| p.solid[0]), "part", "solid share of the part");
-    plot.line(&line(&|p| p.solid[1]), "void", "of the void");
-    plot.line(&line(&|p| p.jaccard), "accent", "Jaccard index");
+    plot.line(&line(&|p| p.contrast), "still", "contrast");
+    plot.line(&line(&|p| p.solid[0]), "part", "part solid");
+    plot.line(&line(&|p| p.solid[1]), "void", "void solid");
+    plot.line(&line(&|p| p.jaccard), "accent", "Jaccard");
     plot.svg("Jaccard index, solid shares and contrast over time")
 }
 
@@ -219,14 +219,10 @@ fn energy_plot(time: &TimeReport<'_>) -> String {
     plot.line(&line(&|p| p.imbued_mj), "void", "in all voxels");
     plot.line(&line(&|p| p.contribution_mj), "accent", "in solid voxels");
     if let Some(needed) = time.requirement_mj {
-        plot.line(
-            &[[0.0, needed], [end, needed]],
-            "still",
-            "what the part needs",
-        );
+        plot.line(&[[0.0, needed], [end, needed]], "still", "needed");
     }
     if let Some(ideal) = time.ideal_s {
-        plot.line_at(ideal, "gel", "ideal exposure");
+        plot.line_at(ideal, "gel", "ideal");
     }
     plot.svg("Absorbed drive over time")
 }

@@ -10,6 +10,8 @@ use crate::error::{Error, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// Why a folder is refused in which another process works.
+pub const TAKEN: &str = "another run is working in it";
 /// First line of the `job.toml` of a run folder.
 const MARK: &str = "# A Tomolith run folder; this is its job with every default written out.\n";
 /// Published last: they say that the rest is complete.
@@ -92,7 +94,7 @@ impl RunFolder {
             Err(fs::TryLockError::WouldBlock) => {
                 return Err(Error::Unsupported {
                     what: format!("output.folder `{}`", path.display()),
-                    reason: "another run is working in it".to_owned(),
+                    reason: TAKEN.to_owned(),
                 });
             }
             Err(fs::TryLockError::Error(e)) => return Err(Error::io(&lock_path, e)),

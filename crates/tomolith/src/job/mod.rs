@@ -10,6 +10,7 @@
 //! | a job as objects, for other programs | [`resolved`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
+//! | what many runs ask of a job | `many` |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod agreement;
@@ -31,6 +32,7 @@ pub mod kinds;
 mod levels;
 mod light;
 mod limits;
+mod many;
 mod named;
 mod noise;
 mod optimise;
@@ -59,12 +61,13 @@ mod write;
 pub use document::Document;
 pub use folder::RunFolder;
 pub use import::{Imported, import};
+pub use many::{Leaves, Needs, needs, run_here};
 pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
 pub use read::Job;
 pub use resolved::{ResolvedJob, Task};
 pub use spec::*;
-pub use stages::{check, run, simulate};
+pub use stages::{check, run, run_leaving, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {

@@ -63,8 +63,8 @@ use crate::target::{Shape, Target};
 
 /// A job whose tables are objects; see the [module page](self).
 pub struct ResolvedJob {
-    scene: Scene,
-    voxels: Voxels,
+    pub(super) scene: Scene,
+    pub(super) voxels: Voxels,
 }
 
 /// What an optimiser needs.

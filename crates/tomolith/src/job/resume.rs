@@ -185,7 +185,7 @@ const FILES: [&str; 9] = [
 ];
 
 /// Hashes of the contents of all files that tables name, in the order of their keys.
-fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+pub(super) fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
     match tables {
         Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
         Value::Object(map) => map.iter().try_for_each(|(key, value)| {
@@ -200,7 +200,7 @@ fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
 }
 
 /// Hash of a file's content.
-fn content(path: &Path) -> Result<u64> {
+pub(super) fn content(path: &Path) -> Result<u64> {
     let failed = |e| Error::io(path, e);
     let mut file = std::fs::File::open(path).map_err(failed)?;
     let (mut block, mut sum) = (vec![0u8; BLOCK], FNV);
@@ -214,7 +214,7 @@ fn content(path: &Path) -> Result<u64> {
 }
 
 /// FNV-1a, 64 bits.
-fn hash(bytes: &[u8]) -> u64 {
+pub(super) fn hash(bytes: &[u8]) -> u64 {
     hash_on(FNV, bytes)
 }
 

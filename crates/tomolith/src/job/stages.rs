@@ -7,6 +7,7 @@ use super::in_time::InTime;
 use super::judge::judge;
 use super::levels;
 use super::limits::Fall;
+use super::many::Leaves;
 use super::optimise::{Optimised, optimise};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress, watched};
@@ -37,14 +38,29 @@ const OPTIMISING: &str = "optimising";
 /// that holds a finished run of another job;
 /// [`Error::NonFinite`] and [`Error::Cancelled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
+    run_leaving(job, resume, Leaves::All, progress, cancel)
+}
+
+/// Runs a job as [`run`] does; only some of its outputs appear in the run folder.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_leaving(
+    job: &Job,
+    resume: bool,
+    leaves: Leaves,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
     watched(progress, cancel, |progress| {
-        run_stages(job, resume, progress, cancel)
+        run_stages(job, resume, leaves, progress, cancel)
     })
 }
 
-fn run_stages(
+pub(super) fn run_stages(
     job: &Job,
     resume: bool,
+    leaves: Leaves,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
@@ -88,6 +104,7 @@ fn run_stages(
         judged,
         optimised: Some(optimised),
         source: None,
+        leaves,
         warnings,
     };
     finish(done, folder, clock)
@@ -145,6 +162,7 @@ fn simulate_stages(
         judged,
         optimised: None,
         source: Some(source),
+        leaves: Leaves::All,
         warnings,
     };
     finish(done, folder, clock)
@@ -189,7 +207,11 @@ fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Sum
         }
     }
     let summary = summary(&done, written?, folder.path(), clock.begin);
+    let checkpoint = folder.checkpoint();
     folder.publish()?;
+    if done.leaves < Leaves::All && checkpoint.exists() {
+        std::fs::remove_dir_all(&checkpoint).map_err(|e| Error::io(&checkpoint, e))?;
+    }
     Ok(summary)
 }
 

@@ -17,7 +17,7 @@ const MOST_RPM: f64 = 1000.0;
 const MOST_ABSORPTION: f64 = 100.0;
 
 /// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
-const MOST_LIGHT: f64 = 1e9;
+pub(super) const MOST_LIGHT: f64 = 1e9;
 
 /// Most pixels along an edge, most voxels along an edge.
 const LARGEST_EDGE: usize = 16_384;

@@ -6,6 +6,7 @@ use super::in_time::NetworkInTime;
 use super::judge::Judged;
 use super::levels::sentence;
 use super::limits::limits;
+use super::many::Leaves;
 use super::optimise::Optimised;
 use super::outcome::{earlier, large};
 use super::progress::Progress;
@@ -46,6 +47,8 @@ pub(crate) struct Done<'a> {
     pub(crate) optimised: Option<Optimised>,
     /// Where the patterns of a simulation came from.
     pub(crate) source: Option<&'a Path>,
+    /// Which files are asked for.
+    pub(crate) leaves: Leaves,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -93,6 +96,12 @@ pub(crate) fn all(
         &frames,
         gel_dose,
     );
+    if done.leaves < Leaves::All {
+        if done.leaves == Leaves::Patterns {
+            write_patterns(&new.join("patterns.npz"), &pairs, run)?;
+        }
+        return numbers(done, folder, timings, &shown);
+    }
     let properties = properties(scene, judged)?;
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
@@ -146,6 +155,33 @@ pub(crate) fn all(
         properties: &properties,
     };
     report(done, &new, &history, made, &shown, &headline)?;
+    Ok(headline)
+}
+
+/// The files of a run whose numbers alone are asked for.
+fn numbers(
+    done: &Done<'_>,
+    folder: &RunFolder,
+    timings: Vec<Timing>,
+    shown: &device::Shown<'_>,
+) -> Result<Headline> {
+    let new = folder.new_files();
+    let history = done.optimised.as_ref().map(history).unwrap_or_default();
+    if !history.is_empty() {
+        write_history(&new.join("history.csv"), &history)?;
+    }
+    let models = models(done);
+    folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    let headline = Headline::of(done, shown)?;
+    let properties = properties(&done.scene, &done.judged)?;
+    let made = Made {
+        movies: Vec::new(),
+        deviation: None,
+        timings,
+        models,
+        properties: &properties,
+    };
+    report(done, &new, &history, made, shown, &headline)?;
     Ok(headline)
 }
 
@@ -256,6 +292,9 @@ fn report(
         timings: made.timings,
     };
     write_json(&folder.join("report.json"), &data)?;
+    if done.leaves < Leaves::All {
+        return Ok(());
+    }
     write_html(&folder.join("report.html"), &data)
 }
 

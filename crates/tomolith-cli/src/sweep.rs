@@ -1,0 +1,170 @@
+//! `tomolith sweep`: many runs of one job.
+
+use crate::arguments::Manner;
+use crate::screen::{mutter, new_bar, say};
+use clap::Args;
+use indicatif::ProgressBar;
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::thread::available_parallelism;
+use tomolith::Result;
+use tomolith::models::Run;
+use tomolith_sweep::{Event, Outcome, Plan, Shard, Sweep, Watch, duration, merge, run};
+
+const EXAMPLES: &str = "\
+Examples:
+  tomolith sweep examples/sweeps/threshold-map.toml  table, maps and best job in out/threshold-map
+  tomolith sweep sweep.toml --shard 3/16             the third of 16 shares, for one of 16 machines
+  tomolith sweep sweep.toml --merge                  table and maps of what is there
+  tomolith sweep sweep.toml --list | parallel -j 4   the runs as ordinary commands
+
+The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or none meets
+best.where, 2 could not run, 130 cancelled";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct SweepArguments {
+    /// Sweep file, TOML or JSON
+    sweep: PathBuf,
+    /// Folder of the results, in place of `folder`
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Only print the runs as commands, one a line
+    #[arg(long, conflicts_with_all = ["shard", "merge"])]
+    list: bool,
+    /// Only this share of the runs
+    #[arg(long, value_name = "I/N", conflicts_with = "merge")]
+    shard: Option<Shard>,
+    /// Only collect what is there, and runs of the same sweep in other folders
+    #[arg(long, value_name = "DIR", num_args = 0..)]
+    merge: Option<Vec<PathBuf>>,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+pub(crate) fn sweep(given: &SweepArguments, cancel: &Run) -> Result<bool> {
+    let mut sweep = Sweep::read(&given.sweep)?;
+    if let Some(folder) = &given.output {
+        sweep = sweep.with_folder(folder);
+    }
+    let own = || available_parallelism().map_or(1, usize::from);
+    let threads = given.manner.threads.map_or_else(own, usize::from);
+    let plan = sweep.plan(threads, cancel)?;
+    if given.list {
+        plan.commands()?.iter().for_each(|command| say(command));
+        return Ok(true);
+    }
+    let outcome = match &given.merge {
+        Some(others) => merge(&plan, others)?,
+        None => run(
+            &plan,
+            given.shard,
+            &mut Board::new(given.manner, &plan),
+            cancel,
+        )?,
+    };
+    finish(&outcome, given.manner);
+    Ok(outcome.is_met())
+}
+
+fn finish(outcome: &Outcome, manner: Manner) {
+    if manner.json {
+        let mut line = serde_json::to_value(outcome).unwrap_or_default();
+        line["event"] = "done".into();
+        say(&line.to_string());
+    } else if !manner.quiet {
+        say(outcome.to_string().trim_end());
+    }
+}
+
+/// Where the runs of a sweep are shown: a bar on a terminal, a line a run elsewhere, JSON lines, or nothing.
+struct Board {
+    manner: Manner,
+    bar: Option<ProgressBar>,
+    about: String,
+}
+
+impl Board {
+    fn new(manner: Manner, plan: &Plan) -> Self {
+        Board {
+            manner,
+            bar: None,
+            about: plan.to_string(),
+        }
+    }
+}
+
+impl Watch for Board {
+    fn event(&mut self, event: &Event) {
+        if self.manner.json {
+            say(&serde_json::to_string(event).unwrap_or_default());
+            return;
+        }
+        if self.manner.quiet {
+            return;
+        }
+        match event {
+            Event::Sweep { runs, finished, .. } => {
+                mutter(&format!(
+                    "{:>12} {}; {finished} finished before",
+                    "", self.about
+                ));
+                if std::io::stderr().is_terminal() {
+                    let bar = new_bar(
+                        *runs as u64,
+                        "{pos:>7}/{len} {bar:30.cyan} {percent:>3} %  {msg}",
+                    );
+                    bar.set_position(*finished as u64);
+                    self.bar = Some(bar);
+                }
+            }
+            Event::Run {
+                run,
+                values,
+                state,
+                result,
+                seconds,
+                ended,
+                runs,
+                left_s,
+            } => {
+                let left = duration(*left_s);
+                let failed = (*state == "failed").then(|| format!("{result}"));
+                match (&self.bar, failed) {
+                    (Some(bar), failed) => {
+                        if let Some(message) = failed {
+                            bar.suspend(|| {
+                                mutter(&format!(
+                                    "{:>12} run {run} ({values}): {message}",
+                                    "Failed"
+                                ));
+                            });
+                        }
+                        bar.set_position(*ended as u64);
+                        bar.set_message(format!("{left} left"));
+                    }
+                    (None, failed) => mutter(&format!(
+                        "{ended:>7}/{runs}  run {run}: {values}  {}  {seconds:.1} s, {left} left",
+                        failed.unwrap_or_else(|| first_number(result))
+                    )),
+                }
+            }
+        }
+    }
+}
+
+/// The first of a run's metrics, for its line.
+fn first_number(result: &serde_json::Value) -> String {
+    let first = result.as_object().and_then(|map| map.iter().next());
+    first
+        .map(|(name, value)| format!("{name} {value}"))
+        .unwrap_or_default()
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+        }
+    }
+}

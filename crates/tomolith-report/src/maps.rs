@@ -1,0 +1,786 @@
+//! Numbers of many runs as pictures: heat maps over two axes, curves and dots over one, each a whole SVG file.
+//!
+//! Several panels share one scale of values. A heat map has equal cells, labelled by their values; the feasible region is outlined, the
+//! best cell ringed, and a run that failed is a grey cell with a cross. Colours are viridis; they are logarithmic where positive values span more
+//! than three decades, with 0 at the lowest colour, and the picture says so. The paper is white: the files are for articles, too.
+//!
+//! ```
+//! use tomolith_report::maps::{Cell, Panel, Scale, heat_maps};
+//! let axis = |name: &str| Scale { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
+//! let cell = |value| Some(Cell { value: Some(value), is_feasible: value > 1.5, is_best: value == 3.0, has_failed: false });
+//! let panel = Panel { title: String::new(), cells: vec![cell(1.0), cell(2.0), None, cell(3.0)] };
+//! let svg = heat_maps("PW", &axis("lower"), &axis("upper"), &[panel], "");
+//! assert_eq!(svg.matches("class=\"cell\"").count(), 3);
+//! assert_eq!(svg.matches("class=\"best\"").count(), 1);
+//! ```
+
+use super::number::{escape, significant};
+use super::picture::{hex, viridis};
+use super::plot::Axis;
+use std::fmt::Write as _;
+
+/// Width and height of a panel's drawing, alone and among others.
+const ALONE: [f64; 2] = [460.0, 400.0];
+const AMONG: [f64; 2] = [230.0, 200.0];
+/// Height of a curve, of its width.
+const FLAT: f64 = 0.66;
+/// Room round a panel: left, above, below.
+const LEFT: f64 = 76.0;
+const ABOVE: f64 = 34.0;
+const BELOW: f64 = 62.0;
+/// Room for the colour bar, and above all.
+const BAR: f64 = 110.0;
+const HEAD: f64 = 34.0;
+const FOOT: f64 = 30.0;
+/// Panels in a row.
+const ROW: usize = 4;
+/// Labels along an axis, at most; a cell that wide holds its value.
+const LABELS: usize = 11;
+const WRITTEN: f64 = 44.0;
+/// Values that span more than this have logarithmic colours.
+const DECADES: f64 = 1e3;
+
+const STYLE: &str = "<style>text{font:13px Inter,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif;fill:#16202b}\
+    .title{font-size:16px;font-weight:600}.small{font-size:11.5px}.muted{fill:#5a6775}.frame{fill:none;stroke:#8b96a2}\
+    .grid{stroke:#e1e6eb}.line{fill:none;stroke:#0f6f7c;stroke-width:1.8}.dot{fill:#0f6f7c}.out{fill:#fff;stroke:#0f6f7c;stroke-width:1.4}\
+    .halo{fill:none;stroke:#fff;stroke-width:4.5;stroke-linecap:square}.edge{fill:none;stroke:#d64550;stroke-width:2;stroke-linecap:square}\
+    .best{fill:none;stroke:#fff;stroke-width:5}.ring{fill:none;stroke:#16202b;stroke-width:2.2}.failed{fill:#c9d0d7}\
+    .cross{stroke:#5a6775;stroke-width:1.4}</style>";
+
+/// One axis of a heat map: its name, and the values of its cells.
+#[derive(Clone, Debug)]
+pub struct Scale {
+    /// What it is.
+    pub name: String,
+    /// The values, from left to right or from below.
+    pub labels: Vec<String>,
+}
+
+/// A run in a heat map.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Its number; none where it is not defined.
+    pub value: Option<f64>,
+    /// Whether it meets what is asked.
+    pub is_feasible: bool,
+    /// Whether no other is better.
+    pub is_best: bool,
+    /// Whether it could not be run.
+    pub has_failed: bool,
+}
+
+/// One heat map.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// What tells it from the others.
+    pub title: String,
+    /// `[y][x]`, y upwards; none where there is no run.
+    pub cells: Vec<Option<Cell>>,
+}
+
+/// Values along a curve.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// What the values stand over.
+    pub name: String,
+    /// Labels of the places 0, 1, 2, … where these are no numbers.
+    pub labels: Option<Vec<String>>,
+    /// Whether equal ratios are equally far apart.
+    pub is_log: bool,
+    /// Whether neighbours are joined.
+    pub is_joined: bool,
+    /// Place, and what is there.
+    pub points: Vec<(f64, Cell)>,
+}
+
+/// How values become colours or heights.
+struct Values {
+    low: f64,
+    high: f64,
+    is_log: bool,
+}
+
+impl Values {
+    fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
+        let finite = values.filter(|v| v.is_finite());
+        let low = finite.clone().reduce(f64::min).unwrap_or(0.0);
+        let high = finite.clone().reduce(f64::max).unwrap_or(1.0);
+        let least = finite.filter(|v| *v > 0.0).reduce(f64::min).unwrap_or(high);
+        let is_log = low >= 0.0 && high > DECADES * least;
+        let low = if is_log { least } else { low };
+        // All equal: one colour in the middle of the map
+        let room = if high > low {
+            0.0
+        } else {
+            0.5 * high.abs().max(1e-12)
+        };
+        Values {
+            low: low - room,
+            high: high + room,
+            is_log,
+        }
+    }
+
+    /// 0 at the lowest, 1 at the highest.
+    fn place(&self, value: f64) -> f64 {
+        let part = if self.is_log {
+            (value.max(self.low) / self.low).ln() / (self.high / self.low).ln()
+        } else {
+            (value - self.low) / (self.high - self.low)
+        };
+        part.clamp(0.0, 1.0)
+    }
+
+    /// Values and labels along the scale.
+    fn ticks(&self) -> Vec<(f64, String)> {
+        if self.is_log {
+            let inside = |(value, _): &(f64, String)| (self.low..=self.high).contains(value);
+            return Axis::log("", self.low, self.high)
+                .ticks(6)
+                .into_iter()
+                .filter(inside)
+                .collect();
+        }
+        Axis::linear("", self.low, self.high).ticks(5)
+    }
+}
+
+/// Heat maps side by side, as one SVG file; `caption` stands below them.
+#[must_use]
+pub fn heat_maps(title: &str, x: &Scale, y: &Scale, panels: &[Panel], caption: &str) -> String {
+    let cells = || panels.iter().flat_map(|p| p.cells.iter().flatten());
+    let values = Values::of(cells().filter_map(|cell| cell.value));
+    let mut sheet = Sheet::new(panels.len(), 1.0, BAR);
+    let title = if values.is_log {
+        format!("{title} (logarithmic colours)")
+    } else {
+        title.to_owned()
+    };
+    sheet.head(&title, caption);
+    for (i, panel) in panels.iter().enumerate() {
+        let frame = sheet.frame(i);
+        map(&mut sheet.body, &frame, (x, y), panel, &values);
+    }
+    sheet.bar(&values);
+    let marks = [
+        (cells().any(|c| c.is_feasible) && cells().any(|c| !c.is_feasible))
+            .then_some("outlined: feasible"),
+        cells().any(|c| c.is_best).then_some("ring: best"),
+        cells().any(|c| c.has_failed).then_some("×: failed"),
+    ];
+    sheet.marks(&marks);
+    sheet.svg(&title)
+}
+
+/// Curves or dots side by side over one scale of values, as one SVG file; `caption` stands below them.
+#[must_use]
+pub fn curves(title: &str, curves: &[Curve], caption: &str) -> String {
+    let points = || {
+        curves
+            .iter()
+            .flat_map(|c| c.points.iter().map(|(_, cell)| cell))
+    };
+    let values = Values::of(points().filter_map(|cell| cell.value));
+    let (is_log, room) = (values.is_log, 0.05 * (values.high - values.low));
+    let values = Axis {
+        zero: is_log && points().any(|cell| cell.value == Some(0.0)),
+        ..if is_log {
+            Axis::log("", values.low, values.high)
+        } else {
+            Axis::linear("", values.low - room, values.high + room)
+        }
+    };
+    let mut sheet = Sheet::new(curves.len(), FLAT, 20.0);
+    sheet.head(title, caption);
+    for (i, curve) in curves.iter().enumerate() {
+        let frame = sheet.frame(i);
+        draw_curve(&mut sheet.body, &frame, curve, &values);
+    }
+    let marks = [
+        points()
+            .any(|c| !c.is_feasible)
+            .then_some("hollow: not feasible"),
+        points().any(|c| c.is_best).then_some("ring: best"),
+        points().any(|c| c.has_failed).then_some("×: failed"),
+    ];
+    sheet.marks(&marks);
+    sheet.svg(title)
+}
+
+/// Where a panel is drawn.
+struct Frame {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+}
+
+impl Frame {
+    fn x(&self, part: f64) -> f64 {
+        self.left + part * self.width
+    }
+
+    fn y(&self, part: f64) -> f64 {
+        self.top + (1.0 - part) * self.height
+    }
+
+    /// Its outline, ticks at parts of its edges, and the names of both.
+    fn axes(&self, body: &mut String, names: [&str; 2], x: &[(f64, String)], y: &[(f64, String)]) {
+        let (bottom, right) = (self.top + self.height, self.left + self.width);
+        for (part, label) in x {
+            let at = self.x(*part);
+            add(
+                body,
+                format_args!(
+                    "<path class=\"frame\" d=\"M{at:.1} {bottom:.1}v4\"/><text class=\"small\" x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+                    bottom + 17.0,
+                    escape(label)
+                ),
+            );
+        }
+        for (part, label) in y {
+            let at = self.y(*part);
+            add(
+                body,
+                format_args!(
+                    "<path class=\"frame\" d=\"M{:.1} {at:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                    self.left - 4.0,
+                    self.left - 8.0,
+                    at + 4.0,
+                    escape(label)
+                ),
+            );
+        }
+        let (middle, upright) = (
+            f64::midpoint(self.left, right),
+            f64::midpoint(self.top, bottom),
+        );
+        add(
+            body,
+            format_args!(
+                "<rect class=\"frame\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\
+             <text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>\
+             <text transform=\"translate({:.1} {upright:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+                self.left,
+                self.top,
+                self.width,
+                self.height,
+                bottom + 37.0,
+                escape(names[0]),
+                self.left - 56.0,
+                escape(names[1])
+            ),
+        );
+    }
+
+    fn title(&self, body: &mut String, title: &str) {
+        let x = self.left + 0.5 * self.width;
+        add(
+            body,
+            format_args!(
+                "<text class=\"small\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+                self.top - 8.0,
+                escape(title)
+            ),
+        );
+    }
+}
+
+fn add(body: &mut String, element: std::fmt::Arguments<'_>) {
+    // Writing into a string cannot fail
+    let _ = body.write_fmt(element);
+}
+
+/// Parts of an edge in the middle of equal cells, and their labels: so many that they do not touch.
+fn middles(labels: &[String], most: usize) -> Vec<(f64, String)> {
+    let step = labels.len().div_ceil(most.max(1)).max(1);
+    let middle =
+        |(i, label): (usize, &String)| ((i as f64 + 0.5) / labels.len() as f64, label.clone());
+    labels
+        .iter()
+        .enumerate()
+        .step_by(step)
+        .map(middle)
+        .collect()
+}
+
+/// How many labels of so many letters fit along an edge.
+fn fitting(labels: &[String], width: f64) -> usize {
+    let longest = labels.iter().map(|l| l.chars().count()).max().unwrap_or(1);
+    ((width / (7.0 * longest as f64 + 10.0)) as usize).clamp(1, LABELS)
+}
+
+fn map(body: &mut String, frame: &Frame, (x, y): (&Scale, &Scale), panel: &Panel, values: &Values) {
+    let [columns, rows] = [x, y].map(|scale| scale.labels.len());
+    let [width, height] = [
+        frame.width / columns.max(1) as f64,
+        frame.height / rows.max(1) as f64,
+    ];
+    let corner = |i: usize| {
+        [
+            frame.left + (i % columns) as f64 * width,
+            frame.top + (rows - 1 - i / columns) as f64 * height,
+        ]
+    };
+    for (i, cell) in panel.cells.iter().enumerate() {
+        let (Some(cell), [left, top]) = (cell, corner(i)) else {
+            continue;
+        };
+        draw_cell(body, [left, top, width, height], cell, values);
+    }
+    let is_feasible = |column: usize, row: usize| {
+        let cell = (column < columns && row < rows)
+            .then(|| panel.cells.get(row * columns + column))
+            .flatten();
+        cell.copied().flatten().is_some_and(|cell| cell.is_feasible)
+    };
+    let has_both = panel.cells.iter().flatten().any(|c| !c.is_feasible);
+    let outline = if has_both {
+        outline([columns, rows], &is_feasible, &corner, [width, height])
+    } else {
+        String::new()
+    };
+    add(
+        body,
+        format_args!(
+            "<path class=\"halo\" d=\"{outline}\"/><path class=\"edge\" d=\"{outline}\"/>"
+        ),
+    );
+    for (i, _) in panel
+        .cells
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| c.is_some_and(|c| c.is_best))
+    {
+        let [left, top] = corner(i);
+        let (cx, cy, r) = (
+            left + 0.5 * width,
+            top + 0.5 * height,
+            (0.42 * width.min(height)).clamp(4.0, 24.0),
+        );
+        add(
+            body,
+            format_args!(
+                "<circle class=\"best\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/><circle class=\"ring\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/>"
+            ),
+        );
+    }
+    frame.title(body, &panel.title);
+    let [across, up] = [
+        fitting(&x.labels, frame.width),
+        ((frame.height / 16.0) as usize).min(LABELS),
+    ];
+    frame.axes(
+        body,
+        [&x.name, &y.name],
+        &middles(&x.labels, across),
+        &middles(&y.labels, up),
+    );
+}
+
+/// A coloured cell with its number where that has room; a grey one with a cross where there is none.
+fn draw_cell(
+    body: &mut String,
+    [left, top, width, height]: [f64; 4],
+    cell: &Cell,
+    values: &Values,
+) {
+    let shape =
+        format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
+    let Some(value) = cell.value else {
+        add(body, format_args!("<rect class=\"failed\" {shape}/>"));
+        if cell.has_failed {
+            let (r, cx, cy) = (
+                0.18 * width.min(height),
+                left + 0.5 * width,
+                top + 0.5 * height,
+            );
+            add(
+                body,
+                format_args!(
+                    "<path class=\"cross\" d=\"M{:.1} {:.1}l{:.1} {:.1}m0 {:.1}l{:.1} {:.1}\"/>",
+                    cx - r,
+                    cy - r,
+                    2.0 * r,
+                    2.0 * r,
+                    -2.0 * r,
+                    -2.0 * r,
+                    2.0 * r
+                ),
+            );
+        }
+        return;
+    };
+    let colour = viridis(values.place(value));
+    add(
+        body,
+        format_args!(
+            "<rect class=\"cell\" fill=\"{}\" stroke=\"{0}\" stroke-width=\".4\" {shape}/>",
+            hex(colour)
+        ),
+    );
+    if width >= WRITTEN && height >= 18.0 {
+        let light: u32 = colour[..3]
+            .iter()
+            .zip([3, 6, 1])
+            .map(|(&c, w)| u32::from(c) * w)
+            .sum();
+        let ink = if light > 1250 { "#16202b" } else { "#ffffff" };
+        add(
+            body,
+            format_args!(
+                "<text class=\"small\" style=\"fill:{ink}\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+                left + 0.5 * width,
+                top + 0.5 * height + 4.0,
+                significant(value, 3)
+            ),
+        );
+    }
+}
+
+/// The edges between feasible cells and all others.
+fn outline(
+    [columns, rows]: [usize; 2],
+    is_feasible: &dyn Fn(usize, usize) -> bool,
+    corner: &dyn Fn(usize) -> [f64; 2],
+    [width, height]: [f64; 2],
+) -> String {
+    let mut path = String::new();
+    for i in (0..columns * rows).filter(|i| is_feasible(i % columns, i / columns)) {
+        let ([left, top], column, row) = (corner(i), i % columns, i / columns);
+        let sides = [
+            (
+                column.wrapping_sub(1),
+                row,
+                format!("M{left:.1} {top:.1}v{height:.1}"),
+            ),
+            (
+                column + 1,
+                row,
+                format!("M{:.1} {top:.1}v{height:.1}", left + width),
+            ),
+            (column, row + 1, format!("M{left:.1} {top:.1}h{width:.1}")),
+            (
+                column,
+                row.wrapping_sub(1),
+                format!("M{left:.1} {:.1}h{width:.1}", top + height),
+            ),
+        ];
+        for (column, row, side) in sides {
+            if !is_feasible(column, row) {
+                path.push_str(&side);
+            }
+        }
+    }
+    path
+}
+
+fn draw_curve(body: &mut String, frame: &Frame, curve: &Curve, values: &Axis) {
+    let places = || curve.points.iter().map(|(place, _)| *place);
+    let (low, high) = (
+        places().fold(f64::INFINITY, f64::min),
+        places().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let across = match &curve.labels {
+        Some(labels) => Axis::linear("", -0.5, labels.len() as f64 - 0.5),
+        None if curve.is_log => Axis::log("", low, high),
+        None => {
+            let room = 0.04 * (high - low);
+            Axis::linear("", low - room, high + room)
+        }
+    };
+    let ticks = match &curve.labels {
+        Some(labels) => middles(labels, fitting(labels, frame.width)),
+        None => placed(&across, (frame.width / 60.0) as usize),
+    };
+    let heights = placed(values, (frame.height / 45.0) as usize);
+    for (part, _) in &heights {
+        let at = frame.y(*part);
+        add(
+            body,
+            format_args!(
+                "<path class=\"grid\" d=\"M{:.1} {at:.1}h{:.1}\"/>",
+                frame.left, frame.width
+            ),
+        );
+    }
+    let at = |(place, cell): &(f64, Cell)| {
+        Some([
+            frame.x(across.place(*place)),
+            frame.y(values.place(cell.value?)),
+        ])
+    };
+    if curve.is_joined {
+        let mut path = String::new();
+        let mut letter = 'M';
+        for point in &curve.points {
+            let place = at(point);
+            if let Some([x, y]) = place {
+                add(&mut path, format_args!("{letter}{x:.1} {y:.1}"));
+            }
+            letter = if place.is_some() { 'L' } else { 'M' };
+        }
+        add(body, format_args!("<path class=\"line\" d=\"{path}\"/>"));
+    }
+    for point in &curve.points {
+        let Some([x, y]) = at(point) else {
+            if point.1.has_failed {
+                let (x, y) = (frame.x(across.place(point.0)), frame.y(0.03));
+                add(
+                    body,
+                    format_args!(
+                        "<path class=\"cross\" d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"/>",
+                        x - 4.0,
+                        y - 4.0
+                    ),
+                );
+            }
+            continue;
+        };
+        let class = if point.1.is_feasible { "dot" } else { "out" };
+        add(
+            body,
+            format_args!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.4\"/>"),
+        );
+        if point.1.is_best {
+            add(
+                body,
+                format_args!("<circle class=\"ring\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>"),
+            );
+        }
+    }
+    frame.axes(body, [&curve.name, ""], &ticks, &heights);
+}
+
+/// Ticks as parts of an edge.
+fn placed(axis: &Axis, wanted: usize) -> Vec<(f64, String)> {
+    let part = |(value, label): (f64, String)| (axis.place(value), label);
+    axis.ticks(wanted.max(2)).into_iter().map(part).collect()
+}
+
+/// The whole picture.
+struct Sheet {
+    columns: usize,
+    rows: usize,
+    panel: [f64; 2],
+    /// Room on the right.
+    right: f64,
+    body: String,
+    caption: bool,
+}
+
+impl Sheet {
+    fn new(panels: usize, flat: f64, right: f64) -> Self {
+        let columns = panels.clamp(1, ROW);
+        let [width, height] = if panels == 1 { ALONE } else { AMONG };
+        Sheet {
+            columns,
+            rows: panels.div_ceil(columns).max(1),
+            panel: [width, flat * height],
+            right,
+            body: String::new(),
+            caption: false,
+        }
+    }
+
+    fn size(&self) -> [f64; 2] {
+        let [width, height] = self.panel;
+        let foot = if self.caption { 2.0 * FOOT } else { FOOT };
+        [
+            self.columns as f64 * (LEFT + width) + self.right,
+            HEAD + self.rows as f64 * (ABOVE + height + BELOW) + foot,
+        ]
+    }
+
+    fn frame(&self, i: usize) -> Frame {
+        let ([width, height], column, row) = (self.panel, i % self.columns, i / self.columns);
+        Frame {
+            left: LEFT + column as f64 * (LEFT + width),
+            top: HEAD + ABOVE + row as f64 * (ABOVE + height + BELOW),
+            width,
+            height,
+        }
+    }
+
+    fn head(&mut self, title: &str, caption: &str) {
+        self.caption = !caption.is_empty();
+        let [_, height] = self.size();
+        add(
+            &mut self.body,
+            format_args!(
+                "<text class=\"title\" x=\"16\" y=\"28\">{}</text>",
+                escape(title)
+            ),
+        );
+        add(
+            &mut self.body,
+            format_args!(
+                "<text class=\"small\" x=\"16\" y=\"{:.1}\">{}</text>",
+                height - FOOT - 12.0,
+                escape(caption)
+            ),
+        );
+    }
+
+    /// What the marks mean, in one line below all.
+    fn marks(&mut self, marks: &[Option<&str>]) {
+        let [_, height] = self.size();
+        let text = marks
+            .iter()
+            .flatten()
+            .copied()
+            .collect::<Vec<_>>()
+            .join(" · ");
+        add(
+            &mut self.body,
+            format_args!(
+                "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{text}</text>",
+                height - 12.0
+            ),
+        );
+    }
+
+    /// The colour bar, on the right.
+    fn bar(&mut self, values: &Values) {
+        let (last, first) = (self.frame(self.columns - 1), self.frame(0));
+        let (left, steps) = (last.left + last.width + 24.0, 64);
+        let step = first.height / f64::from(steps);
+        for i in 0..steps {
+            let colour = hex(viridis((f64::from(i) + 0.5) / f64::from(steps)));
+            let top = first.top + first.height - f64::from(i + 1) * step;
+            add(
+                &mut self.body,
+                format_args!(
+                    "<rect fill=\"{colour}\" x=\"{left:.1}\" y=\"{top:.2}\" width=\"16\" height=\"{:.2}\"/>",
+                    step + 0.3
+                ),
+            );
+        }
+        for (value, label) in values.ticks() {
+            let y = first.y(values.place(value));
+            add(
+                &mut self.body,
+                format_args!(
+                    "<path class=\"frame\" d=\"M{:.1} {y:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
+                    left + 16.0,
+                    left + 24.0,
+                    y + 4.0
+                ),
+            );
+        }
+    }
+
+    fn svg(&self, title: &str) -> String {
+        let [width, height] = self.size();
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" viewBox=\"0 0 {width:.0} {height:.0}\" \
+             role=\"img\" aria-label=\"{}\">{STYLE}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{}</svg>\n",
+            escape(title),
+            self.body
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scale(name: &str, count: usize) -> Scale {
+        Scale {
+            name: name.to_owned(),
+            labels: (0..count).map(|i| i.to_string()).collect(),
+        }
+    }
+
+    fn cell(value: Option<f64>, is_feasible: bool) -> Option<Cell> {
+        Some(Cell {
+            value,
+            is_feasible,
+            is_best: value == Some(4.0),
+            has_failed: value.is_none(),
+        })
+    }
+
+    #[test]
+    fn the_feasible_region_is_outlined_by_its_outer_edges_alone() {
+        // Feasible: the two cells on the right of 3 × 1
+        let cells = vec![
+            cell(Some(1.0), false),
+            cell(Some(2.0), true),
+            cell(Some(4.0), true),
+        ];
+        let svg = heat_maps(
+            "m",
+            &scale("x", 3),
+            &scale("y", 1),
+            &[Panel {
+                title: "a < b".to_owned(),
+                cells,
+            }],
+            "",
+        );
+        let edge = svg
+            .split("class=\"edge\" d=\"")
+            .nth(1)
+            .unwrap()
+            .split('"')
+            .next()
+            .unwrap();
+        // Left of the first, right of the last, two above and two below; none between them
+        assert_eq!(
+            (edge.matches('v').count(), edge.matches('h').count()),
+            (2, 4)
+        );
+        assert!(svg.contains("a &lt; b") && svg.contains("outlined: feasible · ring: best"));
+    }
+
+    #[test]
+    fn zero_has_the_lowest_of_logarithmic_colours_and_all_equal_values_one() {
+        let values = Values::of([0.0, 1e-4, 1.0].into_iter());
+        assert!(values.is_log);
+        assert_eq!(
+            [0.0, 1e-4, 1e-2, 1.0].map(|v| values.place(v)),
+            [0.0, 0.0, 0.5, 1.0]
+        );
+        let values = Values::of([0.3, 0.3].into_iter());
+        assert!(!values.is_log && (values.place(0.3) - 0.5).abs() < 1e-12);
+        assert!(!Values::of([-1.0, 1e-9, 1.0].into_iter()).is_log);
+    }
+
+    #[test]
+    fn nothing_and_failures_make_a_picture_without_nan() {
+        let panel = |cells| {
+            [Panel {
+                title: String::new(),
+                cells,
+            }]
+        };
+        let svg = heat_maps(
+            "m",
+            &scale("x", 2),
+            &scale("y", 1),
+            &panel(vec![None, cell(None, false)]),
+            "none",
+        );
+        assert!(
+            svg.contains("class=\"cross\"") && !svg.contains("NaN"),
+            "{svg}"
+        );
+        let points = vec![
+            (1.0, cell(None, false).unwrap()),
+            (1.0, cell(Some(4.0), true).unwrap()),
+        ];
+        let curve = Curve {
+            name: "x".to_owned(),
+            labels: None,
+            is_log: true,
+            is_joined: true,
+            points,
+        };
+        let svg = curves("m", &[curve], "");
+        assert!(
+            svg.contains("class=\"ring\"") && !svg.contains("NaN") && !svg.contains("inf"),
+            "{svg}"
+        );
+    }
+}

@@ -1,0 +1,578 @@
+//! Axes and the points of a sweep: all combinations that meet the conditions, or points that are drawn.
+//!
+//! A range `from … to` has the values from + i·step, or with a count the i-th of count, from + (to − from)·i/(count − 1) or
+//! from·(to/from)^(i/(count − 1)), to twelve significant digits, so that 0.3 is 0.3. Draws come from SplitMix64 (Steele, Lea and Flood
+//! 2014): the same points on every machine.
+
+use crate::expression::Condition;
+use crate::spec::{AxisSpec, DrawSpec, RangeSpec, SampleSpec};
+use serde_json::Value;
+use tomolith::units::concise;
+use tomolith::{Error, Result};
+
+/// Runs, at most; combinations that are looked at, at most.
+pub const MOST_RUNS: usize = 100_000;
+const MOST_COMBINATIONS: f64 = 1e7;
+/// Draws for a point that meets the conditions, at most.
+const TRIES: usize = 1000;
+/// Names of the table's other columns.
+const TAKEN: [&str; 5] = ["run", "state", "feasible", "error", "folder"];
+
+/// A key that is swept.
+#[derive(Clone, Debug)]
+pub(crate) struct Axis {
+    /// Its name.
+    pub(crate) name: String,
+    /// The key of the job.
+    pub(crate) key: String,
+    /// Whether equal ratios are equally far apart.
+    pub(crate) is_log: bool,
+    kind: AxisKind,
+}
+
+#[derive(Clone, Debug)]
+enum AxisKind {
+    Values(Vec<Value>),
+    Range(RangeSpec),
+}
+
+/// One point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// A value per axis.
+    pub values: Vec<Value>,
+    /// Where it lies on each axis, 0 to 1.
+    pub place: Vec<f64>,
+    /// Its index on each axis; none for points that are drawn.
+    pub index: Option<Vec<usize>>,
+}
+
+impl Axis {
+    /// Checks an axis; `at` is its key path.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn new(spec: &AxisSpec, at: &str, is_drawn: bool) -> Result<Self> {
+        let name = spec.name.clone().unwrap_or_else(|| last_part(&spec.key));
+        let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_')
+            && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        if !is_name || TAKEN.contains(&name.as_str()) {
+            let accepted = format!(
+                "letters, digits and `_`, and none of the table's {}",
+                TAKEN.join(", ")
+            );
+            return Err(Error::config(
+                format!("{at}.name"),
+                format!("found {name:?}"),
+                accepted,
+            ));
+        }
+        let kind = match (&spec.values, &spec.linear, &spec.log) {
+            (Some(values), None, None) => AxisKind::Values(list(values, at)?),
+            (None, Some(range), None) => of_range(range, &format!("{at}.linear"), false, is_drawn)?,
+            (None, None, Some(range)) => of_range(range, &format!("{at}.log"), true, is_drawn)?,
+            (None, None, None) => {
+                let accepted =
+                    "values = […], linear = { from, to, step } or log = { from, to, count }";
+                return Err(Error::config(at, "no values", accepted));
+            }
+            _ => {
+                return Err(Error::config(
+                    at,
+                    "more than one of values, linear and log",
+                    "one of them",
+                ));
+            }
+        };
+        Ok(Axis {
+            name,
+            key: spec.key.clone(),
+            is_log: spec.log.is_some(),
+            kind,
+        })
+    }
+
+    /// Its values; empty for a range that is drawn from.
+    #[must_use]
+    pub(crate) fn values(&self) -> &[Value] {
+        match &self.kind {
+            AxisKind::Values(values) => values,
+            AxisKind::Range(_) => &[],
+        }
+    }
+
+    /// The value at a part of the axis, 0 to below 1.
+    fn drawn(&self, part: f64) -> Value {
+        match &self.kind {
+            AxisKind::Values(values) => {
+                let i = (part * values.len() as f64) as usize;
+                values[i.min(values.len() - 1)].clone()
+            }
+            AxisKind::Range(range) => number(between(range, self.is_log, part), range.whole),
+        }
+    }
+}
+
+/// A key's last name, without index.
+fn last_part(key: &str) -> String {
+    let last = key.rsplit('.').next().unwrap_or(key);
+    last.split('[').next().unwrap_or(last).to_owned()
+}
+
+fn list(values: &[Value], at: &str) -> Result<Vec<Value>> {
+    if values.is_empty() {
+        return Err(Error::config(
+            format!("{at}.values"),
+            "an empty list: there is nothing to run",
+            "at least one value",
+        ));
+    }
+    Ok(values.to_vec())
+}
+
+fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result<AxisKind> {
+    let refuse = |key: &str, found: String, accepted: &str| {
+        Err(Error::config(format!("{at}{key}"), found, accepted))
+    };
+    if is_log && !(range.from > 0.0 && range.to > 0.0) {
+        return refuse(
+            "",
+            format!("from {} to {}", range.from, range.to),
+            "both ends above 0: their ratio is divided",
+        );
+    }
+    if is_drawn {
+        return Ok(AxisKind::Range(range.clone()));
+    }
+    let count = match (range.step, range.count) {
+        (None, Some(0)) => {
+            return refuse(
+                ".count",
+                "found 0: there is nothing to run".to_owned(),
+                "1 or more",
+            );
+        }
+        (None, Some(count)) => count as f64,
+        (Some(step), None) if !is_log => {
+            let steps = (range.to - range.from) / step;
+            if !(steps.is_finite() && steps >= 0.0) {
+                return refuse(
+                    ".step",
+                    format!(
+                        "found {step}, which does not lead from {} to {}",
+                        range.from, range.to
+                    ),
+                    "a step towards `to`",
+                );
+            }
+            (steps + 1e-9).floor() + 1.0
+        }
+        _ if is_log => return refuse("", "no count alone".to_owned(), "{ from, to, count }"),
+        _ => {
+            return refuse(
+                "",
+                "both step and count, or neither".to_owned(),
+                "{ from, to, step } or { from, to, count }",
+            );
+        }
+    };
+    if count > MOST_COMBINATIONS {
+        return refuse(
+            "",
+            format!("{count:.0} values"),
+            &format!("{MOST_COMBINATIONS:.0} at most"),
+        );
+    }
+    let value = |i: usize| match range.step {
+        Some(step) => range.from + i as f64 * step,
+        None => between(range, is_log, i as f64 / (count - 1.0).max(1.0)),
+    };
+    let values: Vec<f64> = (0..count as usize).map(|i| neat(value(i))).collect();
+    let whole = range.whole
+        || [range.from, range.to]
+            .iter()
+            .chain(&values)
+            .all(|v| v.fract() == 0.0);
+    let mut values: Vec<Value> = values.into_iter().map(|v| number(v, whole)).collect();
+    values.dedup();
+    Ok(AxisKind::Values(values))
+}
+
+fn between(range: &RangeSpec, is_log: bool, part: f64) -> f64 {
+    if is_log {
+        range.from * (range.to / range.from).powf(part)
+    } else {
+        range.from + (range.to - range.from) * part
+    }
+}
+
+/// To twelve significant digits.
+fn neat(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "casts of floats saturate; no key of a job is that large"
+)]
+fn number(value: f64, whole: bool) -> Value {
+    if whole {
+        Value::from(value.round() as i64)
+    } else {
+        Value::from(neat(value))
+    }
+}
+
+/// The points of a sweep, in the order of its table.
+///
+/// # Errors
+/// [`Error::Config`] for conditions that no point meets.
+pub(crate) fn points(
+    axes: &[Axis],
+    when: &[Condition],
+    sample: Option<SampleSpec>,
+) -> Result<Vec<Point>> {
+    let meets = |point: &Point| {
+        let of = |name: &str| named(axes, point, name);
+        when.iter().all(|condition| condition.is_met(&of))
+    };
+    let points = match sample {
+        None => grid(axes, &meets)?,
+        Some(SampleSpec::Random(draw)) => random(axes, draw, &meets)?,
+        Some(SampleSpec::LatinHypercube(draw)) => {
+            let mut points = hypercube(axes, draw);
+            points.retain(meets);
+            points
+        }
+    };
+    if points.is_empty() {
+        return Err(Error::config(
+            "when",
+            "no point of the axes meets the conditions",
+            "conditions that some of them meet",
+        ));
+    }
+    if points.len() > MOST_RUNS {
+        return Err(too_many(points.len() as f64));
+    }
+    Ok(points)
+}
+
+/// How many combinations there are, before any condition.
+///
+/// # Errors
+/// [`Error::Config`] where these are too many to look at.
+pub(crate) fn combinations(axes: &[Axis], sample: Option<SampleSpec>) -> Result<f64> {
+    let (count, most) = match sample {
+        None => (
+            axes.iter().map(|axis| axis.values().len() as f64).product(),
+            MOST_COMBINATIONS,
+        ),
+        Some(SampleSpec::Random(draw) | SampleSpec::LatinHypercube(draw)) => {
+            (draw.count as f64, MOST_RUNS as f64)
+        }
+    };
+    if count > most {
+        Err(too_many(count))
+    } else {
+        Ok(count)
+    }
+}
+
+fn too_many(count: f64) -> Error {
+    let accepted = format!(
+        "{MOST_RUNS} runs at most: fewer or shorter axes, conditions in `when`, or a [sample]"
+    );
+    Error::config("axes", format!("{count:.0} runs"), accepted)
+}
+
+/// The number of an axis at a point.
+pub(crate) fn named(axes: &[Axis], point: &Point, name: &str) -> Option<f64> {
+    let i = axes.iter().position(|axis| axis.name == name)?;
+    point.values[i].as_f64()
+}
+
+/// All combinations, the last axis fastest.
+fn grid(axes: &[Axis], meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
+    let counts: Vec<usize> = axes.iter().map(|axis| axis.values().len()).collect();
+    let mut index = vec![0; axes.len()];
+    let mut points = Vec::new();
+    loop {
+        let parts = index
+            .iter()
+            .zip(&counts)
+            .map(|(&i, &n)| i as f64 / (n as f64 - 1.0).max(1.0));
+        let point = Point {
+            values: axes
+                .iter()
+                .zip(&index)
+                .map(|(axis, &i)| axis.values()[i].clone())
+                .collect(),
+            place: parts.collect(),
+            index: Some(index.clone()),
+        };
+        if meets(&point) {
+            points.push(point);
+        }
+        if points.len() > MOST_RUNS {
+            return Err(too_many(combinations(axes, None)?));
+        }
+        let Some(turn) = (0..axes.len()).rev().find(|&i| index[i] + 1 < counts[i]) else {
+            return Ok(points);
+        };
+        index[turn] += 1;
+        index[turn + 1..].fill(0);
+    }
+}
+
+fn drawn(axes: &[Axis], place: Vec<f64>) -> Point {
+    Point {
+        values: axes
+            .iter()
+            .zip(&place)
+            .map(|(axis, &part)| axis.drawn(part))
+            .collect(),
+        place,
+        index: None,
+    }
+}
+
+fn random(axes: &[Axis], draw: DrawSpec, meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
+    let mut source = SplitMix(draw.seed);
+    let mut points = Vec::with_capacity(draw.count);
+    for _ in 0..draw.count.saturating_mul(TRIES) {
+        if points.len() == draw.count {
+            return Ok(points);
+        }
+        let point = drawn(axes, axes.iter().map(|_| source.part()).collect());
+        if meets(&point) {
+            points.push(point);
+        }
+    }
+    let found = format!(
+        "{} of {} random points meet the conditions",
+        points.len(),
+        draw.count
+    );
+    if points.len() == draw.count {
+        Ok(points)
+    } else {
+        Err(Error::config(
+            "when",
+            found,
+            "conditions that more of them meet",
+        ))
+    }
+}
+
+/// One point in each of `count` equal parts of every axis, at a random place in it, the parts of each axis in an order of their own
+/// (McKay, Beckman and Conover 1979).
+fn hypercube(axes: &[Axis], draw: DrawSpec) -> Vec<Point> {
+    let mut source = SplitMix(draw.seed);
+    let columns: Vec<Vec<f64>> = axes
+        .iter()
+        .map(|_| {
+            let mut parts: Vec<usize> = (0..draw.count).collect();
+            for i in (1..parts.len()).rev() {
+                let other = (source.part() * (i + 1) as f64) as usize;
+                parts.swap(i, other.min(i));
+            }
+            parts
+                .into_iter()
+                .map(|part| (part as f64 + source.part()) / draw.count as f64)
+                .collect()
+        })
+        .collect();
+    (0..draw.count)
+        .map(|i| drawn(axes, columns.iter().map(|column| column[i]).collect()))
+        .collect()
+}
+
+/// SplitMix64.
+struct SplitMix(u64);
+
+impl SplitMix {
+    /// A number from 0 to below 1.
+    fn part(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        (mixed(self.0) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// The finaliser of SplitMix64.
+pub(crate) fn mixed(state: u64) -> u64 {
+    let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// A value as people read it.
+#[must_use]
+pub(crate) fn label(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), concise),
+        Value::Object(map) if map.len() == 1 => map.keys().next().cloned().unwrap_or_default(),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(text: serde_json::Value, is_drawn: bool) -> Result<Axis> {
+        Axis::new(&serde_json::from_value(text).unwrap(), "axes[0]", is_drawn)
+    }
+
+    fn linear(name: &str, from: f64, to: f64, step: f64) -> Axis {
+        axis(serde_json::json!({ "key": format!("a.{name}"), "linear": { "from": from, "to": to, "step": step } }), false).unwrap()
+    }
+
+    #[test]
+    fn ranges_have_neat_values_and_both_ends() {
+        assert_eq!(
+            linear("x", 0.1, 0.7, 0.1).values(),
+            [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7].map(Value::from)
+        );
+        assert_eq!(
+            linear("x", 9.0, 5.0, -2.0).values(),
+            [9, 7, 5].map(Value::from)
+        );
+        let log = serde_json::json!({ "key": "k", "log": { "from": 1e-4, "to": 1.0, "count": 5 } });
+        assert_eq!(
+            axis(log, false).unwrap().values(),
+            [1e-4, 1e-3, 0.01, 0.1, 1.0].map(Value::from)
+        );
+        let half = serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "count": 3 } });
+        assert_eq!(
+            axis(half, false).unwrap().values(),
+            [0.0, 0.5, 1.0].map(Value::from)
+        );
+        let whole = serde_json::json!({ "key": "k", "log": { "from": 10, "to": 40, "count": 4, "whole": true } });
+        assert_eq!(
+            axis(whole, false).unwrap().values(),
+            [10, 16, 25, 40].map(Value::from)
+        );
+    }
+
+    #[test]
+    fn slips_name_their_keys() {
+        for (text, start) in [
+            (
+                serde_json::json!({ "key": "k", "values": [] }),
+                "axes[0].values: an empty list",
+            ),
+            (serde_json::json!({ "key": "k" }), "axes[0]: no values"),
+            (
+                serde_json::json!({ "key": "k", "values": [1], "linear": { "from": 0, "to": 1, "count": 2 } }),
+                "axes[0]: more than one",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1 } }),
+                "axes[0].linear: both step and count",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": -0.1 } }),
+                "axes[0].linear.step: found -0.1",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "count": 0 } }),
+                "axes[0].linear.count: found 0",
+            ),
+            (
+                serde_json::json!({ "key": "k", "log": { "from": 0, "to": 1, "count": 3 } }),
+                "axes[0].log: from 0 to 1",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 1e-300 } }),
+                "axes[0].linear: ",
+            ),
+            (
+                serde_json::json!({ "key": "k.run", "values": [1] }),
+                "axes[0].name: found \"run\"",
+            ),
+        ] {
+            let message = axis(text.clone(), false).unwrap_err().to_string();
+            assert!(message.starts_with(start), "{text}: {message}");
+        }
+    }
+
+    #[test]
+    fn pairs_that_break_a_condition_are_no_points() {
+        let axes = [
+            linear("lower", 0.1, 0.3, 0.1),
+            linear("upper", 0.1, 0.3, 0.1),
+        ];
+        let when = ["lower < upper".parse().unwrap()];
+        let found = points(&axes, &when, None).unwrap();
+        let pairs: Vec<_> = found.iter().map(|p| p.values.clone()).collect();
+        assert_eq!(
+            pairs,
+            [[0.1, 0.2], [0.1, 0.3], [0.2, 0.3]].map(|p| p.map(Value::from).to_vec())
+        );
+        assert_eq!(found[1].place, [0.0, 1.0]);
+        let message = points(&axes, &["lower > 1".parse().unwrap()], None)
+            .unwrap_err()
+            .to_string();
+        assert!(message.starts_with("when: no point"), "{message}");
+    }
+
+    #[test]
+    fn a_thousand_million_runs_are_refused_with_their_number() {
+        let axes = vec![linear("x", 1.0, 1000.0, 1.0); 3];
+        let message = combinations(&axes, None).unwrap_err().to_string();
+        assert!(message.starts_with("axes: 1000000000 runs"), "{message}");
+        assert!(points(&vec![linear("x", 1.0, 400.0, 1.0); 2], &[], None).is_err());
+    }
+
+    #[test]
+    fn draws_are_the_same_everywhere_and_fill_every_part() {
+        // The published first output of SplitMix64 with seed 0
+        let mut source = SplitMix(0);
+        assert_eq!(
+            source.part(),
+            (0xe220_a839_7b1d_cdaf_u64 >> 11) as f64 / (1u64 << 53) as f64
+        );
+        let range = |key: &str| {
+            axis(
+                serde_json::json!({ "key": key, "linear": { "from": -1, "to": 1 } }),
+                true,
+            )
+            .unwrap()
+        };
+        let axes = [range("x"), range("y")];
+        let draw = DrawSpec { count: 20, seed: 3 };
+        let cube = points(&axes, &[], Some(SampleSpec::LatinHypercube(draw))).unwrap();
+        for i in 0..2 {
+            let mut parts: Vec<usize> = cube
+                .iter()
+                .map(|p| (10.0 * (p.values[i].as_f64().unwrap() + 1.0)) as usize)
+                .collect();
+            parts.sort_unstable();
+            assert_eq!(parts, (0..20).collect::<Vec<_>>());
+        }
+        let when = ["x < y".parse().unwrap()];
+        let found = points(&axes, &when, Some(SampleSpec::Random(draw))).unwrap();
+        assert_eq!(found.len(), 20);
+        assert!(
+            found
+                .iter()
+                .all(|p| p.values[0].as_f64() < p.values[1].as_f64())
+        );
+        assert_eq!(
+            points(&axes, &when, Some(SampleSpec::Random(draw))).unwrap(),
+            found
+        );
+        let none = points(
+            &axes,
+            &["x > 2".parse().unwrap()],
+            Some(SampleSpec::Random(draw)),
+        );
+        assert!(
+            none.unwrap_err()
+                .to_string()
+                .starts_with("when: 0 of 20 random points")
+        );
+    }
+}

@@ -1,0 +1,705 @@
+//! Runs side by side: who is next, what is told, how it stops, what is collected at the end.
+//!
+//! Each of the slots has a pool of threads of its own and takes the first run that waits and whose start is settled. Nothing of a run's result
+//! depends on which slot takes it or when. A request to stop is passed on to every run at work.
+
+use crate::pictures;
+use crate::plan::{Plan, firsts};
+use crate::table::{State, Table, failure, state};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
+use std::fmt;
+use std::fs;
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+use tomolith::io::write_whole;
+use tomolith::job::{self, Job, RunFolder, Silent, folder::TAKEN};
+use tomolith::models::Run;
+use tomolith::units::counted;
+use tomolith::{Error, Result};
+
+/// How often a request to stop is looked for, and how often a folder in which another process works.
+const PAUSE: Duration = Duration::from_millis(100);
+const BUSY: Duration = Duration::from_secs(1);
+
+/// Something worth telling.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "snake_case")]
+pub enum Event {
+    /// Every job was checked.
+    Sweep {
+        /// Runs of this process.
+        runs: usize,
+        /// Those that were finished before.
+        finished: usize,
+        /// How many work at a time.
+        side_by_side: usize,
+        /// Memory of each, MB.
+        memory_mb: Option<u64>,
+    },
+    /// A run has ended.
+    Run {
+        /// Its number in the table, from 1.
+        run: usize,
+        /// Its values, for people.
+        values: String,
+        /// `done` or `failed`.
+        state: &'static str,
+        /// Its metrics, or why it failed.
+        result: Value,
+        /// Seconds that it took.
+        seconds: f64,
+        /// How many have ended, those of earlier calls included.
+        ended: usize,
+        /// Of how many.
+        runs: usize,
+        /// Seconds that the rest will take, if it goes on as fast.
+        left_s: f64,
+    },
+}
+
+/// Where events go.
+pub trait Watch {
+    /// Called for each event, from the calling thread.
+    fn event(&mut self, event: &Event);
+}
+
+/// A share of the runs, for one of several machines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Which, from 1.
+    pub number: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text
+            .split_once('/')
+            .and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        match parts {
+            Some((number, of)) if (1..=of).contains(&number) => Ok(Shard { number, of }),
+            _ => Err("I/N with 1 ≤ I ≤ N, as in 3/16".to_owned()),
+        }
+    }
+}
+
+/// What a sweep came to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outcome {
+    /// Where results are.
+    pub folder: PathBuf,
+    /// All runs of the sweep.
+    pub runs: usize,
+    /// Those that have their numbers.
+    pub done: usize,
+    /// Those that failed.
+    pub failed: usize,
+    /// Those that have not been run.
+    pub missing: usize,
+    /// The best run: number, values, metrics; none where none meets what is asked, and of a share.
+    pub best: Option<BestRun>,
+    /// Table, pictures, best job; empty for a share.
+    pub files: Vec<PathBuf>,
+    /// Whether this was a share of the runs.
+    #[serde(skip)]
+    is_share: bool,
+}
+
+/// The best run.
+#[derive(Clone, Debug, Serialize)]
+pub struct BestRun {
+    /// Its number in the table, from 1.
+    pub run: usize,
+    /// Its values, for people.
+    pub values: String,
+    /// Its metrics.
+    pub metrics: Map<String, Value>,
+}
+
+impl Outcome {
+    /// Whether nothing failed, and something meets what is asked.
+    #[must_use]
+    pub fn is_met(&self) -> bool {
+        self.failed == 0 && (self.is_share || self.best.is_some())
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} done", self.done, counted(self.runs, "run"))?;
+        for (count, word) in [(self.failed, "failed"), (self.missing, "missing")] {
+            if count > 0 {
+                write!(f, ", {count} {word}")?;
+            }
+        }
+        writeln!(f)?;
+        match &self.best {
+            Some(best) => {
+                writeln!(f, "{:>12} {}", "best", best.values)?;
+                for (name, value) in &best.metrics {
+                    writeln!(f, "{:>12} {name} = {value}", "")?;
+                }
+            }
+            None if self.is_share => {
+                writeln!(f, "{:>12} collect all shares with --merge", "share")?
+            }
+            None => writeln!(f, "{:>12} no run meets best.where", "best")?,
+        }
+        for file in &self.files {
+            writeln!(f, "{:>12} {}", "wrote", file.display())?;
+        }
+        Ok(())
+    }
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    /// It is not of this process.
+    Elsewhere,
+    Waits,
+    Works,
+    Done,
+    Failed,
+}
+
+/// What the slots share.
+struct Board {
+    turns: Vec<Turn>,
+    /// For each run the first one with the same job, which is the one that is run.
+    firsts: Vec<usize>,
+    stop: bool,
+}
+
+/// What a slot tells.
+enum Told {
+    Ended {
+        run: usize,
+        state: State,
+        seconds: f64,
+    },
+    Broken(Error),
+}
+
+/// Runs a sweep, or a share of it; what was finished before stays. Without a share all is collected at the end.
+///
+/// # Errors
+/// [`Error::Cancelled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Format`] for a metric that no report has. A run that
+/// fails is noted, and the others go on.
+pub fn run(
+    plan: &Plan,
+    shard: Option<Shard>,
+    watch: &mut dyn Watch,
+    cancel: &Run,
+) -> Result<Outcome> {
+    let folder = plan
+        .run_folder(0)
+        .parent()
+        .map(Path::to_owned)
+        .unwrap_or_default();
+    fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
+    let mut turns = vec![Turn::Elsewhere; plan.runs.len()];
+    for i in own_runs(plan, shard) {
+        turns[i] = if is_ready(plan, i) {
+            Turn::Done
+        } else {
+            Turn::Waits
+        };
+    }
+    let count = |wanted: Turn| turns.iter().filter(|turn| **turn == wanted).count();
+    let (finished, waiting) = (count(Turn::Done), count(Turn::Waits));
+    let mut clock = Clock {
+        begin: Instant::now(),
+        ended: finished,
+        runs: finished + waiting,
+        before: finished,
+    };
+    watch.event(&Event::Sweep {
+        runs: clock.runs,
+        finished,
+        side_by_side: plan.side_by_side.min(waiting.max(1)),
+        memory_mb: plan.share_mb,
+    });
+    cancel.set_patient(true);
+    let ended = work(plan, turns, watch, &mut clock, cancel);
+    cancel.set_patient(false);
+    ended?;
+    match shard {
+        None => collect(plan),
+        Some(_) => Ok(Outcome {
+            is_share: true,
+            ..counted_up(plan, &Table::collect(plan)?)
+        }),
+    }
+}
+
+/// Collects what is there, runs of other folders of the same sweep first, and writes table, pictures and best job.
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Config`] for a folder without runs.
+pub fn merge(plan: &Plan, others: &[PathBuf]) -> Result<Outcome> {
+    for other in others {
+        let runs = other.join(crate::plan::RUNS);
+        if !runs.is_dir() {
+            return Err(Error::config(
+                "--merge",
+                format!("`{}` holds no runs", other.display()),
+                "the folder of a sweep",
+            ));
+        }
+        for i in firsts(&plan.runs) {
+            let (from, to) = (runs.join(&plan.runs[i].id), plan.run_folder(i));
+            if RunFolder::finished(&to).is_none() && RunFolder::finished(&from).is_some() {
+                copy_whole(&from, &to)?;
+            }
+            let note = runs.join(format!("{}.failed.json", plan.runs[i].id));
+            if matches!(state(plan, i)?, State::Missing) && note.is_file() {
+                fs::copy(&note, failure(plan, i)).map_err(|e| Error::io(&note, e))?;
+            }
+        }
+    }
+    collect(plan)
+}
+
+/// Copies a folder so that the copy is whole or not there.
+fn copy_whole(from: &Path, to: &Path) -> Result<()> {
+    if to.exists() {
+        fs::remove_dir_all(to).map_err(|e| Error::io(to, e))?;
+    }
+    if let Some(parent) = to.parent() {
+        fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))?;
+    }
+    tomolith::io::write_folder_whole(to, |new| Ok(copy(from, new)?))
+}
+
+fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
+    for entry in fs::read_dir(from)? {
+        let (entry, to) = entry.map(|e| (e.path(), to.join(e.file_name())))?;
+        if entry.is_dir() {
+            fs::create_dir(&to)?;
+            copy(&entry, &to)?;
+        } else {
+            fs::copy(&entry, &to)?;
+        }
+    }
+    Ok(())
+}
+
+/// Table, pictures and best job of what is there.
+fn collect(plan: &Plan) -> Result<Outcome> {
+    let table = Table::collect(plan)?;
+    let folder = plan.folder();
+    fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
+    let mut outcome = counted_up(plan, &table);
+    outcome.files = table.write(&folder)?;
+    outcome
+        .files
+        .extend(pictures::write(plan, &table, &folder)?);
+    let file = folder.join("best.toml");
+    match table.best {
+        Some(i) => {
+            let text = best_job(plan, &table, i)?;
+            write_whole(&file, |out| Ok(out.write_all(text.as_bytes())?))?;
+            outcome.files.push(file);
+        }
+        // One of an earlier call would be wrong
+        None => drop(fs::remove_file(&file)),
+    }
+    Ok(outcome)
+}
+
+fn counted_up(plan: &Plan, table: &Table<'_>) -> Outcome {
+    let [done, failed, missing] = table.counts();
+    let best = |i: usize| BestRun {
+        run: i + 1,
+        values: plan.words(i),
+        metrics: plan
+            .sweep
+            .metrics
+            .iter()
+            .map(|m| (m.clone(), json!(table.metric(i, m))))
+            .collect(),
+    };
+    Outcome {
+        folder: plan.folder(),
+        runs: plan.runs.len(),
+        done,
+        failed,
+        missing,
+        best: table.best.map(best),
+        files: Vec::new(),
+        is_share: false,
+    }
+}
+
+/// The job of a run with every default, as a file that stands alone.
+fn best_job(plan: &Plan, table: &Table<'_>, i: usize) -> Result<String> {
+    let job = plan
+        .job(i)?
+        .with_folder(&plan.folder().join("best"), "sweep");
+    let mut spec = job.resolved();
+    if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file")
+        && let Ok(absolute) = std::path::absolute(job.base().join(&*file))
+    {
+        *file = absolute.to_string_lossy().into_owned();
+    }
+    let mut text = format!(
+        "# The best of {}: run {} ({}).\n",
+        counted(plan.runs.len(), "run"),
+        i + 1,
+        plan.words(i)
+    );
+    for metric in &plan.sweep.metrics {
+        let value = table
+            .metric(i, metric)
+            .map_or("not defined".to_owned(), |v| v.to_string());
+        text.push_str(&format!("# {metric} = {value}\n"));
+    }
+    if plan.runs[i].parent.is_some() {
+        text.push_str("# These are from a warm start. This job starts as the job file says: its numbers will differ a little.\n");
+    }
+    Ok(text + &spec.to_toml()?)
+}
+
+/// The runs of a share, with those that they start from; of runs with one job the first.
+fn own_runs(plan: &Plan, shard: Option<Shard>) -> BTreeSet<usize> {
+    let Shard { number, of } = shard.unwrap_or(Shard { number: 1, of: 1 });
+    let count = plan.runs.len();
+    let firsts = firsts(&plan.runs);
+    // Neighbours stay together, so that few are run by several
+    let share = (number - 1) * count / of..number * count / of;
+    let mut own = BTreeSet::new();
+    for i in share {
+        let mut next = Some(firsts[i]);
+        while let Some(i) = next.filter(|&i| own.insert(i)) {
+            next = plan.runs[i].parent.map(|parent| firsts[parent]);
+        }
+    }
+    own
+}
+
+/// Whether a run is finished, with what others need of it.
+fn is_ready(plan: &Plan, i: usize) -> bool {
+    let folder = plan.run_folder(i);
+    let has_patterns = plan.sweep.spec.warm_start.is_none() || folder.join(PATTERNS).is_file();
+    has_patterns && RunFolder::finished(&folder).is_some()
+}
+
+const PATTERNS: &str = "patterns.npz";
+
+/// How long it takes.
+struct Clock {
+    begin: Instant,
+    ended: usize,
+    runs: usize,
+    before: usize,
+}
+
+impl Clock {
+    fn left_s(&self) -> f64 {
+        let here = (self.ended - self.before).max(1);
+        self.begin.elapsed().as_secs_f64() / here as f64 * (self.runs - self.ended) as f64
+    }
+}
+
+/// Lets the slots work, tells what they tell, and passes requests to stop on to them.
+fn work(
+    plan: &Plan,
+    turns: Vec<Turn>,
+    watch: &mut dyn Watch,
+    clock: &mut Clock,
+    cancel: &Run,
+) -> Result<()> {
+    let slots = plan.side_by_side.clamp(1, clock.runs.max(1));
+    let board = Board {
+        turns,
+        firsts: firsts(&plan.runs),
+        stop: false,
+    };
+    let (board, news) = (Mutex::new(board), Condvar::new());
+    let runs: Vec<Mutex<Arc<Run>>> = (0..slots)
+        .map(|_| Mutex::new(Arc::new(Run::new())))
+        .collect();
+    let asked = |times: u32| {
+        lock(&board).stop = true;
+        news.notify_all();
+        for run in &runs {
+            let run = lock(run);
+            for _ in 0..times {
+                run.cancel();
+            }
+        }
+    };
+    let mut broken = None;
+    thread::scope(|scope| {
+        let (tell, told) = channel();
+        for (slot, run) in runs.iter().enumerate() {
+            let threads = (plan.threads / slots + usize::from(slot < plan.threads % slots)).max(1);
+            let (tell, board, news) = (tell.clone(), &board, &news);
+            scope.spawn(move || {
+                Slot {
+                    plan,
+                    board,
+                    news,
+                    run,
+                    tell,
+                }
+                .work(threads)
+            });
+        }
+        drop(tell);
+        let mut passed = 0;
+        loop {
+            let wanted = if cancel.is_cancelled() {
+                2
+            } else {
+                u32::from(cancel.is_stop_asked())
+            };
+            if wanted > passed {
+                asked(wanted - passed);
+                passed = wanted;
+            }
+            match told.recv_timeout(PAUSE) {
+                Ok(Told::Ended {
+                    run,
+                    state,
+                    seconds,
+                }) => watch.event(&ended(plan, clock, run, &state, seconds)),
+                Ok(Told::Broken(error)) => {
+                    broken.get_or_insert(error);
+                    asked(2);
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+    });
+    match broken {
+        Some(error) => Err(error),
+        None if cancel.is_stop_asked() => Err(Error::Cancelled),
+        None => Ok(()),
+    }
+}
+
+fn ended(plan: &Plan, clock: &mut Clock, run: usize, state: &State, seconds: f64) -> Event {
+    clock.ended += 1;
+    let (word, result) = match state {
+        State::Done(values) => {
+            let pairs = plan
+                .sweep
+                .metrics
+                .iter()
+                .cloned()
+                .zip(values.iter().map(|v| json!(v)));
+            ("done", Value::Object(pairs.collect()))
+        }
+        State::Failed(message) => ("failed", json!(message)),
+        State::Missing => ("missing", Value::Null),
+    };
+    Event::Run {
+        run: run + 1,
+        values: plan.words(run),
+        state: word,
+        result,
+        seconds,
+        ended: clock.ended,
+        runs: clock.runs,
+        left_s: clock.left_s(),
+    }
+}
+
+/// A poisoned lock's content is still what it was.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// One of the places at which runs work.
+struct Slot<'a> {
+    plan: &'a Plan,
+    board: &'a Mutex<Board>,
+    news: &'a Condvar,
+    run: &'a Mutex<Arc<Run>>,
+    tell: Sender<Told>,
+}
+
+impl Slot<'_> {
+    fn work(&self, threads: usize) {
+        let pool = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+            Ok(pool) => pool,
+            Err(e) => {
+                let error = Error::config(
+                    "--threads",
+                    e.to_string(),
+                    "a number of threads this machine can start",
+                );
+                let _ = self.tell.send(Told::Broken(error));
+                return;
+            }
+        };
+        while let Some((i, from)) = self.next() {
+            let begin = Instant::now();
+            let ran = catch_unwind(AssertUnwindSafe(|| pool.install(|| self.run_one(i, from))));
+            let ran = ran.unwrap_or_else(|panic| {
+                let text = panic
+                    .downcast_ref::<String>()
+                    .cloned()
+                    .or_else(|| panic.downcast_ref::<&str>().map(|t| (*t).to_owned()));
+                Err(Error::Unsupported {
+                    what: "this job".to_owned(),
+                    reason: format!("a fault of Tomolith: {}", text.unwrap_or_default()),
+                })
+            });
+            let told = self.settle(i, ran, begin.elapsed().as_secs_f64());
+            let turn = match &told {
+                Some(Told::Ended {
+                    state: State::Done(_),
+                    ..
+                }) => Turn::Done,
+                Some(_) => Turn::Failed,
+                None => Turn::Waits,
+            };
+            lock(self.board).turns[i] = turn;
+            self.news.notify_all();
+            if let Some(told) = told {
+                let _ = self.tell.send(told);
+            }
+        }
+    }
+
+    /// The first run that waits and whose start is settled, and the run that it starts from. Waits for one; none when all have ended.
+    fn next(&self) -> Option<(usize, Option<usize>)> {
+        let mut board = lock(self.board);
+        loop {
+            if board.stop || !board.turns.contains(&Turn::Waits) {
+                return None;
+            }
+            let found = (0..board.turns.len())
+                .filter(|&i| board.turns[i] == Turn::Waits)
+                .find_map(|i| Some((i, self.start_of(i, &board)?)));
+            if let Some((i, from)) = found {
+                board.turns[i] = Turn::Works;
+                *lock(self.run) = Arc::new(Run::new());
+                return Some((i, from));
+            }
+            board = self
+                .news
+                .wait(board)
+                .unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    /// What a run starts from: its nearest ancestor that did not fail; none while that is not settled.
+    #[expect(clippy::option_option, reason = "not settled, or settled on no run")]
+    fn start_of(&self, i: usize, board: &Board) -> Option<Option<usize>> {
+        let mut next = self.plan.runs[i].parent;
+        while let Some(parent) = next {
+            let parent = board.firsts[parent];
+            match board.turns[parent] {
+                Turn::Done => return Some(Some(parent)),
+                Turn::Failed => next = self.plan.runs[parent].parent,
+                _ => return None,
+            }
+        }
+        Some(None)
+    }
+
+    fn run_one(&self, i: usize, from: Option<usize>) -> Result<State> {
+        let cancel = Arc::clone(&lock(self.run));
+        loop {
+            // Another process may have finished it meanwhile
+            if is_ready(self.plan, i) {
+                return state(self.plan, i);
+            }
+            let job = self.job(i, from, &cancel)?;
+            let leaves = self.plan.sweep.spec.keep.leaves();
+            match job::run_here(&job, true, leaves, &mut Silent, &cancel) {
+                Ok(_) => return state(self.plan, i),
+                Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
+                    thread::sleep(BUSY);
+                    if cancel.is_stop_asked() {
+                        return Err(Error::Cancelled);
+                    }
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    /// The job with its start.
+    fn job(&self, i: usize, from: Option<usize>, cancel: &Run) -> Result<Job> {
+        let job = self.plan.job(i)?.overwriting();
+        let Some(from) = from else {
+            return Ok(job);
+        };
+        let mut job = job.starting_from(&self.plan.run_folder(from).join(PATTERNS), cancel)?;
+        if let Some(iterations) = self
+            .plan
+            .sweep
+            .spec
+            .warm_start
+            .and_then(|warm| warm.iterations)
+        {
+            job.spec.stop.iterations = iterations;
+        }
+        Ok(job)
+    }
+
+    /// Notes a failure; what there is to tell, nothing where the run was stopped.
+    fn settle(&self, run: usize, ran: Result<State>, seconds: f64) -> Option<Told> {
+        let note = failure(self.plan, run);
+        match ran {
+            Ok(state) => {
+                let _ = fs::remove_file(&note);
+                Some(Told::Ended {
+                    run,
+                    state,
+                    seconds,
+                })
+            }
+            Err(Error::Cancelled) => None,
+            // What is wrong with its report is wrong with all
+            Err(error @ Error::Format { .. })
+                if RunFolder::finished(&self.plan.run_folder(run)).is_some() =>
+            {
+                Some(Told::Broken(error))
+            }
+            Err(error) => {
+                let text = json!({ "values": self.plan.words(run), "message": error.to_string() })
+                    .to_string();
+                match write_whole(&note, |file| Ok(file.write_all(text.as_bytes())?)) {
+                    Ok(()) => Some(Told::Ended {
+                        run,
+                        state: State::Failed(error.to_string()),
+                        seconds,
+                    }),
+                    Err(error) => Some(Told::Broken(error)),
+                }
+            }
+        }
+    }
+}
+
+/// What a plan is about, for people.
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let memory = self
+            .share_mb
+            .map_or(String::new(), |mb| format!(", {mb} MB each"));
+        write!(
+            f,
+            "{}, {} at a time{memory}",
+            counted(self.runs.len(), "run"),
+            self.side_by_side
+        )
+    }
+}

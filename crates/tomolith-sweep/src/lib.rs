@@ -1,0 +1,40 @@
+//! Many runs of one job: axes, runs side by side, a table, maps and curves, and the best job.
+//!
+//! | step | file |
+//! |---|---|
+//! | the sweep file, typed | `spec` |
+//! | axes → points | `axes`, with conditions of `expression` |
+//! | points → jobs that are checked, their identities, where each starts | `plan` |
+//! | runs side by side, shares, merging | `engine` |
+//! | folders of runs → rows, CSV, Parquet | `table`, `metric` |
+//! | rows → maps and curves | `pictures`, drawn by `tomolith-report` |
+//!
+//! The manual is docs/sweeps.md. A run's folder is named by the identity of its job ([`Job::identity`](tomolith::job::Job::identity)), so that
+//! what is finished is found again whatever else has changed in the sweep.
+//!
+//! ```no_run
+//! use tomolith::models::Run;
+//! use tomolith_sweep::{Event, Sweep, Watch, run};
+//! struct Quiet;
+//! impl Watch for Quiet {
+//!     fn event(&mut self, _: &Event) {}
+//! }
+//! let cancel = Run::new();
+//! let plan = Sweep::read("examples/sweeps/threshold-map.toml".as_ref())?.plan(8, &cancel)?;
+//! let outcome = run(&plan, None, &mut Quiet, &cancel)?;
+//! println!("{outcome}");
+//! # Ok::<(), tomolith::Error>(())
+//! ```
+
+mod axes;
+mod engine;
+mod expression;
+mod metric;
+mod pictures;
+mod plan;
+mod spec;
+mod table;
+
+pub use axes::{MOST_RUNS, Point};
+pub use engine::{BestRun, Event, Outcome, Shard, Watch, merge, run};
+pub use plan::{Plan, Planned, Sweep, duration};

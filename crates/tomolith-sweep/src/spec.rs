@@ -1,0 +1,175 @@
+//! The sweep file, typed; docs/sweeps.md is its page for people.
+
+use serde::Deserialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use tomolith::job::Leaves;
+
+/// A whole sweep file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SweepSpec {
+    /// The job file, relative to the sweep file.
+    pub(crate) job: PathBuf,
+    /// Where results go, relative to the current folder.
+    pub(crate) folder: Option<PathBuf>,
+    /// What each run leaves.
+    #[serde(default)]
+    pub(crate) keep: KeepSpec,
+    /// Numbers of `report.json`, by their key paths.
+    #[serde(default = "metrics")]
+    pub(crate) metrics: Vec<String>,
+    /// Conditions on the values of axes.
+    #[serde(default)]
+    pub(crate) when: Vec<String>,
+    /// Keys of the job, the same for all runs.
+    #[serde(default)]
+    pub(crate) set: Map<String, Value>,
+    /// Keys of the job that follow from the axes.
+    #[serde(default)]
+    pub(crate) derived: BTreeMap<String, String>,
+    /// The keys that are swept.
+    pub(crate) axes: Vec<AxisSpec>,
+    /// Points drawn in place of all combinations.
+    pub(crate) sample: Option<SampleSpec>,
+    /// Which run is the best.
+    #[serde(default)]
+    pub(crate) best: BestSpec,
+    /// Runs start from their neighbours' patterns.
+    pub(crate) warm_start: Option<WarmSpec>,
+    /// What all runs together may use.
+    #[serde(default)]
+    pub(crate) resources: ResourcesSpec,
+}
+
+/// What a run leaves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum KeepSpec {
+    /// Numbers.
+    #[default]
+    Metrics,
+    /// And patterns.
+    Patterns,
+    /// A whole run folder.
+    All,
+}
+
+impl KeepSpec {
+    /// The same for a run.
+    pub(crate) fn leaves(self) -> Leaves {
+        match self {
+            KeepSpec::Metrics => Leaves::Metrics,
+            KeepSpec::Patterns => Leaves::Patterns,
+            KeepSpec::All => Leaves::All,
+        }
+    }
+
+    /// As it is written.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            KeepSpec::Metrics => "metrics",
+            KeepSpec::Patterns => "patterns",
+            KeepSpec::All => "all",
+        }
+    }
+}
+
+/// One key that is swept: exactly one of `values`, `linear`, `log`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AxisSpec {
+    /// The key of the job.
+    pub(crate) key: String,
+    /// Its name in conditions, table and pictures.
+    pub(crate) name: Option<String>,
+    /// A list.
+    pub(crate) values: Option<Vec<Value>>,
+    /// Equal steps.
+    pub(crate) linear: Option<RangeSpec>,
+    /// Equal ratios.
+    pub(crate) log: Option<RangeSpec>,
+}
+
+/// A range, both ends included.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RangeSpec {
+    /// The first value.
+    pub(crate) from: f64,
+    /// The last.
+    pub(crate) to: f64,
+    /// The distance of two, in place of `count`.
+    pub(crate) step: Option<f64>,
+    /// How many.
+    pub(crate) count: Option<usize>,
+    /// Whether values are rounded to whole numbers.
+    #[serde(default)]
+    pub(crate) whole: bool,
+}
+
+/// Points that are drawn.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub(crate) enum SampleSpec {
+    /// Independent ones.
+    Random(DrawSpec),
+    /// One in each of equal parts of every axis.
+    LatinHypercube(DrawSpec),
+}
+
+/// How many points, and which.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DrawSpec {
+    /// How many.
+    pub(crate) count: usize,
+    /// Another seed gives other points.
+    #[serde(default)]
+    pub(crate) seed: u64,
+}
+
+/// Which run is the best: the one with most, or least, of a metric; `highest = "evaluation.iou"` when neither is given.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct BestSpec {
+    /// The metric to have most of.
+    pub(crate) highest: Option<String>,
+    /// The metric to have least of.
+    pub(crate) lowest: Option<String>,
+    /// Conditions on metrics and axes.
+    #[serde(rename = "where")]
+    pub(crate) conditions: Vec<String>,
+}
+
+/// Starts from neighbours.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct WarmSpec {
+    /// Iterations of a run with a warm start; the job's when left out.
+    pub(crate) iterations: Option<usize>,
+}
+
+/// What all runs together may use.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct ResourcesSpec {
+    /// Memory, GB (10⁹ bytes).
+    pub(crate) memory_gb: Option<f64>,
+    /// Runs at a time.
+    pub(crate) side_by_side: Option<usize>,
+}
+
+fn metrics() -> Vec<String> {
+    [
+        "evaluation.iou",
+        "evaluation.ver",
+        "evaluation.pw",
+        "evaluation.ipdr",
+        "history.loss",
+        "history.iterations",
+    ]
+    .map(str::to_owned)
+    .to_vec()
+}

@@ -1,0 +1,372 @@
+//! What the runs of a sweep came to, collected from their folders: one row a run, as CSV and as Parquet.
+//!
+//! Columns: `run` (counted from 1), the axes, `state` (`done`, `failed`, `missing`), the metrics, `feasible`, `error`, `folder`. Numbers are as
+//! short as they can be read back exactly; what is not defined is empty (null in Parquet).
+
+use crate::axes::named;
+use crate::metric;
+use crate::plan::{Plan, RUNS};
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::ParquetError;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::types::Type;
+use serde_json::Value;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tomolith::io::whole::Refused;
+use tomolith::io::write_whole;
+use tomolith::job::RunFolder;
+use tomolith::{Error, Result};
+
+/// What became of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum State {
+    /// It has its numbers.
+    Done(Vec<Option<f64>>),
+    /// It could not be run.
+    Failed(String),
+    /// It has not been run.
+    Missing,
+}
+
+/// The rows of a sweep.
+#[derive(Clone, Debug)]
+pub(crate) struct Table<'p> {
+    plan: &'p Plan,
+    /// One per run.
+    pub(crate) states: Vec<State>,
+    /// The best run: of those that are done and meet all conditions.
+    pub(crate) best: Option<usize>,
+}
+
+/// A column's content.
+enum Column {
+    Number(Vec<Option<f64>>),
+    Count(Vec<i64>),
+    Flag(Vec<Option<bool>>),
+    Text(Vec<Option<String>>),
+}
+
+impl<'p> Table<'p> {
+    /// Reads what is in the folders of the runs.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for a report that cannot be read, or has no such number.
+    pub(crate) fn collect(plan: &'p Plan) -> Result<Self> {
+        let states = (0..plan.runs.len())
+            .map(|i| state(plan, i))
+            .collect::<Result<Vec<_>>>()?;
+        let mut table = Table {
+            plan,
+            states,
+            best: None,
+        };
+        let best = &plan.sweep.best;
+        let ranked = |i: usize| {
+            table
+                .metric(i, &best.metric)
+                .map(|v| if best.is_highest { v } else { -v })
+        };
+        let able = (0..plan.runs.len()).filter(|&i| table.is_feasible(i));
+        // The first of equal ones
+        table.best = able
+            .filter_map(|i| Some((i, ranked(i)?)))
+            .reduce(|a, b| if b.1 > a.1 { b } else { a })
+            .map(|(i, _)| i);
+        Ok(table)
+    }
+
+    /// A metric of a run, where it has it.
+    pub(crate) fn metric(&self, i: usize, path: &str) -> Option<f64> {
+        let place = self.plan.sweep.metrics.iter().position(|m| m == path)?;
+        match &self.states[i] {
+            State::Done(values) => values[place],
+            _ => None,
+        }
+    }
+
+    /// Whether a run is done and meets every condition of the best.
+    pub(crate) fn is_feasible(&self, i: usize) -> bool {
+        let sweep = &self.plan.sweep;
+        let of = |name: &str| {
+            named(&sweep.axes, &self.plan.runs[i].point, name).or_else(|| self.metric(i, name))
+        };
+        matches!(self.states[i], State::Done(_))
+            && sweep.best.conditions.iter().all(|c| c.is_met(&of))
+    }
+
+    /// How many runs are done, failed, missing.
+    pub(crate) fn counts(&self) -> [usize; 3] {
+        let count =
+            |wanted: fn(&State) -> bool| self.states.iter().filter(|state| wanted(state)).count();
+        [
+            count(|s| matches!(s, State::Done(_))),
+            count(|s| matches!(s, State::Failed(_))),
+            count(|s| matches!(s, State::Missing)),
+        ]
+    }
+
+    fn columns(&self) -> Vec<(String, Column)> {
+        let (plan, runs) = (self.plan, self.plan.runs.len());
+        let mut columns = vec![("run".to_owned(), Column::Count((1..=runs as i64).collect()))];
+        for (a, axis) in plan.sweep.axes.iter().enumerate() {
+            let values = || plan.runs.iter().map(|run| &run.point.values[a]);
+            let column = if values().all(Value::is_number) {
+                Column::Number(values().map(Value::as_f64).collect())
+            } else {
+                let text = |value: &Value| {
+                    value
+                        .as_str()
+                        .map_or_else(|| value.to_string(), str::to_owned)
+                };
+                Column::Text(values().map(|v| Some(text(v))).collect())
+            };
+            columns.push((axis.name.clone(), column));
+        }
+        let words = self.states.iter().map(|state| match state {
+            State::Done(_) => "done",
+            State::Failed(_) => "failed",
+            State::Missing => "missing",
+        });
+        columns.push((
+            "state".to_owned(),
+            Column::Text(words.map(|w| Some(w.to_owned())).collect()),
+        ));
+        for path in &plan.sweep.metrics {
+            columns.push((
+                path.clone(),
+                Column::Number((0..runs).map(|i| self.metric(i, path)).collect()),
+            ));
+        }
+        let is_done = |i: usize| matches!(self.states[i], State::Done(_));
+        let feasible = (0..runs).map(|i| is_done(i).then(|| self.is_feasible(i)));
+        columns.push(("feasible".to_owned(), Column::Flag(feasible.collect())));
+        let errors = self.states.iter().map(|state| match state {
+            State::Failed(message) => Some(message.clone()),
+            _ => None,
+        });
+        columns.push(("error".to_owned(), Column::Text(errors.collect())));
+        let folders = plan
+            .runs
+            .iter()
+            .map(|run| Some(format!("{RUNS}/{}", run.id)));
+        columns.push(("folder".to_owned(), Column::Text(folders.collect())));
+        columns
+    }
+
+    /// Writes `table.csv` and `table.parquet`.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub(crate) fn write(&self, folder: &Path) -> Result<Vec<PathBuf>> {
+        let columns = self.columns();
+        let files = [folder.join("table.csv"), folder.join("table.parquet")];
+        write_whole(&files[0], |file| {
+            Ok(file.write_all(csv(&columns).as_bytes())?)
+        })?;
+        write_whole(&files[1], |file| {
+            write_parquet(file, &columns).map_err(|e| Refused::Io(std::io::Error::other(e)))
+        })?;
+        Ok(files.to_vec())
+    }
+}
+
+/// Where it is noted that a run failed.
+pub(crate) fn failure(plan: &Plan, i: usize) -> PathBuf {
+    let mut path = plan.run_folder(i).into_os_string();
+    path.push(".failed.json");
+    path.into()
+}
+
+/// What a run's folder holds.
+pub(crate) fn state(plan: &Plan, i: usize) -> Result<State> {
+    let folder = plan.run_folder(i);
+    if RunFolder::finished(&folder).is_none() {
+        let noted = std::fs::read(failure(plan, i)).ok();
+        let noted = noted.and_then(|bytes| serde_json::from_slice::<Value>(&bytes).ok());
+        let message = noted.and_then(|value| value["message"].as_str().map(str::to_owned));
+        return Ok(message.map_or(State::Missing, State::Failed));
+    }
+    let path = folder.join("report.json");
+    let refused = |found: String| Error::Format {
+        path: path.clone(),
+        found,
+        accepted: "a report of a run with the metrics of the sweep".to_owned(),
+    };
+    let bytes = std::fs::read(&path).map_err(|e| Error::io(&path, e))?;
+    let report: Value = serde_json::from_slice(&bytes).map_err(|e| refused(e.to_string()))?;
+    let values = plan
+        .sweep
+        .metrics
+        .iter()
+        .map(|metric| metric::number(&report, metric));
+    values
+        .collect::<Result<_, _>>()
+        .map(State::Done)
+        .map_err(refused)
+}
+
+fn csv(columns: &[(String, Column)]) -> String {
+    let mut text = columns
+        .iter()
+        .map(|(name, _)| field(name))
+        .collect::<Vec<_>>()
+        .join(",");
+    text.push('\n');
+    let rows = columns.first().map_or(0, |(_, column)| column.len());
+    for i in 0..rows {
+        let line: Vec<String> = columns.iter().map(|(_, column)| column.text(i)).collect();
+        text.push_str(&line.join(","));
+        text.push('\n');
+    }
+    text
+}
+
+/// A field of RFC 4180.
+fn field(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+impl Column {
+    fn len(&self) -> usize {
+        match self {
+            Column::Number(values) => values.len(),
+            Column::Count(values) => values.len(),
+            Column::Flag(values) => values.len(),
+            Column::Text(values) => values.len(),
+        }
+    }
+
+    fn text(&self, i: usize) -> String {
+        match self {
+            Column::Number(values) => values[i].map(|v| v.to_string()).unwrap_or_default(),
+            Column::Count(values) => values[i].to_string(),
+            Column::Flag(values) => values[i].map(|v| v.to_string()).unwrap_or_default(),
+            Column::Text(values) => values[i].as_deref().map(field).unwrap_or_default(),
+        }
+    }
+
+    fn field(&self, name: &str) -> Result<Type, ParquetError> {
+        let (physical, logical, repetition) = match self {
+            Column::Number(_) => (Physical::DOUBLE, None, Repetition::OPTIONAL),
+            Column::Count(_) => (Physical::INT64, None, Repetition::REQUIRED),
+            Column::Flag(_) => (Physical::BOOLEAN, None, Repetition::OPTIONAL),
+            Column::Text(_) => (
+                Physical::BYTE_ARRAY,
+                Some(LogicalType::String),
+                Repetition::OPTIONAL,
+            ),
+        };
+        Type::primitive_type_builder(name, physical)
+            .with_repetition(repetition)
+            .with_logical_type(logical)
+            .build()
+    }
+}
+
+fn write_parquet<W: Write + Send>(
+    file: W,
+    columns: &[(String, Column)],
+) -> Result<(), ParquetError> {
+    let fields = columns
+        .iter()
+        .map(|(name, column)| column.field(name).map(Arc::new))
+        .collect::<Result<_, _>>()?;
+    let schema = Type::group_type_builder("sweep")
+        .with_fields(fields)
+        .build()?;
+    let mut writer =
+        SerializedFileWriter::new(file, Arc::new(schema), Arc::new(WriterProperties::new()))?;
+    let mut group = writer.next_row_group()?;
+    for (_, column) in columns {
+        match column {
+            Column::Number(values) => put::<DoubleType, _>(&mut group, values)?,
+            Column::Count(values) => put::<Int64Type, _>(
+                &mut group,
+                &values.iter().copied().map(Some).collect::<Vec<_>>(),
+            )?,
+            Column::Flag(values) => put::<BoolType, _>(&mut group, values)?,
+            Column::Text(values) => {
+                let bytes: Vec<_> = values
+                    .iter()
+                    .map(|v| v.as_deref().map(ByteArray::from))
+                    .collect();
+                put::<ByteArrayType, _>(&mut group, &bytes)?;
+            }
+        }
+    }
+    group.close()?;
+    writer.close()?;
+    Ok(())
+}
+
+/// Writes the next column: the values that are there, and which are.
+fn put<T: DataType, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    values: &[Option<T::T>],
+) -> Result<(), ParquetError> {
+    let Some(mut column) = group.next_column()? else {
+        return Err(ParquetError::General(
+            "more columns than the schema has".to_owned(),
+        ));
+    };
+    let levels: Vec<i16> = values.iter().map(|v| i16::from(v.is_some())).collect();
+    let there: Vec<T::T> = values.iter().flatten().cloned().collect();
+    column
+        .typed::<T>()
+        .write_batch(&there, Some(&levels), None)?;
+    column.close()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+
+    #[test]
+    fn both_tables_hold_the_same() {
+        let columns = [
+            ("run".to_owned(), Column::Count(vec![1, 2])),
+            (
+                "evaluation.pw".to_owned(),
+                Column::Number(vec![Some(0.1 + 0.2), None]),
+            ),
+            ("feasible".to_owned(), Column::Flag(vec![Some(true), None])),
+            (
+                "error".to_owned(),
+                Column::Text(vec![None, Some("a, \"b\"".to_owned())]),
+            ),
+        ];
+        assert_eq!(
+            csv(&columns),
+            "run,evaluation.pw,feasible,error\n1,0.30000000000000004,true,\n2,,,\"a, \"\"b\"\"\"\n"
+        );
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("t.parquet");
+        write_parquet(std::fs::File::create(&path).unwrap(), &columns).unwrap();
+        let reader = SerializedFileReader::new(std::fs::File::open(&path).unwrap()).unwrap();
+        let rows: Vec<_> = reader
+            .get_row_iter(None)
+            .unwrap()
+            .map(Result::unwrap)
+            .collect();
+        assert_eq!(
+            (
+                rows[0].get_long(0).unwrap(),
+                rows[0].get_double(1).unwrap(),
+                rows[0].get_bool(2).unwrap()
+            ),
+            (1, 0.1 + 0.2, true)
+        );
+        assert!(rows[1].get_double(1).is_err() && rows[0].get_string(3).is_err());
+        assert_eq!(rows[1].get_string(3).unwrap(), "a, \"b\"");
+    }
+}

@@ -1,0 +1,539 @@
+//! Whole sweeps of a job that takes a moment: what they come to does not depend on when, where and how often they were begun.
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tomolith::Error;
+use tomolith::job::{self, Silent};
+use tomolith::models::Run;
+use tomolith_sweep::{Event, Outcome, Plan, Shard, Sweep, Watch, merge, run};
+
+/// A disc of 24 × 24 voxels, 24 frames.
+const JOB: &str = r#"
+target = { phantom = { cylinder = { size_mm = 1.2, height_mm = 0.1 } } }
+grid = { shape = [24, 24, 1], pitch_mm = 0.1 }
+resin = { refractive_index = 1.5, pure_radon = true }
+vial = { index_matched = { radius_mm = 2.0 } }
+light = [{ pixels = [24, 1], angles = { count = 24, arc_deg = 180.0 }, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+objective = { ospw = { lower = 0.5, upper = 0.9 } }
+stop = { iterations = 8 }
+evaluate = { refine = 1, sub_angles = 1 }
+"#;
+
+/// Six pairs.
+const SWEEP: &str = r#"
+job = "job.toml"
+metrics = ["evaluation.pw", "optimisation.pw", "history.loss", "history.iterations"]
+when = ["lower < upper"]
+[best]
+highest = "optimisation.pw"
+[[axes]]
+key = "objective.ospw.lower"
+values = [0.3, 0.5, 0.7]
+[[axes]]
+key = "objective.ospw.upper"
+linear = { from = 0.4, to = 0.8, step = 0.2 }
+"#;
+
+struct Bench(tempfile::TempDir);
+
+impl Bench {
+    fn new(sweep: &str) -> Self {
+        let bench = Bench(tempfile::tempdir().unwrap());
+        fs::write(bench.path("job.toml"), JOB).unwrap();
+        fs::write(bench.path("sweep.toml"), sweep).unwrap();
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn plan(&self, folder: &str) -> Plan {
+        let sweep = Sweep::read(&self.path("sweep.toml")).unwrap();
+        sweep
+            .with_folder(&self.path(folder))
+            .plan(2, &Run::new())
+            .unwrap()
+    }
+
+    /// A sweep from its begin to its end.
+    fn whole(&self, folder: &str, side_by_side: usize) -> Outcome {
+        let mut plan = self.plan(folder);
+        plan.side_by_side = side_by_side;
+        run(&plan, None, &mut Told::default(), &Run::new()).unwrap()
+    }
+
+    fn table(&self, folder: &str) -> String {
+        fs::read_to_string(self.path(folder).join("table.csv")).unwrap()
+    }
+
+    /// `report.json` of every run, by its folder.
+    fn reports(&self, folder: &str) -> BTreeMap<PathBuf, String> {
+        let runs = fs::read_dir(self.path(folder).join("runs")).unwrap();
+        let report = |path: PathBuf| {
+            Some((
+                path.clone(),
+                fs::read_to_string(path.join("report.json")).ok()?,
+            ))
+        };
+        runs.filter_map(|run| report(run.unwrap().path())).collect()
+    }
+
+    /// What a sweep file is refused with.
+    fn refusal(&self, sweep: &str) -> String {
+        fs::write(self.path("bad.toml"), sweep).unwrap();
+        let read = Sweep::read(&self.path("bad.toml"));
+        read.and_then(|sweep| sweep.with_folder(&self.path("bad")).plan(2, &Run::new()))
+            .map(|_| ())
+            .unwrap_err()
+            .to_string()
+    }
+}
+
+/// What was told; asks to stop after so many runs.
+#[derive(Default)]
+struct Told<'r> {
+    events: Vec<Event>,
+    stop_after: Option<(usize, Option<&'r Run>)>,
+}
+
+impl Watch for Told<'_> {
+    fn event(&mut self, event: &Event) {
+        self.events.push(event.clone());
+        if let Some((count, Some(run))) = self.stop_after
+            && self.events.len() > count
+        {
+            run.cancel();
+        }
+    }
+}
+
+/// A report without what two equal runs may differ in, and without movies, which a sweep does not make.
+fn comparable(text: &str) -> Value {
+    let mut report: Value = serde_json::from_str(text).unwrap();
+    let map = report.as_object_mut().unwrap();
+    map.retain(|key, _| key != "run" && key != "movies");
+    report
+}
+
+#[test]
+fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
+    let bench = Bench::new(SWEEP);
+    let outcome = bench.whole("two", 2);
+    bench.whole("one", 1);
+    let table = bench.table("two");
+    assert_eq!(table, bench.table("one"));
+    // 0.3 below three, 0.5 below two, 0.7 below one
+    assert_eq!((outcome.done, table.lines().count()), (6, 7));
+    let plan = bench.plan("two");
+    let job = plan
+        .job(3)
+        .unwrap()
+        .with_folder(&bench.path("single"), "test");
+    job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    let single = fs::read_to_string(bench.path("single/report.json")).unwrap();
+    let own = fs::read_to_string(plan.run_folder(3).join("report.json")).unwrap();
+    assert_eq!(comparable(&own), comparable(&single));
+    // Little is left of each
+    let left = |folder: PathBuf| {
+        let mut names: Vec<_> = fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().file_name())
+            .collect();
+        names.sort();
+        names
+    };
+    assert_eq!(
+        left(plan.run_folder(0)),
+        ["history.csv", "job.toml", "report.json"]
+    );
+    assert_eq!(
+        left(bench.path("two")),
+        [
+            "best.toml",
+            "evaluation.pw.svg",
+            "history.iterations.svg",
+            "history.loss.svg",
+            "optimisation.pw.svg",
+            "runs",
+            "table.csv",
+            "table.parquet"
+        ]
+    );
+}
+
+#[test]
+fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
+    let bench = Bench::new(SWEEP);
+    let outcome = bench.whole("out", 2);
+    let best = outcome.best.clone().unwrap();
+    let table = bench.table("out");
+    let column = |line: &str| line.split(',').nth(5).unwrap().parse::<f64>().unwrap();
+    let all: Vec<f64> = table.lines().skip(1).map(column).collect();
+    let highest = all.iter().copied().fold(f64::MIN, f64::max);
+    assert_eq!(best.metrics["optimisation.pw"].as_f64(), Some(highest));
+    assert_eq!(all[best.run - 1], highest);
+    let job = job::Job::read(&bench.path("out/best.toml"), &[]).unwrap();
+    assert_eq!(
+        job.identity().unwrap(),
+        bench.plan("out").runs[best.run - 1].id
+    );
+    let summary = job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    assert_eq!(summary.optimisation.unwrap().pw, Some(highest));
+    assert!(outcome.is_met() && outcome.to_string().contains(&best.values));
+}
+
+#[test]
+fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
+    let bench = Bench::new(SWEEP);
+    bench.whole("whole", 2);
+    let cancel = Run::new();
+    let mut told = Told {
+        stop_after: Some((2, Some(&cancel))),
+        ..Told::default()
+    };
+    let stopped = run(&bench.plan("stopped"), None, &mut told, &cancel);
+    assert!(matches!(stopped, Err(Error::Cancelled)), "{stopped:?}");
+    let before = bench.reports("stopped");
+    assert!((2..6).contains(&before.len()), "{}", before.len());
+    let mut told = Told::default();
+    run(&bench.plan("stopped"), None, &mut told, &Run::new()).unwrap();
+    assert_eq!(bench.table("stopped"), bench.table("whole"));
+    let after = bench.reports("stopped");
+    // Dates included: they are the same files
+    assert!(before.iter().all(|(path, text)| after[path] == *text));
+    assert_eq!(told.events.len(), 1 + 6 - before.len());
+    // A value more costs its own runs alone
+    fs::write(
+        bench.path("sweep.toml"),
+        SWEEP.replace("0.3, 0.5", "0.2, 0.3, 0.5"),
+    )
+    .unwrap();
+    let mut told = Told::default();
+    run(&bench.plan("stopped"), None, &mut told, &Run::new()).unwrap();
+    assert_eq!(told.events.len(), 1 + 3);
+}
+
+#[test]
+fn shares_of_other_machines_merged_are_the_whole() {
+    let bench = Bench::new(SWEEP);
+    bench.whole("whole", 2);
+    let names = ["a", "b", "c", "d"];
+    for (i, name) in names.into_iter().enumerate() {
+        let shard = Some(Shard {
+            number: i + 1,
+            of: names.len(),
+        });
+        let outcome = run(&bench.plan(name), shard, &mut Told::default(), &Run::new()).unwrap();
+        assert!(
+            outcome.done > 0 && outcome.done < 6 && outcome.files.is_empty() && outcome.is_met()
+        );
+    }
+    let others = names.map(|name| bench.path(name));
+    let half = merge(&bench.plan("merged"), &others[..2]).unwrap();
+    assert_eq!((half.done, half.missing), (3, 3));
+    let all = merge(&bench.plan("merged"), &others).unwrap();
+    assert_eq!((all.done, all.missing), (6, 0));
+    assert_eq!(bench.table("merged"), bench.table("whole"));
+    let message = merge(&bench.plan("merged"), &[bench.path("nowhere")])
+        .unwrap_err()
+        .to_string();
+    assert!(
+        message.starts_with("--merge: ") && message.contains("holds no runs"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_run_that_fails_is_noted_and_tried_again() {
+    let bench = Bench::new(SWEEP);
+    bench.whole("whole", 2);
+    let plan = bench.plan("out");
+    // Somebody's file where a run wants to write, put there after the check
+    let foreign = plan.run_folder(2).join("thesis.tex");
+    fs::create_dir_all(foreign.parent().unwrap()).unwrap();
+    fs::write(&foreign, "mine").unwrap();
+    let outcome = run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    assert_eq!((outcome.done, outcome.failed), (5, 1));
+    assert!(!outcome.is_met());
+    let table = bench.table("out");
+    let line = table.lines().nth(3).unwrap();
+    assert!(
+        line.contains(",failed,") && line.contains("holds files that are not from a run"),
+        "{line}"
+    );
+    fs::remove_file(&foreign).unwrap();
+    let mut told = Told::default();
+    run(&plan, None, &mut told, &Run::new()).unwrap();
+    assert_eq!(told.events.len(), 2);
+    assert_eq!(bench.table("out"), bench.table("whole"));
+}
+
+/// The numbers of the rows of a table, by run.
+fn rows(table: &str) -> Vec<Vec<f64>> {
+    let number = |text: &str| text.parse().unwrap_or(f64::NAN);
+    table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(number).collect())
+        .collect()
+}
+
+#[test]
+fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing() {
+    let sweep = SWEEP.replace(
+        "[best]",
+        "keep = \"patterns\"\n[set]\n\"stop.iterations\" = 150\n[best]",
+    );
+    let bench = Bench::new(&sweep);
+    bench.whole("cold", 2);
+    fs::write(
+        bench.path("sweep.toml"),
+        format!("{sweep}\n[warm_start]\niterations = 60\n"),
+    )
+    .unwrap();
+    bench.whole("warm", 2);
+    bench.whole("one", 1);
+    assert_eq!(bench.table("warm"), bench.table("one"));
+    for number in 1..=2 {
+        run(
+            &bench.plan("shares"),
+            Some(Shard { number, of: 2 }),
+            &mut Told::default(),
+            &Run::new(),
+        )
+        .unwrap();
+    }
+    merge(&bench.plan("shares"), &[]).unwrap();
+    assert_eq!(bench.table("warm"), bench.table("shares"));
+    let (cold, warm) = (rows(&bench.table("cold")), rows(&bench.table("warm")));
+    let initial = initial_losses(&bench, "cold");
+    let (mut cold_steps, mut warm_steps) = (0.0, 0.0);
+    for ((cold, warm), initial) in cold.iter().zip(&warm).zip(initial) {
+        let [own, other] = [cold, warm].map(|row| row[6]);
+        let near = (own - other).abs() <= (0.01 * own).max(1e-6 * initial);
+        assert!(
+            near,
+            "loss {other} in place of {own}, {initial} at the start"
+        );
+        assert!(
+            (cold[5] - warm[5]).abs() < 0.005,
+            "PW {} in place of {}",
+            warm[5],
+            cold[5]
+        );
+        cold_steps += cold[7];
+        warm_steps += warm[7];
+    }
+    assert!(
+        warm_steps < 0.6 * cold_steps,
+        "{warm_steps} of {cold_steps} iterations"
+    );
+}
+
+/// The loss before the first iteration of each run.
+fn initial_losses(bench: &Bench, folder: &str) -> Vec<f64> {
+    let plan = bench.plan(folder);
+    // Without a warm start: the identities of the cold sweep
+    let sweep = fs::read_to_string(bench.path("sweep.toml")).unwrap();
+    let cold = sweep.split("[warm_start]").next().unwrap().to_owned();
+    fs::write(bench.path("cold.toml"), cold).unwrap();
+    let cold = Sweep::read(&bench.path("cold.toml"))
+        .unwrap()
+        .with_folder(&bench.path(folder));
+    let cold = cold.plan(2, &Run::new()).unwrap();
+    let first = |i: usize| {
+        let history = fs::read_to_string(cold.run_folder(i).join("history.csv")).unwrap();
+        history
+            .lines()
+            .nth(1)
+            .unwrap()
+            .split(',')
+            .nth(1)
+            .unwrap()
+            .parse()
+            .unwrap()
+    };
+    (0..plan.runs.len()).map(first).collect()
+}
+
+#[test]
+fn the_list_is_of_ordinary_commands() {
+    let bench = Bench::new(&SWEEP.replace("[best]", "[set]\n\"output.rpm\" = 8\n[best]"));
+    let plan = bench.plan("out dir");
+    let commands = plan.commands().unwrap();
+    assert_eq!(commands.len(), 6);
+    let folder = plan.run_folder(0);
+    assert!(
+        commands[0].starts_with("tomolith run ")
+            && commands[0].contains(
+                "--set output.rpm=8 --set objective.ospw.lower=0.3 --set objective.ospw.upper=0.4"
+            ),
+        "{}",
+        commands[0]
+    );
+    assert!(
+        commands[0].ends_with(&format!(
+            "--output '{}' --keep metrics --resume",
+            folder.display()
+        )),
+        "{}",
+        commands[0]
+    );
+    fs::write(
+        bench.path("sweep.toml"),
+        format!("keep = \"all\"\n{SWEEP}\n[warm_start]\n"),
+    )
+    .unwrap();
+    let message = bench.plan("out").commands().unwrap_err().to_string();
+    assert!(
+        message.starts_with("--list: a list has no order"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_sweep_that_cannot_be_is_refused_before_any_run() {
+    let bench = Bench::new(SWEEP);
+    let axis = |text: &str| format!("job = \"job.toml\"\n[[axes]]\n{text}\n");
+    for (sweep, parts) in [
+        (
+            axis("key = \"objective.ospw.lwer\"\nvalues = [0.1]"),
+            vec![
+                "axes[0].key: `objective.ospw.lwer`: ",
+                "did you mean `lower`?",
+                "line 3",
+            ],
+        ),
+        (
+            axis("key = \"light[3].angles\"\nvalues = [12]"),
+            vec!["axes[0].key: ", "has 1 elements"],
+        ),
+        (
+            axis("key = \"objective.ospw.lower\"\nvalues = []"),
+            vec!["axes[0].values: an empty list", "line 4"],
+        ),
+        (
+            axis("kee = \"a\""),
+            vec!["axes[0].kee", "did you mean `key`?", "line 3"],
+        ),
+        (
+            SWEEP.replace("lower < upper", "lower > upper + 1"),
+            vec!["when: no point of the axes meets the conditions"],
+        ),
+        (
+            SWEEP.replace("lower < upper", "lowr < upper"),
+            vec!["when[0]: `lowr` is no axis", "did you mean `lower`?"],
+        ),
+        (
+            SWEEP.replace("lower < upper", "lower upper"),
+            vec!["when[0]: `upper` where a comparison is due"],
+        ),
+        (
+            SWEEP.replace("when = [\"lower < upper\"]", ""),
+            vec![
+                "axes[0].key: 3 of 9 jobs cannot run; the first is run 4 (lower = 0.5, upper = 0.4): ",
+                "or leave such runs out with `when`",
+            ],
+        ),
+        (
+            SWEEP.replace("\"evaluation.pw\"", "\"evaluation.pww\""),
+            vec![
+                "metrics[0]: `evaluation.pww` is in no report.json",
+                "did you mean `evaluation.pw`?",
+            ],
+        ),
+        (
+            SWEEP.replace("job.toml", "jb.toml"),
+            vec!["job: ", "jb.toml"],
+        ),
+        (
+            format!("{SWEEP}[warm_start]\n"),
+            vec!["warm_start: ", "keep = \"patterns\""],
+        ),
+        (
+            format!("{SWEEP}[resources]\nside_by_side = 0\n"),
+            vec!["resources.side_by_side: found 0"],
+        ),
+        (
+            format!("{SWEEP}[[axes]]\nkey = \"objective.ospw.upper\"\nvalues = [1]\n"),
+            vec!["axes[2]: `upper` of axes[1] once more"],
+        ),
+    ] {
+        let message = bench.refusal(&sweep);
+        for part in parts {
+            assert!(message.contains(part), "{part} is not in: {message}");
+        }
+    }
+    assert!(!bench.path("bad").exists());
+}
+
+#[test]
+fn a_thousand_million_runs_are_refused_with_their_time() {
+    let thousand = |(key, from): (&str, f64)| {
+        format!("[[axes]]\nkey = \"{key}\"\nlinear = {{ from = {from}, to = 2, count = 1000 }}\n")
+    };
+    let keys = [
+        ("objective.ospw.lower", 0.5),
+        ("objective.ospw.upper", 0.9),
+        ("objective.ospw.w", 0.0),
+    ];
+    let sweep = format!("job = \"job.toml\"\n{}", keys.map(thousand).concat());
+    let message = Bench::new(SWEEP).refusal(&sweep);
+    assert!(
+        message.starts_with("axes: 1000000000 runs of about ") && message.contains("years"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_job_that_is_wrong_by_itself_is_refused_at_its_own_line() {
+    let bench = Bench::new(SWEEP);
+    fs::write(
+        bench.path("job.toml"),
+        JOB.replace("iterations", "iteratons"),
+    )
+    .unwrap();
+    let message = bench.refusal(SWEEP);
+    assert!(
+        message.starts_with("stop.iteratons: ")
+            && message.contains(&format!("({}", bench.path("job.toml").display())),
+        "{message}"
+    );
+}
+
+#[test]
+fn points_that_are_drawn_are_runs_like_others() {
+    let sweep = r#"
+job = "job.toml"
+metrics = ["history.iterations", "evaluation.ver"]
+[sample]
+latin_hypercube = { count = 4, seed = 7 }
+[derived]
+"objective.ospw.w" = "(1 - lower)/10"
+[[axes]]
+key = "objective.ospw.lower"
+linear = { from = 0.3, to = 0.6 }
+[[axes]]
+key = "stop.iterations"
+log = { from = 2, to = 9, whole = true }
+"#;
+    let bench = Bench::new(sweep);
+    let outcome = bench.whole("out", 2);
+    assert_eq!(outcome.done, 4);
+    let plan = bench.plan("out");
+    for (i, row) in rows(&bench.table("out")).iter().enumerate() {
+        let job = plan.job(i).unwrap();
+        assert_eq!(job.spec.stop.iterations as f64, row[2]);
+        assert!(row[4] <= row[2], "{row:?}");
+        let w = job.spec.objective.as_ref().unwrap()["ospw"]["w"]
+            .as_f64()
+            .unwrap();
+        assert!((w - (1.0 - row[1]) / 10.0).abs() < 1e-12);
+    }
+    let svg = fs::read_to_string(bench.path("out/evaluation.ver.svg")).unwrap();
+    assert!(svg.matches("<circle class=\"dot\"").count() == 8, "{svg}");
+    assert!(Path::new(&outcome.folder).join("best.toml").is_file());
+}

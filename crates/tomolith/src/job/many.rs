@@ -1,0 +1,183 @@
+//! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and the bounds of its pixels.
+
+use super::optimise::Stage;
+use super::progress::{Progress, Silent};
+use super::read::{Job, with_every_default};
+use super::resolved::ResolvedJob;
+use super::resume::{as_floats, content, contents, hash};
+use super::scene::Scene;
+use super::validate::MOST_LIGHT;
+use crate::error::{Error, Result};
+use crate::models::Run;
+use crate::optimize::Limits;
+
+/// What a run leaves in its folder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Leaves {
+    /// Numbers: `job.toml`, `report.json`, `history.csv`.
+    Metrics,
+    /// And `patterns.npz`.
+    Patterns,
+    /// Everything.
+    #[default]
+    All,
+}
+
+/// What a job takes, before any work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Needs {
+    /// Memory of its largest stage, MB (10⁶ bytes).
+    pub memory_mb: u64,
+}
+
+/// Reads the files of a job and refuses what `run` would refuse before sampling the target.
+///
+/// # Errors
+/// As [`run`](super::run), for input that cannot be used.
+pub fn needs(job: &Job) -> Result<Needs> {
+    let extent = Scene::new(job)?.extent;
+    Ok(Needs {
+        memory_mb: extent.optimisation_mb().max(extent.evaluation_mb()),
+    })
+}
+
+/// Runs a job as [`run`](super::run) does and leaves only some of its outputs, in the calling thread and on the threads of its pool.
+///
+/// # Errors
+/// As [`run`](super::run).
+pub fn run_here(
+    job: &Job,
+    resume: bool,
+    leaves: Leaves,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<super::Summary> {
+    super::stages::run_stages(job, resume, leaves, progress, cancel)
+}
+
+/// Tables that change nothing of a result.
+const ASIDE: [&str; 3] = ["output", "resources", "checkpoint"];
+
+impl Job {
+    /// What tells the job from others: a hash of its tables with every default, and of the files that they name. Where it is written, what
+    /// it may use of the computer and how often it keeps a checkpoint are no part of it.
+    ///
+    /// # Errors
+    /// [`Error::Io`] for a file that cannot be read.
+    pub fn identity(&self) -> Result<String> {
+        let base = self.base();
+        let mut spec = with_every_default(self.spec.clone());
+        let mut parts = Vec::new();
+        for file in spec.target.files_mut() {
+            let path = base.join(&*file);
+            // A stack is a pattern of names
+            if path.is_file() {
+                parts.push(content(&path)?);
+                *file = file.file_name().map(Into::into).unwrap_or_default();
+            }
+        }
+        let mut tables =
+            serde_json::to_value(spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+        as_floats(&mut tables);
+        if let Some(map) = tables.as_object_mut() {
+            map.retain(|key, _| !ASIDE.contains(&key.as_str()));
+        }
+        parts.push(hash(tables.to_string().as_bytes()));
+        if let Some(map) = tables.as_object_mut() {
+            map.remove("target");
+        }
+        contents(&tables, &base, &mut parts)?;
+        Ok(format!("{:016x}", hash(bytemuck::cast_slice(&parts))))
+    }
+
+    /// The same job from the patterns of an earlier run, with the bounds that its own start gives it, so that it stays the same problem.
+    ///
+    /// # Errors
+    /// As [`ResolvedJob::new`]; [`Error::Config`] where the optimisation has no such bounds.
+    pub fn starting_from(mut self, patterns: &std::path::Path, run: &Run) -> Result<Self> {
+        let own = ResolvedJob::new(&self)?;
+        let limits = own.limits(run)?;
+        let max = limits.iter().map(|limits| limits.max).reduce(f64::max);
+        // A method with a scale of its own has no bound, whatever it starts from; another one would take that of the new start
+        let normalises = own.optimizer()?.normalises();
+        if !normalises {
+            self.spec.bounds.max = max.map(|max| max.min(MOST_LIGHT));
+        }
+        let file = std::path::absolute(patterns).map_err(|e| Error::io(patterns, e))?;
+        self.spec.start = serde_json::json!({ "patterns": { "file": file } });
+        Ok(self)
+    }
+}
+
+impl ResolvedJob {
+    /// The bounds of each light's pixels in the optimisation. Where the job sets no upper one it is the largest pixel of the start on the first
+    /// voxels that are optimised with the last pixels.
+    ///
+    /// # Errors
+    /// As [`task`](ResolvedJob::task).
+    pub fn limits(&self, run: &Run) -> Result<Vec<Limits>> {
+        let scene = &self.scene;
+        let pixels = |level: &super::refinement::Level| -> Vec<_> {
+            level.lights.iter().map(|l| l.pixels.clone()).collect()
+        };
+        let last = scene.levels.last().map(pixels);
+        let first = scene.levels.iter().rev();
+        let level = first.take_while(|level| Some(pixels(level)) == last).last();
+        let Some(level) = level else {
+            unreachable!("a job has a level")
+        };
+        let stage = Stage::new(scene, &self.voxels, level, &mut Silent, run)?;
+        let start = stage.start(scene, scene.start()?.as_ref(), run)?;
+        stage.limits(scene, &start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Document;
+    use crate::job::tests::FULL;
+
+    fn job(set: &[&str]) -> Job {
+        let mut document = Document::toml("a.toml", FULL).unwrap();
+        for assignment in set {
+            document.set(assignment).unwrap();
+        }
+        Job::from_document(document).unwrap()
+    }
+
+    #[test]
+    fn jobs_are_the_same_when_their_results_are() {
+        let own = job(&[]).identity().unwrap();
+        for same in [
+            "output.folder=elsewhere",
+            "resources.memory_gb=3",
+            "checkpoint.every_s=7",
+            "start.fbp.negative=clip", // the default
+        ] {
+            assert_eq!(job(&[same]).identity().unwrap(), own, "{same}");
+        }
+        for other in [
+            "evaluate.bit_depth=7",
+            "stop.iterations=41",
+            "objective.threshold.lower=0.84",
+        ] {
+            assert_ne!(job(&[other]).identity().unwrap(), own, "{other}");
+        }
+    }
+
+    #[test]
+    fn what_a_file_holds_is_part_of_the_job_and_not_where_it_lies() {
+        let temp = tempfile::tempdir().unwrap();
+        let of = |folder: &str, text: &str| {
+            let folder = temp.path().join(folder);
+            std::fs::create_dir_all(&folder).unwrap();
+            std::fs::write(folder.join("part.stl"), text).unwrap();
+            let job_text = FULL.replacen("phantom = \"gear\"", "mesh = \"part.stl\"", 1);
+            let document = Document::toml(folder.join("a.toml"), job_text).unwrap();
+            Job::from_document(document).unwrap().identity().unwrap()
+        };
+        assert_eq!(of("a", "solid"), of("b", "solid"));
+        assert_ne!(of("a", "solid"), of("c", "other"));
+    }
+}
