@@ -557,8 +557,14 @@ impl<'a, F: Field> Problem<'a, F> {
         } else {
             self.along(x, direction)?
         };
-        if curve.is_none() {
+        if self.model.is_linear() {
             self.dose(direction, &mut at.cotangent)?;
+        } else if curve.is_none() {
+            // The secant of a step that is tiny
+            let mut moved = x.clone();
+            moved.move_along(direction, 1.0, self.bounds(x));
+            self.dose(&moved, &mut at.cotangent)?;
+            at.cotangent.axpy(-1.0, &at.dose);
         }
         let Position {
             dose,

@@ -253,3 +253,43 @@ fn lights_that_do_not_fit_are_named() {
         "{found}"
     );
 }
+
+#[test]
+fn the_derivative_through_an_inhibitor_of_zeroth_order_is_that_of_differences() {
+    let oxygen = Inhibitor {
+        capacity_mj_per_mm3: 0.15,
+        diffusion_mm2_per_s: 0.05,
+        ..Inhibitor::default()
+    };
+    let network = Network {
+        inhibitors: vec![oxygen],
+        ..Network::new("resin", Curing::threshold(0.3))
+    };
+    let domain = Domain::of(&small()).unwrap();
+    let material =
+        Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap();
+    let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
+    let optics: Vec<Box<Model>> = vec![Box::new(small())];
+    let model = Printing::new(optics, schedule, Box::new(material), None).unwrap();
+    let run = Run::new();
+    let x = positive(model.new_patterns().unwrap().len(), 1);
+    let sum = |x: &HostField| {
+        let mut dose = model.new_dose().unwrap();
+        model.dose(x, &mut dose, &run).unwrap();
+        let values = dose.as_slice().iter().map(|&v| f64::from(v));
+        values.sum::<f64>()
+    };
+    let mut ones = model.new_dose().unwrap();
+    ones.fill(1.0);
+    let mut gradient = x.zeros_like();
+    model.pullback(&x, &ones, &mut gradient, &run).unwrap();
+    let step = 1e-2;
+    let moved = |by: f32| {
+        let mut moved = x.clone();
+        moved.shift(by);
+        sum(&moved)
+    };
+    let slope = (moved(step) - moved(-step)) / (2.0 * f64::from(step));
+    let found: f64 = gradient.as_slice().iter().map(|&v| f64::from(v)).sum();
+    assert!((found / slope - 1.0).abs() < 0.02, "{found} {slope}");
+}

@@ -691,3 +691,86 @@ fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
     assert_eq!(second.history.len(), 4);
     assert!((second.history[0].loss - first.loss).abs() < 1e-5 * first.loss);
 }
+
+/// max(0, F(x) − c): no dose at all below a threshold, and no polynomial along a line.
+struct Induced(SmallModel, f32);
+
+impl DoseModel for Induced {
+    type Field = HostField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        DoseModel::patterns(&self.0)
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        DoseModel::outputs(&self.0)
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        DoseModel::new_patterns(&self.0)
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        DoseModel::new_dose(&self.0)
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        self.0.dose(x, dose, run)?;
+        let values = dose.as_mut_slice().iter_mut();
+        values.for_each(|v| *v = (*v - self.1).max(0.0));
+        Ok(())
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut dose = self.new_dose()?;
+        self.0.dose(x, &mut dose, run)?;
+        let mut c = cotangent.clone();
+        let pairs = c.as_mut_slice().iter_mut().zip(dose.as_slice());
+        pairs.for_each(|(c, dose)| *c = if *dose > self.1 { *c } else { 0.0 });
+        self.0.pullback(x, &c, grad, run)
+    }
+
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+        unreachable!("optimizers ask for all frames")
+    }
+
+    fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
+        Ok(None)
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::None
+    }
+
+    fn is_linear(&self) -> bool {
+        false
+    }
+
+    fn updates(&self) -> u64 {
+        DoseModel::updates(&self.0)
+    }
+
+    fn describe(&self) -> String {
+        "induced".to_owned()
+    }
+}
+
+#[test]
+fn a_dose_that_begins_beyond_a_threshold_is_optimized() {
+    let model = Induced(SmallModel::new(16, 24, 1), 0.1);
+    let objective = objective(&model.0, "l2");
+    let stop = steps(30);
+    let outcome = go(&model, &*objective, &mut newton(), stop, None, &mut [])
+        .1
+        .unwrap();
+    let losses = &outcome.history;
+    // A tiny step alone makes no dose: its length must come from the dose that is there
+    assert!(losses[1].loss < 0.9 * losses[0].loss, "{losses:?}");
+    assert!(outcome.loss < 0.5 * losses[0].loss, "{losses:?}");
+}
