@@ -1017,12 +1017,12 @@ impl Angles {
 }
 
 /// The objective of a job that names none: the threshold preset with its defaults for a part and void; for a gray image, whose values are to
-/// be reproduced, least squares; against the degree of cure a part beyond the gel point and a void below it, by a tenth.
+/// be reproduced, least squares; against the degree of cure a part beyond the gel point and a void below it, by a fifth.
 pub(crate) fn default_objective(spec: &JobSpec) -> Value {
     let target = &spec.target;
     let in_time = spec.schedule.as_ref();
     if in_time.is_some_and(|schedule| schedule.optimize != Against::Dose) {
-        return serde_json::json!({ "osp": { "lower": 0.9, "upper": 1.1, "surface": "fraction" } });
+        return serde_json::json!({ "osp": { "lower": 0.8, "upper": 1.2, "surface": "fraction" } });
     }
     let is_gray = target.image.is_some() && target.grey != Some(false);
     Value::String(if is_gray { "l2" } else { "threshold" }.to_owned())
