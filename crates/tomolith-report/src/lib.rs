@@ -12,7 +12,7 @@ pub mod latitude;
 pub mod limits;
 pub mod number;
 mod picture;
-mod plot;
+pub mod plot;
 mod relief;
 
 pub use latitude::ExposureWindow;
