@@ -131,7 +131,7 @@ struct BuildupArguments {
 #[derive(Debug, Args)]
 struct ImpulseArguments {
     /// Pixels across the disc
-    #[arg(long, default_value_t = 96)]
+    #[arg(long, default_value_t = 64)]
     pixels: usize,
     /// Edges of the post, pixels
     #[arg(long, num_args = 1.., default_values_t = [1.0, 5.0], allow_negative_numbers = true)]
@@ -241,20 +241,26 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
             percent(size.covered)
         ));
     }
-    match setup.crossing_mm() {
-        Some(crossing) => answer.line(
-            "crossing",
-            format!(
+    let crossing = setup.corrected_crossing_mm();
+    answer.line(
+        "crossing",
+        match (crossing, setup.crossing_mm()) {
+            (Some(radius), _) => format!(
                 "R* = {} mm: above it the pixel decides",
-                significant(crossing, 4)
+                significant(radius, 4)
             ),
-        ),
-        None => answer.line("crossing", "none: the pixel decides at every radius"),
-    }
+            (None, Some(radius)) => format!(
+                "none: the angle step decides at every radius (as published: R* = {} mm)",
+                significant(radius, 4)
+            ),
+            (None, None) => "none: the pixel decides at every radius".to_owned(),
+        },
+    );
     answer.set("at_radius", size);
     answer.set("as_published", printed);
     answer.set("voxel_mm", size.voxel_mm());
-    answer.set("crossing_mm", setup.crossing_mm());
+    answer.set("crossing_mm", crossing);
+    answer.set("crossing_as_published_mm", setup.crossing_mm());
     let most = (2.0 * given.radius_mm).max(1.3 * setup.crossing_mm().unwrap_or(0.0));
     let rows: Vec<Vec<f64>> = steps(0.0, most)
         .skip(1)
@@ -290,7 +296,7 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
     plot.line(&column(3), "still", "angle step, as published");
     plot.line(&column(2), "void", "angle step");
     plot.line(&column(1), "part", "pixel");
-    if let Some(crossing) = setup.crossing_mm() {
+    if let Some(crossing) = crossing {
         plot.line_at(crossing, "gel", "R*");
     }
     let files = [
@@ -405,7 +411,7 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     radial.line(&line, "accent", "mean over a turn");
     radial.dots(
         &[[0.0, (-kappa).exp()], [1.0, wall_rate(kappa)]],
-        "void",
+        "gel",
         "closed forms",
     );
     let files = [

@@ -38,7 +38,12 @@ pub(crate) struct ExposeArguments {
     #[arg(long, value_name = "NAME")]
     light: Option<String>,
     /// Irradiance at white at the vial, mW/cm² (or with its unit)
-    #[arg(long, value_name = "IRRADIANCE", conflicts_with = "power", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "IRRADIANCE",
+        conflicts_with = "power",
+        allow_negative_numbers = true
+    )]
     irradiance: Option<String>,
     /// Power at the vial with every pixel white, mW (or with its unit)
     #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
@@ -124,7 +129,8 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         Angles::List(_) => 0.0,
     };
     let plan = Plan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
-    show(given, &machine, &shown, &plan);
+    let pw = report["evaluation"]["pw"].as_f64().map(|pw| pw / gel_dose);
+    show(given, &machine, &shown, &plan, pw);
     Ok(())
 }
 
@@ -222,7 +228,7 @@ fn range(window: Window, unit: &str) -> String {
     )
 }
 
-fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan) {
+fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan, pw: Option<f64>) {
     let mut answer = Answer::default();
     answer.line(
         "irradiance at white",
@@ -286,6 +292,15 @@ fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan) 
                 range(in_percent, "%")
             ),
         );
+    }
+    if let Some(pw) = pw {
+        let seconds = significant(pw * plan.time_s, 3);
+        answer.line(
+            "process window",
+            format!("{} of the gel dose, {seconds} s (min in − max out)", percent(pw)),
+        );
+        answer.set("pw_percent", 100.0 * pw);
+        answer.set("pw_s", pw * plan.time_s);
     }
     if plan.rpm > 60.0 {
         answer.warn(format!(

@@ -480,9 +480,9 @@ impl DoseFit {
         };
         let line = (0..=400).map(|i| [at(i), size(at(i))]);
         let line: Vec<[f64; 2]> = line.filter(|p| p[1] >= 0.0).collect();
-        plot.line_at(self.critical_mj_per_cm2, "gel", "critical dose");
+        plot.line_at(self.critical_mj_per_cm2, "still", "critical dose");
         plot.line(&line, "accent", "fit");
-        plot.dots(&self.points, "void", "measured");
+        plot.dots(&self.points, "gel", "measured");
         plot.file("Result of the discs against their dose")
     }
 }

@@ -286,11 +286,11 @@ impl GreyCurve {
         for (i, (name, polynomial)) in fits.iter().enumerate() {
             let line: Vec<[f64; 2]> = sampled(&|x| polynomial.at(x));
             let line: Vec<[f64; 2]> = line.into_iter().filter(|p| p[1] >= 0.0).collect();
-            plot.line(&line, ["still", "gel"][i % 2], name);
+            plot.line(&line, ["still", "void"][i % 2], name);
         }
         plot.line(&sampled(&|x| self.at(x)), "accent", "curve");
         let measured: Vec<[f64; 2]> = pairs(table);
-        plot.dots(&measured, "void", "measured");
+        plot.dots(&measured, "gel", "measured");
         plot.file("Irradiance against grey value")
     }
 }

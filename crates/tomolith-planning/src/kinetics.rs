@@ -224,6 +224,6 @@ pub fn plot(table: &Curve, fit: &KineticsFit) -> String {
     let line: Vec<[f64; 2]> = line.filter(|p| p[1] <= most).collect();
     plot.line(&line, "accent", "inhibitor and kinetics");
     let points: Vec<[f64; 2]> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
-    plot.dots(&points, "void", "measured");
+    plot.dots(&points, "gel", "measured");
     plot.file("Curing time against irradiance")
 }

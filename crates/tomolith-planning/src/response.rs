@@ -239,7 +239,7 @@ impl ResponseFit {
             .map(|d| [d, back(self.at(d))])
             .collect();
         plot.line(&line, "accent", "fit");
-        plot.dots(&self.measured, "void", "measured");
+        plot.dots(&self.measured, "gel", "measured");
         plot.file("Response against dose")
     }
 }

@@ -123,6 +123,14 @@ impl Setup {
         let radius = self.penetration_mm * ratio.ln();
         (radius > 0.0).then_some(radius)
     }
+
+    /// The same with the angles that differ: None where one of the two is always the larger one.
+    #[must_use]
+    pub fn corrected_crossing_mm(&self) -> Option<f64> {
+        // Beyond the radius at which a half turn is covered both grow in proportion
+        self.crossing_mm()
+            .filter(|radius| self.curing_s(*radius) <= self.half_turn_s())
+    }
 }
 
 /// Refuses what is not a number above 0.

@@ -41,11 +41,13 @@ fn printed_grey_fits_are_the_least_squares_of_the_table() {
     near(line.coefficients[0], -0.194_783, 5e-7);
     assert!(worst(&line, &uv) < 0.0225, "{}", worst(&line, &uv));
     let off = worst(&quadratic, &visible);
-    assert!((0.125..0.135).contains(&off), "{off}");
+    assert!((0.12..0.122).contains(&off), "{off}");
     // As printed, to one digit
     let printed = Polynomial {
         coefficients: vec![-6.7158, 0.0951, -0.0002],
     };
+    let off = worst(&printed, &visible);
+    assert!((0.13..0.132).contains(&off), "{off}");
     let [low, high] = printed.usable(255.0).unwrap();
     near(low, 86.27, 0.01);
     near(high, 237.75, 1e-9);
@@ -370,6 +372,7 @@ fn pixel_and_step_cross_at_the_closed_form() {
     // The step is largest where R = D_p
     let step = |radius: f64| setup.printed(radius).step_mm;
     assert!(step(12.0) > step(11.9) && step(12.0) > step(12.1));
+    assert_eq!(setup.corrected_crossing_mm(), Some(crossing));
     // No more angles than a half turn has: at 36°/s these are 5 s of frames
     let turning = Setup {
         turn_deg_per_s: Some(36.0),
@@ -380,6 +383,13 @@ fn pixel_and_step_cross_at_the_closed_form() {
     near(slow.covered, setup.curing_s(1.0) / 5.0, 1e-12);
     near(fast.angles, 300.0, 1e-9);
     assert_eq!(fast.covered, 1.0);
+    // At R* (23 mm) the axis takes 27 s: half turns of 5 s have shown their angles before, half turns of 60 s have not
+    assert_eq!(turning.corrected_crossing_mm(), None);
+    let slow = Setup {
+        turn_deg_per_s: Some(3.0),
+        ..setup
+    };
+    assert_eq!(slow.corrected_crossing_mm(), Some(crossing));
     assert_eq!(Setup { fps: 1e5, ..setup }.crossing_mm(), None);
 }
 
@@ -439,6 +449,6 @@ fn a_corrected_post_is_nearly_as_wide_as_it_should_be() {
     let (plain, corrected) = (post.plain(), post.corrected());
     for (plain, corrected) in plain.fwhm().into_iter().zip(corrected.fwhm()) {
         assert!(plain / 5.0 > 1.2, "{plain}");
-        assert!((corrected / 5.0 - 1.0).abs() < 0.08, "{corrected}");
+        assert!((corrected / 5.0 - 1.0).abs() < 0.12, "{corrected}");
     }
 }
