@@ -1,8 +1,11 @@
 //! What can be typed.
 
+use crate::analyze::AnalyzeArguments;
+use crate::calibrate::CalibrateArguments;
 use crate::compare::CompareArguments;
-use crate::export::{CalibrateArguments, ExportArguments};
+use crate::export::ExportArguments;
 use crate::export_matrix::MatrixArguments;
+use crate::expose::ExposeArguments;
 use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
 use crate::sweep::SweepArguments;
@@ -78,8 +81,12 @@ pub(crate) enum Command {
     Trace(TraceArguments),
     /// Translate a job of Dr.TVAM into one of ours
     Import(ImportArguments),
-    /// Draw calibration frames for a machine
+    /// Draw calibration frames for a machine, or fit what was measured: grey curve, response, kinetics, a print of discs
     Calibrate(CalibrateArguments),
+    /// Plan the exposure of a run: power and critical dose → time, turns, duty, energy
+    Expose(ExposeArguments),
+    /// What a printer and a resin allow: voxel size, build-up of dose, impulse response
+    Analyze(AnalyzeArguments),
     /// Put several runs side by side on one page
     Compare(CompareArguments),
 }

@@ -2,10 +2,14 @@
 //!
 //! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 cancelled.
 
+mod analyze;
+mod answer;
 mod arguments;
+mod calibrate;
 mod compare;
 mod export;
 mod export_matrix;
+mod expose;
 mod help;
 mod import;
 mod metrics;
@@ -69,7 +73,9 @@ fn main() -> ExitCode {
             trace::run(given, &job, &cancel_on_ctrl_c(given.manner))
         }),
         Command::Import(given) => quick(given.manner, || import::import(given)),
-        Command::Calibrate(given) => quick(given.manner, || export::calibrate(given)),
+        Command::Calibrate(given) => quick(given.manner(), || calibrate::calibrate(given)),
+        Command::Expose(given) => quick(given.manner, || expose::expose(given)),
+        Command::Analyze(given) => quick(given.manner(), || analyze::analyze(given)),
         Command::Compare(given) => quick(given.manner, || compare::compare(given)),
     };
     let code = match done {

@@ -13,7 +13,7 @@ pub mod limits;
 pub mod maps;
 pub mod number;
 mod picture;
-mod plot;
+pub mod plot;
 mod relief;
 pub mod time;
 

@@ -1,7 +1,16 @@
-//! Line and step plots as SVG that takes its colours from the page.
+//! Line and step plots as SVG, that take their colours from the page or bring them along.
 //!
 //! Sizes are in units of a 480 wide view box, so that labels stay readable on a telephone. Colours are CSS classes
-//! (`s-…` for strokes, `f-…` for areas), so the plot follows light and dark.
+//! (`s-…` for strokes, `f-…` for areas: part, void, accent, gel, still, window), so the plot follows light and dark.
+//!
+//! ```
+//! use tomolith_report::plot::{Axis, Plot};
+//! let mut plot = Plot::new(Axis::linear("time, s", 0.0, 4.0), Axis::linear("dose", 0.0, 16.0));
+//! plot.line(&[[0.0, 0.0], [2.0, 4.0], [4.0, 16.0]], "accent", "t²");
+//! plot.dots(&[[1.0, 1.0], [3.0, 9.0]], "void", "measured");
+//! assert_eq!(plot.svg("a page's").matches("<circle").count(), 2);
+//! assert!(plot.file("a file's").starts_with("<svg xmlns="));
+//! ```
 
 use super::number::{escape, exponent, significant};
 use std::fmt::Write as _;
@@ -16,17 +25,19 @@ const BOTTOM: f64 = 46.0;
 const ZERO: f64 = 0.09;
 
 /// One axis.
-pub(super) struct Axis {
-    pub(super) label: String,
-    pub(super) low: f64,
-    pub(super) high: f64,
-    pub(super) log: bool,
+pub struct Axis {
+    pub(crate) label: String,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) log: bool,
     /// Whether 0 has a place below the decades.
-    pub(super) zero: bool,
+    pub(crate) zero: bool,
 }
 
 impl Axis {
-    pub(super) fn linear(label: &str, low: f64, high: f64) -> Self {
+    /// Evenly divided; a high end that is not above the low one is one more.
+    #[must_use]
+    pub fn linear(label: &str, low: f64, high: f64) -> Self {
         let high = if high > low { high } else { low + 1.0 };
         Axis {
             label: label.to_owned(),
@@ -38,7 +49,8 @@ impl Axis {
     }
 
     /// Whole decades around the values.
-    pub(super) fn log(label: &str, low: f64, high: f64) -> Self {
+    #[must_use]
+    pub fn log(label: &str, low: f64, high: f64) -> Self {
         let low = low.max(f64::MIN_POSITIVE).log10().floor();
         let high = high.max(f64::MIN_POSITIVE).log10().ceil().max(low + 1.0);
         Axis {
@@ -51,7 +63,8 @@ impl Axis {
     }
 
     /// Decades, and 0 below them, which has no logarithm.
-    pub(super) fn log_with_zero(label: &str, low: f64, high: f64) -> Self {
+    #[must_use]
+    pub fn log_with_zero(label: &str, low: f64, high: f64) -> Self {
         Axis {
             zero: true,
             ..Axis::log(label, low, high)
@@ -130,7 +143,7 @@ fn nice_step(step: f64) -> f64 {
 }
 
 /// What is drawn.
-pub(super) struct Plot {
+pub struct Plot {
     x: Axis,
     y: Axis,
     body: String,
@@ -138,7 +151,9 @@ pub(super) struct Plot {
 }
 
 impl Plot {
-    pub(super) fn new(x: Axis, y: Axis) -> Self {
+    /// An empty plot.
+    #[must_use]
+    pub fn new(x: Axis, y: Axis) -> Self {
         Plot {
             x,
             y,
@@ -161,7 +176,7 @@ impl Plot {
     }
 
     /// A shaded range of x.
-    pub(super) fn band(&mut self, from: f64, to: f64, class: &str, name: &str) {
+    pub fn band(&mut self, from: f64, to: f64, class: &str, name: &str) {
         let (a, b) = (self.px(from), self.px(to));
         let (top, height) = (TOP, HEIGHT - TOP - BOTTOM);
         self.add(format_args!(
@@ -172,7 +187,7 @@ impl Plot {
     }
 
     /// An upright line.
-    pub(super) fn line_at(&mut self, x: f64, class: &str, name: &str) {
+    pub fn line_at(&mut self, x: f64, class: &str, name: &str) {
         let (x, bottom) = (self.px(x), HEIGHT - BOTTOM);
         self.add(format_args!(
             "<path class=\"s-{class}\" d=\"M{x:.1} {TOP}V{bottom}\"/>"
@@ -181,7 +196,7 @@ impl Plot {
     }
 
     /// Points joined by a line.
-    pub(super) fn line(&mut self, points: &[[f64; 2]], class: &str, name: &str) {
+    pub fn line(&mut self, points: &[[f64; 2]], class: &str, name: &str) {
         let mut path = String::new();
         for (i, p) in points.iter().enumerate() {
             let _ = write!(
@@ -199,7 +214,7 @@ impl Plot {
     }
 
     /// Marks points that are 0 on an axis whose decades cannot show it, and says so at the first of them.
-    pub(super) fn zeros(&mut self, points: &[[f64; 2]], class: &str) {
+    pub fn zeros(&mut self, points: &[[f64; 2]], class: &str) {
         if !self.y.zero {
             return;
         }
@@ -221,15 +236,21 @@ impl Plot {
     }
 
     /// A dot.
-    pub(super) fn dot(&mut self, point: [f64; 2], class: &str) {
+    pub fn dot(&mut self, point: [f64; 2], class: &str) {
         let (x, y) = (self.px(point[0]), self.py(point[1]));
         self.add(format_args!(
             "<circle class=\"f-{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/>"
         ));
     }
 
+    /// Measured points.
+    pub fn dots(&mut self, points: &[[f64; 2]], class: &str, name: &str) {
+        points.iter().for_each(|point| self.dot(*point, class));
+        self.legend.push((class.to_owned(), name.to_owned()));
+    }
+
     /// Equal bins over the range of x, as a filled staircase.
-    pub(super) fn steps(&mut self, range: [f64; 2], heights: &[f64], class: &str, name: &str) {
+    pub fn steps(&mut self, range: [f64; 2], heights: &[f64], class: &str, name: &str) {
         let base = HEIGHT - BOTTOM;
         let width = (range[1] - range[0]) / heights.len().max(1) as f64;
         let mut path = format!("M{:.1} {base}", self.px(range[0]));
@@ -249,8 +270,32 @@ impl Plot {
         self.legend.push((class.to_owned(), name.to_owned()));
     }
 
+    /// The finished drawing as a file of its own, with the colours of a report on its card; `title` is read by screen readers.
+    #[must_use]
+    pub fn file(&self, title: &str) -> String {
+        let above = self.above();
+        let style = include_str!("style.css");
+        let body = self.svg(title);
+        let (_, inner) = body.split_once('>').unwrap_or(("", &body));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"{}\" height=\"{}\" viewBox=\"0 {above} {WIDTH} {}\" \
+             role=\"img\" aria-label=\"{}\"><style><![CDATA[{style}]]></style>\
+             <rect x=\"0\" y=\"{above}\" width=\"100%\" height=\"100%\" style=\"fill: var(--card)\"/>{inner}\n",
+            2.0 * WIDTH,
+            2.0 * (HEIGHT - above),
+            HEIGHT - above,
+            escape(title),
+        )
+    }
+
+    /// Without names nothing stands above the plot.
+    fn above(&self) -> f64 {
+        if self.legend.is_empty() { 22.0 } else { 0.0 }
+    }
+
     /// The finished drawing; `title` is read by screen readers.
-    pub(super) fn svg(&self, title: &str) -> String {
+    #[must_use]
+    pub fn svg(&self, title: &str) -> String {
         let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
         let mut grid = String::new();
         for (value, label) in self.y.ticks(5) {
@@ -282,8 +327,7 @@ impl Plot {
                 y + 9.0
             );
         }
-        // Without names nothing stands above the plot
-        let above = if self.legend.is_empty() { 22.0 } else { 0.0 };
+        let above = self.above();
         let middle = f64::midpoint(LEFT, right);
         let upright = f64::midpoint(TOP, bottom);
         format!(

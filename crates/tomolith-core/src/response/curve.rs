@@ -23,7 +23,9 @@ pub struct Curve {
     /// What the material did.
     pub responses: Vec<f64>,
     /// How many measurements each point is the mean of.
-    counts: Vec<f64>,
+    pub(super) counts: Vec<f64>,
+    /// Sum of squares of all measurements about the mean of their dose.
+    pub(super) scatter: f64,
 }
 
 impl Curve {
@@ -59,13 +61,14 @@ impl Curve {
             doses: Vec::new(),
             responses: Vec::new(),
             counts: Vec::new(),
+            scatter: 0.0,
         };
         for rows in rows.chunk_by(|a, b| a.0 == b.0) {
             curve.doses.push(rows[0].0);
-            curve
-                .responses
-                .push(rows.iter().map(|r| r.1).sum::<f64>() / rows.len() as f64);
+            let mean = rows.iter().map(|r| r.1).sum::<f64>() / rows.len() as f64;
+            curve.responses.push(mean);
             curve.counts.push(rows.len() as f64);
+            curve.scatter += rows.iter().map(|r| (r.1 - mean).powi(2)).sum::<f64>();
         }
         if curve.doses.len() < 2 {
             return Err(Error::config(

@@ -1,10 +1,10 @@
 //! Fitted response: a curve through measured points that need not rise, for example a sheet of conversion against dose.
 //!
 //! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`](mod@super::logistic)) with the least sum of
-//! squared distances, found by Levenberg's and Marquardt's method from the curve's own quarter points. `form = "table"`: the
+//! squared distances to all measurements ([`crate::least_squares`]), from the curve's own quarter points. `form = "table"`: the
 //! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`].
 //!
-//! **Source** Marquardt, SIAM J. Appl. Math. 11 (1963) 431; for the forms see the pages of both kinds.
+//! **Source** see the pages of both kinds.
 //!
 //! **Parameters** see [`Params`]. **Limits** a logistic needs five points, six with `asymmetry`; points that fall with dose
 //! are refused. **Cost** that of the form; the fit itself is microseconds.
@@ -13,9 +13,9 @@
 //! use tomolith_core::response::{curve::Curve, fit::logistic};
 //! let doses: Vec<f64> = (0..=10).map(|i| 0.1 * f64::from(i)).collect();
 //! let responses: Vec<f64> = doses.iter().map(|d| 0.1 + 0.8 / (1.0 + (-12.0 * (d - 0.4f64)).exp())).collect();
-//! let (found, rms) = logistic(&Curve::new(&doses, &responses).unwrap(), false).unwrap();
-//! assert!((found.steepness - 12.0).abs() < 1e-6 && (found.midpoint - 0.4).abs() < 1e-8); // what the points were made of
-//! assert!(rms < 1e-9);
+//! let found = logistic(&Curve::new(&doses, &responses).unwrap(), false).unwrap();
+//! assert!((found.params.steepness - 12.0).abs() < 1e-6 && (found.params.midpoint - 0.4).abs() < 1e-8); // what the points were made of
+//! assert!(found.rms < 1e-9);
 //! ```
 
 use super::curve::Curve;
@@ -23,6 +23,7 @@ use super::table::{self, Beyond, Table};
 use super::{BuildResponse, Logistic, Response, logistic};
 use crate::error::{Error, Result};
 use crate::kind::Kind;
+use crate::least_squares::{Minimum, minimise};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -55,11 +56,23 @@ pub struct Params {
     pub asymmetry: bool,
 }
 
-/// The logistic response nearest to a curve, and the root mean square of what is left.
+/// A logistic response that was fitted.
+#[derive(Clone, Debug)]
+pub struct LogisticFit {
+    /// The response.
+    pub params: logistic::Params,
+    /// Standard errors of lower, upper, steepness, midpoint and asymmetry (0 where ν is not fitted); None where the points do not fix
+    /// every parameter.
+    pub errors: Option<[f64; 5]>,
+    /// Root mean square of what is left, over all measurements.
+    pub rms: f64,
+}
+
+/// The logistic response nearest to all measurements of a curve.
 ///
 /// # Errors
 /// [`Error::Config`] for fewer points than parameters and one, or a curve that does not rise.
-pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<(logistic::Params, f64)> {
+pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<LogisticFit> {
     let unknowns = if asymmetry { 5 } else { 4 };
     let n = curve.doses.len();
     if n <= unknowns {
@@ -72,20 +85,34 @@ pub fn logistic(curve: &Curve, asymmetry: bool) -> Result<(logistic::Params, f64
     if curve.responses[n - 1] <= curve.responses[0] {
         return Err(falls(curve));
     }
-    let fit = Fit { curve, unknowns };
-    let theta = fit.levenberg(start(&curve.monotone()));
+    let minimum = least(curve, &start(&curve.monotone())[..unknowns]);
+    let theta = full(&minimum.parameters);
     let [lower, upper, b, midpoint, v] = theta;
     if lower >= upper || !theta.iter().all(|v| v.is_finite()) {
         return Err(falls(curve));
     }
-    let found = logistic::Params {
+    let measurements = curve.counts.iter().sum::<f64>();
+    let params = logistic::Params {
         lower,
         upper,
         steepness: b.exp(),
         midpoint,
         asymmetry: v.exp(),
     };
-    Ok((found, (fit.cost(&theta) / n as f64).sqrt()))
+    let errors = minimum.errors(curve.scatter, measurements as usize);
+    let errors = errors.map(|found| {
+        let mut errors = [0.0; 5];
+        errors[..unknowns].copy_from_slice(&found);
+        // Of ln B and ln ν
+        errors[2] *= params.steepness;
+        errors[4] *= params.asymmetry;
+        errors
+    });
+    Ok(LogisticFit {
+        params,
+        errors,
+        rms: ((minimum.cost + curve.scatter) / measurements).sqrt(),
+    })
 }
 
 /// The refusal of points through which no rising curve goes.
@@ -124,110 +151,48 @@ fn start(curve: &Curve) -> Theta {
     [low, high, (9f64.ln() / width).ln(), dose_at(0.5), 0.0]
 }
 
-struct Fit<'a> {
-    curve: &'a Curve,
-    /// 4, or 5 with ν.
-    unknowns: usize,
+/// Of four parameters or five: ν = 1 unless it is among them.
+fn full(theta: &[f64]) -> Theta {
+    let mut full = [0.0; 5];
+    full[..theta.len()].copy_from_slice(theta);
+    full
 }
 
-impl Fit<'_> {
-    /// Response and its derivatives by A, K, ln B, M and ln ν.
-    fn model(dose: f64, [a, k, ln_b, m, ln_v]: &Theta) -> (f64, Theta) {
-        let (b, v) = (ln_b.exp(), ln_v.exp());
-        let x = b * (dose - m);
-        let u = 1.0 / (1.0 + (-x).exp());
-        let height = u.powf(1.0 / v);
-        let rise = (k - a) * height / v * (1.0 - u);
-        let by_v = if u > 0.0 {
-            -(k - a) * height * u.ln() / v
-        } else {
-            0.0
-        };
-        (
-            a + (k - a) * height,
-            [1.0 - height, height, rise * x, -rise * b, by_v],
-        )
-    }
-
-    fn cost(&self, theta: &Theta) -> f64 {
-        let pairs = self.curve.doses.iter().zip(&self.curve.responses);
-        pairs
-            .map(|(&d, &m)| (Self::model(d, theta).0 - m).powi(2))
-            .sum()
-    }
-
-    fn levenberg(&self, mut theta: Theta) -> Theta {
-        let mut cost = self.cost(&theta);
-        let mut damping = 1e-3;
-        for _ in 0..500 {
-            let mut matrix = [[0.0; 5]; 5];
-            let mut right = [0.0; 5];
-            for (&d, &m) in self.curve.doses.iter().zip(&self.curve.responses) {
-                let (value, slopes) = Self::model(d, &theta);
-                for i in 0..self.unknowns {
-                    right[i] -= slopes[i] * (value - m);
-                    for j in 0..self.unknowns {
-                        matrix[i][j] += slopes[i] * slopes[j];
-                    }
-                }
-            }
-            for (i, row) in matrix.iter_mut().enumerate() {
-                row[i] = if i < self.unknowns {
-                    row[i] * (1.0 + damping) + 1e-300
-                } else {
-                    1.0
-                };
-            }
-            let step = solve(matrix, right);
-            let next: Theta = std::array::from_fn(|i| theta[i] + step[i]);
-            let reached = self.cost(&next);
-            if reached < cost {
-                let settled = cost - reached <= 1e-15 * cost;
-                (theta, cost, damping) = (next, reached, (damping * 0.3).max(1e-12));
-                if settled {
-                    break;
-                }
-            } else {
-                damping *= 4.0;
-                if damping > 1e12 {
-                    break;
-                }
-            }
-        }
-        theta
-    }
+/// The parameters nearest to all measurements.
+fn least(curve: &Curve, start: &[f64]) -> Minimum {
+    minimise(start, curve.doses.len(), |theta, i, slopes| {
+        let (value, by) = model(curve.doses[i], &full(theta));
+        let weight = curve.counts[i].sqrt();
+        slopes
+            .iter_mut()
+            .zip(by)
+            .for_each(|(slope, by)| *slope = weight * by);
+        weight * (value - curve.responses[i])
+    })
 }
 
-/// A small system of equations, by elimination with the largest pivot.
-fn solve(mut a: [[f64; 5]; 5], mut b: [f64; 5]) -> [f64; 5] {
-    for i in 0..5 {
-        let pivot = (i..5)
-            .max_by(|&p, &q| a[p][i].abs().total_cmp(&a[q][i].abs()))
-            .unwrap_or(i);
-        a.swap(i, pivot);
-        b.swap(i, pivot);
-        for row in i + 1..5 {
-            let factor = a[row][i] / a[i][i];
-            let above = a[i];
-            a[row]
-                .iter_mut()
-                .zip(above)
-                .for_each(|(cell, up)| *cell -= factor * up);
-            b[row] -= factor * b[i];
-        }
-    }
-    let mut x = [0.0; 5];
-    for i in (0..5).rev() {
-        let known: f64 = (i + 1..5).map(|j| a[i][j] * x[j]).sum();
-        x[i] = (b[i] - known) / a[i][i];
-    }
-    x
+/// Response and its derivatives by A, K, ln B, M and ln ν.
+fn model(dose: f64, [a, k, ln_b, m, ln_v]: &Theta) -> (f64, Theta) {
+    let (b, v) = (ln_b.exp(), ln_v.exp());
+    let x = b * (dose - m);
+    let u = 1.0 / (1.0 + (-x).exp());
+    let height = u.powf(1.0 / v);
+    let rise = (k - a) * height / v * (1.0 - u);
+    let by_v = if u > 0.0 {
+        -(k - a) * height * u.ln() / v
+    } else {
+        0.0
+    };
+    (
+        a + (k - a) * height,
+        [1.0 - height, height, rise * x, -rise * b, by_v],
+    )
 }
 
 fn build(params: &Params, curve: &Curve) -> Result<Box<dyn Response>> {
     match params.form {
         Form::Logistic => Ok(Box::new(Logistic::new(
-            logistic(curve, params.asymmetry)?.0,
+            logistic(curve, params.asymmetry)?.params,
         )?)),
         Form::Table => {
             let level = curve.monotone();
@@ -299,7 +264,8 @@ mod tests {
                 midpoint,
                 asymmetry,
             };
-            let (found, rms) = super::logistic(&points(&made_of, 0.0), asymmetry != 1.0).unwrap();
+            let fit = super::logistic(&points(&made_of, 0.0), asymmetry != 1.0).unwrap();
+            let (found, rms) = (fit.params, fit.rms);
             for (a, b) in [
                 (found.lower, lower),
                 (found.upper, upper),
@@ -323,22 +289,27 @@ mod tests {
             ..Default::default()
         };
         let curve = points(&made_of, 0.03);
-        let (found, rms) = super::logistic(&curve, false).unwrap();
-        let truth = [
-            made_of.lower,
-            made_of.upper,
-            made_of.steepness.ln(),
-            made_of.midpoint,
-            0.0,
-        ];
-        let fit = Fit {
-            curve: &curve,
-            unknowns: 4,
-        };
-        assert!(
-            rms <= (fit.cost(&truth) / 60.0).sqrt() && rms > 0.01,
-            "{rms}"
-        );
+        let fit = super::logistic(&curve, false).unwrap();
+        let (found, rms) = (fit.params, fit.rms);
+        let pairs = curve.doses.iter().zip(&curve.responses);
+        let truth: f64 = pairs
+            .map(|(d, m)| (m - 1.0 / (1.0 + (-10.0 * (d - 0.5)).exp())).powi(2))
+            .sum();
+        assert!(rms <= (truth / 60.0).sqrt() && rms > 0.01, "{rms}");
+        // The truth is within three standard errors
+        let errors = fit.errors.unwrap();
+        for (found, truth, error) in [
+            (found.lower, 0.0, errors[0]),
+            (found.upper, 1.0, errors[1]),
+            (found.steepness, 10.0, errors[2]),
+            (found.midpoint, 0.5, errors[3]),
+        ] {
+            assert!(
+                (found - truth).abs() < 3.0 * error,
+                "{found} {truth} {error}"
+            );
+        }
+        assert!(errors[3] < 0.01 && errors[4] == 0.0, "{errors:?}");
         assert!(
             (found.midpoint - 0.5).abs() < 0.02 && (found.steepness - 10.0).abs() < 1.0,
             "{found:?}"
@@ -346,15 +317,30 @@ mod tests {
     }
 
     #[test]
+    fn a_dose_that_was_measured_thrice_counts_thrice() {
+        let doses = [0.0, 0.3, 0.5, 0.5, 0.5, 0.7, 1.0];
+        let responses = [0.0, 0.1, 0.4, 0.5, 0.9, 0.9, 1.0];
+        let repeated = Curve::new(&doses, &responses).unwrap();
+        // The same measurements at doses that differ by next to nothing are not averaged
+        let apart: Vec<f64> = (0..7).map(|i| doses[i] + 1e-12 * i as f64).collect();
+        let apart = Curve::new(&apart, &responses).unwrap();
+        let [a, b] = [repeated, apart].map(|curve| super::logistic(&curve, false).unwrap());
+        assert!((a.params.midpoint - b.params.midpoint).abs() < 1e-6);
+        assert!((a.rms - b.rms).abs() < 1e-6, "{} {}", a.rms, b.rms);
+        let errors = [a, b].map(|fit| fit.errors.unwrap()[3]);
+        assert!((errors[0] / errors[1] - 1.0).abs() < 1e-3, "{errors:?}");
+    }
+
+    #[test]
     fn derivatives_are_those_of_the_model() {
         let theta = [0.1, 0.9, 2.0, 0.5, 0.4];
         for dose in [-0.3, 0.2, 0.5, 0.9, 2.0] {
-            let slopes = Fit::model(dose, &theta).1;
+            let slopes = model(dose, &theta).1;
             for i in 0..5 {
                 let moved = |h: f64| {
                     let mut t = theta;
                     t[i] += h;
-                    Fit::model(dose, &t).0
+                    model(dose, &t).0
                 };
                 let difference = (moved(1e-6) - moved(-1e-6)) / 2e-6;
                 assert!(

@@ -1,0 +1,572 @@
+//! `tomolith calibrate`: frames for setting a machine up, and fits of what was measured.
+
+use crate::answer::{Answer, percent, with_error};
+use crate::arguments::Manner;
+use crate::screen::say;
+use clap::{Args, Subcommand, ValueEnum};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use tomolith::exposure::{CALIBRATIONS, Calibration, PrinterSpec};
+use tomolith::grid::PatternGrid;
+use tomolith::job::Job;
+use tomolith::job::export::{calibrate as of_job, draw};
+use tomolith::report::number::significant;
+use tomolith::units::concise;
+use tomolith::{Error, Result};
+use tomolith_planning::discs::{self, Discs};
+use tomolith_planning::grey::{Form, GreyCurve, Polynomial};
+use tomolith_planning::measured::{csv, curve, read_pairs};
+use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
+use tomolith_planning::response::{Axes, ResponseFit};
+use tomolith_planning::{kinetics, voxel};
+
+const CALIBRATE: &str = "\
+Examples:
+  tomolith calibrate --canvas 1920 1080 --output calibration
+  tomolith calibrate --job examples/09-printer.toml siemens_star axis_lines --output calibration
+  tomolith calibrate grey examples/calibration/grey-visible.csv --output grey
+  tomolith calibrate response examples/calibration/stiffness.csv --log-response --output stiffness
+  tomolith calibrate kinetics examples/calibration/balls-uv.csv --at 20 --output balls
+  tomolith calibrate discs --canvas 1920 1080 --pixel-pitch-mm 0.0138 --irradiance 25 --from 20 --to 400 --output discs
+  tomolith calibrate dose examples/calibration/discs.csv --output dose
+Frames: border, checkerboard, crosshair, grey_steps, siemens_star, axis_lines, orientation";
+
+#[derive(Debug, Args)]
+#[command(after_help = CALIBRATE, args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub(crate) struct CalibrateArguments {
+    #[command(subcommand)]
+    fit: Option<Fit>,
+    /// Frames to draw; all of them when left out
+    frames: Vec<String>,
+    /// Job whose `printer` table and light the frames are drawn for
+    #[arg(long, value_name = "JOB", conflicts_with = "canvas")]
+    job: Option<PathBuf>,
+    /// Pixels of the device, without a job
+    #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"], required_unless_present = "job")]
+    canvas: Option<Vec<usize>>,
+    /// Bit depth, without a job
+    #[arg(long, default_value_t = 8)]
+    bits: u32,
+    /// New folder for the frames, NAME.png each
+    #[arg(long, short, value_name = "DIR", required = true)]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    manner: Manner,
+}
+
+#[derive(Debug, Subcommand)]
+enum Fit {
+    /// Grey curve from a power meter's table: grey value, irradiance
+    Grey(GreyArguments),
+    /// Response from measured pairs: dose, response
+    Response(ResponseArguments),
+    /// Inhibitor and kinetics from curing times: irradiance (mW/cm²), time (s)
+    Kinetics(KineticsArguments),
+    /// Images for a calibration print: discs at rising doses in a resin at rest
+    Discs(DiscsArguments),
+    /// Critical dose and penetration depth from what the discs became: discs.csv with a column filled
+    Dose(DoseArguments),
+}
+
+/// A table that is fitted, and what becomes of it.
+#[derive(Debug, Args)]
+struct Measured {
+    /// CSV file
+    table: PathBuf,
+    /// New folder for the fit's files and its plot
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    manner: Manner,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum GreyForm {
+    Monotone,
+    Line,
+    Quadratic,
+}
+
+#[derive(Debug, Args)]
+struct GreyArguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// Grey value of white
+    #[arg(long, default_value_t = 255.0, allow_negative_numbers = true)]
+    top: f64,
+    /// The curve that is written; the others are fitted for comparison
+    #[arg(long, value_enum, default_value = "monotone")]
+    form: GreyForm,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ResponseForm {
+    Logistic,
+    Table,
+}
+
+#[derive(Debug, Args)]
+struct ResponseArguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// What is laid through the points
+    #[arg(long, value_enum, default_value = "logistic")]
+    form: ResponseForm,
+    /// Also fit the logistic's asymmetry
+    #[arg(long)]
+    asymmetry: bool,
+    /// Fit against the decimal logarithm of the dose
+    #[arg(long)]
+    log_dose: bool,
+    /// Fit the decimal logarithm of the response
+    #[arg(long)]
+    log_response: bool,
+}
+
+#[derive(Debug, Args)]
+struct KineticsArguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// Also say the curing time at this irradiance, `20` or `\"0.2 mW/mm2\"`
+    #[arg(long, value_name = "IRRADIANCE", allow_negative_numbers = true)]
+    at: Option<String>,
+}
+
+#[derive(Debug, Args)]
+struct DiscsArguments {
+    /// Pixels of the device
+    #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"])]
+    canvas: Vec<usize>,
+    /// Edge of a pixel at the resin
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pixel_pitch_mm: f64,
+    /// Discs along and down
+    #[arg(long, num_args = 2, value_names = ["ALONG", "DOWN"], default_values_t = [5, 5])]
+    grid: Vec<usize>,
+    /// Irradiance at white, mW/cm² (or with its unit)
+    #[arg(long, allow_negative_numbers = true)]
+    irradiance: String,
+    /// Lowest dose, mJ/cm² (or with its unit)
+    #[arg(long, allow_negative_numbers = true)]
+    from: String,
+    /// Highest dose
+    #[arg(long, allow_negative_numbers = true)]
+    to: String,
+    /// New folder for frames, schedule.csv and discs.csv
+    #[arg(long, short, value_name = "DIR")]
+    output: PathBuf,
+    #[command(flatten)]
+    manner: Manner,
+}
+
+#[derive(Debug, Args)]
+struct DoseArguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// Penetration depth, where depths did not give it: makes the critical dose one per volume
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    penetration_mm: Option<f64>,
+}
+
+impl CalibrateArguments {
+    pub(crate) fn manner(&self) -> Manner {
+        match &self.fit {
+            None => self.manner,
+            Some(Fit::Grey(given)) => given.measured.manner,
+            Some(Fit::Response(given)) => given.measured.manner,
+            Some(Fit::Kinetics(given)) => given.measured.manner,
+            Some(Fit::Discs(given)) => given.manner,
+            Some(Fit::Dose(given)) => given.measured.manner,
+        }
+    }
+}
+
+/// `tomolith calibrate`.
+pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
+    match &given.fit {
+        None => frames(given),
+        Some(Fit::Grey(given)) => grey(given),
+        Some(Fit::Response(given)) => response(given),
+        Some(Fit::Kinetics(given)) => of_times(given),
+        Some(Fit::Discs(given)) => print_of_discs(given),
+        Some(Fit::Dose(given)) => dose(given),
+    }
+}
+
+fn grey(given: &GreyArguments) -> Result<()> {
+    voxel::above_zero("--top", Some(given.top))?;
+    let path = &given.measured.table;
+    let table =
+        curve(&read_pairs(path, "grey value and irradiance")?).map_err(|e| in_file(e, path))?;
+    let form = match given.form {
+        GreyForm::Monotone => Form::Monotone,
+        GreyForm::Line => Form::Line,
+        GreyForm::Quadratic => Form::Quadratic,
+    };
+    let found = GreyCurve::new(&table, given.top, form).map_err(|e| in_file(e, path))?;
+    let mut answer = Answer::default();
+    answer.line("points", table.doses.len().to_string());
+    let mut fits = Vec::new();
+    for (degree, name) in [(1, "line"), (2, "quadratic")] {
+        let Ok(fit) = Polynomial::fit(&table, degree) else {
+            continue;
+        };
+        let residuals = fit.residuals(&table);
+        let worst = residuals.iter().fold(0.0f64, |worst, r| worst.max(r.abs()));
+        let usable = fit.usable(given.top);
+        let range = match usable {
+            Some([low, high]) => format!("usable from grey {low:.1} to {high:.1}"),
+            None => "usable nowhere".to_owned(),
+        };
+        answer.line(
+            name,
+            format!("{}, off by up to {}, {range}", fit.text(), percent(worst)),
+        );
+        answer.set(
+            name,
+            json!({ "coefficients": fit.coefficients, "residuals": residuals, "usable": usable }),
+        );
+        fits.push((name, fit));
+    }
+    found
+        .notes
+        .iter()
+        .for_each(|note| answer.warn(note.as_str()));
+    answer.set("form", form);
+    answer.set("points", found.points());
+    let fits: Vec<(&str, &Polynomial)> = fits.iter().map(|(name, fit)| (*name, fit)).collect();
+    let files = [
+        ("grey_curve.csv", found.file("mW/cm2")),
+        ("grey_curve.svg", found.plot(&table, &fits)),
+    ];
+    answer.finish(
+        given.measured.manner,
+        given.measured.output.as_deref(),
+        &files,
+    )
+}
+
+/// Names the file in errors of what it holds.
+fn in_file(error: Error, path: &Path) -> Error {
+    match error {
+        Error::Config {
+            key,
+            found,
+            accepted,
+            ..
+        } if !key.starts_with("--") => Error::Format {
+            path: path.to_owned(),
+            found: format!("{key}: {found}"),
+            accepted,
+        },
+        other => other,
+    }
+}
+
+fn response(given: &ResponseArguments) -> Result<()> {
+    let path = &given.measured.table;
+    let pairs = read_pairs(path, "dose and response")?;
+    let axes = Axes {
+        log_dose: given.log_dose,
+        log_response: given.log_response,
+    };
+    let fit = match given.form {
+        ResponseForm::Logistic => ResponseFit::logistic(&pairs, axes, given.asymmetry),
+        ResponseForm::Table if given.log_dose || given.asymmetry => Err(Error::config(
+            "--form",
+            "a table with --log-dose or --asymmetry",
+            "the form logistic, or a table without them: it follows the points on any axis",
+        )),
+        ResponseForm::Table => ResponseFit::table(&pairs, given.log_response),
+    };
+    let fit = fit.map_err(|e| in_file(e, path))?;
+    let mut answer = Answer::default();
+    answer.line("points", pairs.len().to_string());
+    if let Some(found) = &fit.logistic {
+        let p = &found.params;
+        let names = ["lower", "upper", "steepness", "midpoint", "asymmetry"];
+        let values = [p.lower, p.upper, p.steepness, p.midpoint, p.asymmetry];
+        for (i, (name, value)) in names.into_iter().zip(values).enumerate() {
+            let error = found.errors.map(|errors| errors[i]);
+            if i < 4 || given.asymmetry {
+                answer.line(name, with_error(value, error));
+            }
+            answer.set(name, json!({ "value": value, "error": error }));
+        }
+        if found.errors.is_none() {
+            answer.warn("the points do not fix every parameter: there are no standard errors");
+        }
+    }
+    if let Some(width) = fit.width_10_90() {
+        answer.line(
+            "10 % to 90 %",
+            format!("{} of dose axis", significant(width, 3)),
+        );
+        answer.set("width_10_90", width);
+    }
+    let unit = if given.log_response { " decades" } else { "" };
+    answer.line("left over (rms)", significant(fit.rms, 3) + unit);
+    answer.set("rms", fit.rms);
+    answer.set("job_table", fit.job_table());
+    if given.measured.output.is_none() {
+        for line in fit.job_table().lines() {
+            answer.line("|", line);
+        }
+    }
+    let files = [
+        ("response.toml", fit.job_table()),
+        ("response.svg", fit.plot()),
+    ];
+    answer.finish(
+        given.measured.manner,
+        given.measured.output.as_deref(),
+        &files,
+    )
+}
+
+fn of_times(given: &KineticsArguments) -> Result<()> {
+    let path = &given.measured.table;
+    let at = given.at.as_ref();
+    let at = at.map(|text| IRRADIANCE.parse("--at", text)).transpose()?;
+    let table = curve(&read_pairs(path, "irradiance (mW/cm²) and time (s)")?)
+        .map_err(|e| in_file(e, path))?;
+    let fit = kinetics::fit(&table).map_err(|e| in_file(e, path))?;
+    let resin = &fit.kinetics;
+    let mut answer = Answer::default();
+    let values = [
+        ("lowest irradiance", resin.min_irradiance, "mW/cm²"),
+        ("inhibitor flows back", resin.supply_per_s, "per s"),
+        ("cure at the highest", resin.cure_s, "s"),
+        ("order of the cure", resin.order, ""),
+    ];
+    for (i, (name, value, unit)) in values.into_iter().enumerate() {
+        let error = fit.errors.map(|errors| errors[i]);
+        answer.line(name, format!("{} {unit}", with_error(value, error)));
+    }
+    answer.line(
+        "inhibitor used by",
+        format!("{} mJ/cm²", significant(resin.inhibitor_dose(), 4)),
+    );
+    answer.line("off by up to", percent(fit.worst()));
+    answer.line(
+        "one critical dose",
+        format!(
+            "differs by {} over these irradiances",
+            percent(fit.dose_spread)
+        ),
+    );
+    if let Some(at) = at {
+        let Some(time) = resin.time_s(at) else {
+            return Err(Error::config(
+                "--at",
+                format!(
+                    "{} mW/cm² never cures this resin: it uses up {} of its inhibitor at most",
+                    concise(at),
+                    percent(resin.inhibitor_used(at))
+                ),
+                format!("more than {} mW/cm²", concise(resin.min_irradiance)),
+            ));
+        };
+        answer.line(
+            "curing time",
+            format!("{} s at {} mW/cm²", significant(time, 4), concise(at)),
+        );
+        answer.set("time_s", time);
+        if at < table.doses[0] || at > table.doses[table.doses.len() - 1] {
+            answer.warn(format!(
+                "{} mW/cm² is outside what was measured",
+                concise(at)
+            ));
+        }
+    }
+    answer.set("kinetics", resin);
+    answer.set("errors", fit.errors);
+    answer.set("inhibitor_dose_mj_per_cm2", resin.inhibitor_dose());
+    answer.set("residuals", &fit.residuals);
+    answer.set("dose_spread", fit.dose_spread);
+    let rows: Vec<Vec<f64>> = (0..table.doses.len())
+        .map(|i| {
+            let (x, y) = (table.doses[i], table.responses[i]);
+            vec![x, y, y * (1.0 + fit.residuals[i]), fit.residuals[i]]
+        })
+        .collect();
+    let names = ["irradiance_mw_per_cm2", "time_s", "fitted_s", "residual"];
+    let files = [
+        ("kinetics.csv", csv(&names, &rows)),
+        ("kinetics.svg", kinetics::plot(&table, &fit)),
+    ];
+    answer.finish(
+        given.measured.manner,
+        given.measured.output.as_deref(),
+        &files,
+    )
+}
+
+fn print_of_discs(given: &DiscsArguments) -> Result<()> {
+    let print = Discs {
+        canvas: [given.canvas[0], given.canvas[1]],
+        pitch_mm: given.pixel_pitch_mm,
+        grid: [given.grid[0], given.grid[1]],
+        doses: [
+            AREAL_DOSE.parse("--from", &given.from)?,
+            AREAL_DOSE.parse("--to", &given.to)?,
+        ],
+        irradiance: IRRADIANCE.parse("--irradiance", &given.irradiance)?,
+    };
+    print.write(&given.output)?;
+    let discs = print.discs();
+    let (first, last) = (&discs[0], &discs[discs.len() - 1]);
+    let mut answer = Answer::default();
+    answer.line(
+        "discs",
+        format!(
+            "{}, {} mm across",
+            discs.len(),
+            significant(2.0 * first.radius_mm, 3)
+        ),
+    );
+    answer.line(
+        "doses",
+        format!(
+            "{} to {} mJ/cm²",
+            significant(first.dose, 4),
+            significant(last.dose, 4)
+        ),
+    );
+    answer.line(
+        "times",
+        format!(
+            "{} to {} s",
+            significant(first.seconds, 3),
+            significant(last.seconds, 3)
+        ),
+    );
+    answer.line(
+        "written",
+        format!(
+            "frames, schedule.csv and discs.csv in {}",
+            given.output.display()
+        ),
+    );
+    answer.set("discs", discs);
+    answer.set("folder", &given.output);
+    answer.tell(given.manner);
+    Ok(())
+}
+
+fn dose(given: &DoseArguments) -> Result<()> {
+    voxel::above_zero("--penetration-mm", given.penetration_mm)?;
+    let path = &given.measured.table;
+    let fit = discs::fit(path).map_err(|e| in_file(e, path))?;
+    let mut answer = Answer::default();
+    answer.line("fitted", fit.from);
+    let critical = with_error(fit.critical_mj_per_cm2, fit.critical_error);
+    answer.line("critical dose", format!("{critical} mJ/cm² at the face"));
+    if let Some([liquid, solid]) = fit.bracket {
+        answer.line(
+            "between",
+            format!(
+                "{} and {} mJ/cm²",
+                significant(liquid, 4),
+                significant(solid, 4)
+            ),
+        );
+        if liquid > solid {
+            answer.warn("a disc stayed liquid at a dose at which another one cured: the order of the two doses is turned");
+        }
+    } else {
+        let name = if fit.penetration_mm().is_some() {
+            "penetration depth"
+        } else {
+            "edge blurred by"
+        };
+        answer.line(
+            name,
+            format!("{} mm", with_error(fit.length_mm, fit.length_error)),
+        );
+        answer.line(
+            "left over (rms)",
+            format!("{} mm", significant(fit.rms_mm, 3)),
+        );
+    }
+    let depth = fit.penetration_mm().or(given.penetration_mm);
+    let mut files = vec![("dose.svg", fit.plot())];
+    if let Some(depth) = depth {
+        let volumetric = fit.critical_mj_per_mm3(depth);
+        answer.line(
+            "per volume",
+            format!(
+                "{} mJ/mm³, where all absorbed light is active",
+                significant(volumetric, 4)
+            ),
+        );
+        answer.set("critical_dose_mj_per_mm3", volumetric);
+        let table = format!(
+            "# Fitted by `tomolith calibrate dose`\n[resin]\nabsorption_per_mm = {}\ncritical_dose_mj_per_mm3 = {}\n",
+            concise(1.0 / depth),
+            concise(volumetric)
+        );
+        files.push(("resin.toml", table));
+    }
+    answer.set("fit", &fit);
+    answer.finish(
+        given.measured.manner,
+        given.measured.output.as_deref(),
+        &files,
+    )
+}
+
+/// Frames for setting a machine up.
+fn frames(given: &CalibrateArguments) -> Result<()> {
+    let names: Vec<&str> = match given.frames.as_slice() {
+        [] => CALIBRATIONS
+            .iter()
+            .map(|calibration| calibration.0)
+            .collect(),
+        asked => asked.iter().map(String::as_str).collect(),
+    };
+    let Some(output) = &given.output else {
+        return Err(Error::config(
+            "--output",
+            "no folder",
+            "a new folder for the frames",
+        ));
+    };
+    let files = match (&given.job, &given.canvas) {
+        (Some(job), _) => of_job(&Job::read(job, &[])?, &names, output)?,
+        (None, Some(canvas)) => {
+            let spec = PrinterSpec {
+                canvas: Some([canvas[0], canvas[1]]),
+                ..PrinterSpec::default()
+            };
+            spec.ranges()?;
+            // The patterns fill the device; a pixel is the unit of length
+            let field = PatternGrid::full_turn(1, 0.0, canvas[1], canvas[0], 1.0);
+            let calibration = Calibration::new(&spec, &field, given.bits).map_err(|e| match e {
+                Error::Config {
+                    key,
+                    found,
+                    accepted,
+                    ..
+                } if key == "bit_depth" => Error::config("--bits", found, accepted),
+                other => other,
+            })?;
+            draw(&calibration, &names, output)?
+        }
+        (None, None) => {
+            return Err(Error::config(
+                "--canvas",
+                "neither a job nor a canvas",
+                "one of the two",
+            ));
+        }
+    };
+    if given.manner.json {
+        say(&json!({ "event": "done", "files": files }).to_string());
+    } else if !given.manner.quiet {
+        files
+            .iter()
+            .for_each(|file| say(&file.display().to_string()));
+    }
+    Ok(())
+}

@@ -1,0 +1,320 @@
+//! `tomolith expose`: how a run's frames are to be shown so that the resin gels.
+
+use crate::answer::{Answer, percent};
+use crate::arguments::Manner;
+use clap::Args;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use tomolith::exposure::PrinterSpec;
+use tomolith::job::export::job_of_run;
+use tomolith::job::{Angles, Job};
+use tomolith::report::number::significant;
+use tomolith::units::concise;
+use tomolith::{Error, Result};
+use tomolith_planning::delivered::Shown;
+use tomolith_planning::plan::{Machine, Plan, Window};
+use tomolith_planning::quantity::{IRRADIANCE, POWER, VOLUMETRIC_DOSE};
+use tomolith_planning::voxel::above_zero;
+
+/// Images a second of a machine that the job does not name.
+const REFRESH_HZ: f64 = 240.0;
+
+const EXAMPLES: &str = "\
+Examples:
+  tomolith expose out/09-printer --irradiance 25
+  tomolith expose out/01-gear --power \"40 mW\" --critical-dose \"0.8 J/cm3\" --turns 4
+  tomolith expose out/01-gear --irradiance \"250 W/m2\" --critical-dose 0.8 --within-s 120
+What is left out is taken from the run's job: printer.peak_irradiance_mw_per_cm2, resin.critical_dose_mj_per_mm3, output.rpm";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct ExposeArguments {
+    /// Folder of a run
+    run: PathBuf,
+    /// TOML file with the table `printer` of the machine; that of the run when left out
+    #[arg(long, value_name = "FILE")]
+    printer: Option<PathBuf>,
+    /// Which light, of several
+    #[arg(long, value_name = "NAME")]
+    light: Option<String>,
+    /// Irradiance at white at the vial, mW/cm² (or with its unit)
+    #[arg(
+        long,
+        value_name = "IRRADIANCE",
+        conflicts_with = "power",
+        allow_negative_numbers = true
+    )]
+    irradiance: Option<String>,
+    /// Power at the vial with every pixel white, mW (or with its unit)
+    #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
+    power: Option<String>,
+    /// Dose at which the resin gels, mJ/mm³ (or with its unit)
+    #[arg(long, value_name = "DOSE", allow_negative_numbers = true)]
+    critical_dose: Option<String>,
+    /// Turns a minute
+    #[arg(long, conflicts_with = "turns", allow_negative_numbers = true)]
+    rpm: Option<f64>,
+    /// Turns that the print takes, the light always on: the speed follows
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    turns: Option<u32>,
+    /// Longest time that the print may take
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    within_s: Option<f64>,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+/// A JSON file of the run folder.
+fn json_of(run: &Path, name: &str) -> Result<Value> {
+    let path = run.join(name);
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+    serde_json::from_str(&text).map_err(|e| Error::Format {
+        path,
+        found: e.to_string(),
+        accepted: "the file of a run of Tomolith".to_owned(),
+    })
+}
+
+fn missing(key: &str, what: &str, accepted: &str) -> Error {
+    Error::config(key, format!("the run's job does not say {what}"), accepted)
+}
+
+/// `tomolith expose`.
+pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
+    above_zero("--rpm", given.rpm)?;
+    above_zero("--within-s", given.within_s)?;
+    let job = job_of_run(&given.run, given.printer.as_deref(), &[])?;
+    let i = light(given, &job)?;
+    let printer = job.spec.printer.clone().unwrap_or_default();
+    let exposure = json_of(&given.run, "exposure.json")?;
+    let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
+    let machine = machine(given, &job, &printer, &shown)?;
+    let critical = match &given.critical_dose {
+        Some(text) => VOLUMETRIC_DOSE.parse("--critical-dose", text)?,
+        None => job.spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
+            missing(
+                "--critical-dose",
+                "at which dose the resin gels",
+                "a dose per volume, or resin.critical_dose_mj_per_mm3 in the job",
+            )
+        })?,
+    };
+    let report = json_of(&given.run, "report.json")?;
+    let gel_dose = [&report["exposure"]["dose"]["best"], &report["evaluation"]["gel_threshold"]]
+        .into_iter()
+        .find_map(Value::as_f64)
+        .filter(|dose| *dose > 0.0)
+        .ok_or_else(|| {
+            let found = "its report names no dose at which the part gels: nothing prints, or the target is grey";
+            Error::config("RUN", found, "a run that prints a part")
+        })?;
+    let window = &report["exposure"]["percent"];
+    let window = window.is_object().then(|| Window {
+        low: window["low"].as_f64(),
+        high: window["high"].as_f64(),
+    });
+    let Some(white) = shown
+        .white
+        .or_else(|| exposure["lights"][i]["white"].as_f64())
+    else {
+        return Err(Error::config(
+            "RUN",
+            "frames that do not say what white is worth",
+            "frames of a run",
+        ));
+    };
+    let angles = &job.spec.light[i].angles;
+    let arc = match angles {
+        Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
+        Angles::List(_) => 0.0,
+    };
+    let plan = Plan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
+    let pw = report["evaluation"]["pw"].as_f64().map(|pw| pw / gel_dose);
+    show(given, &machine, &shown, &plan, pw);
+    Ok(())
+}
+
+/// Which of the job's lights is meant.
+fn light(given: &ExposeArguments, job: &Job) -> Result<usize> {
+    let lights = &job.spec.light;
+    let names: Vec<&str> = lights
+        .iter()
+        .filter_map(|light| light.name.as_deref())
+        .collect();
+    match &given.light {
+        None if lights.len() == 1 => Ok(0),
+        None => Err(Error::config(
+            "--light",
+            format!("the run has {} lights", lights.len()),
+            format!("one of them: {}", names.join(", ")),
+        )),
+        Some(wanted) => lights
+            .iter()
+            .position(|light| light.name.as_deref() == Some(wanted))
+            .ok_or_else(|| {
+                let accepted = if names.is_empty() {
+                    "no such option: the run's only light has no name".to_owned()
+                } else {
+                    names.join(", ")
+                };
+                Error::config("--light", format!("unknown light `{wanted}`"), accepted)
+            }),
+    }
+}
+
+fn shown(
+    given: &ExposeArguments,
+    job: &Job,
+    i: usize,
+    printer: &PrinterSpec,
+    light: &Value,
+) -> Result<Shown> {
+    let frames = given.run.join("frames");
+    let several = job.spec.light.len() > 1;
+    let folder = match &job.spec.light[i].name {
+        Some(name) if several => frames.join(name),
+        _ => frames,
+    };
+    let pitch = &light["pixel_pitch_mm"];
+    let Some(pitch) = pitch[0].as_f64().zip(pitch[1].as_f64()) else {
+        return Err(Error::Format {
+            path: given.run.join("exposure.json"),
+            found: "no pixel_pitch_mm".to_owned(),
+            accepted: "the file of a run of Tomolith".to_owned(),
+        });
+    };
+    Shown::read(&folder, printer, &job.base(), [pitch.0, pitch.1])
+}
+
+fn machine(
+    given: &ExposeArguments,
+    job: &Job,
+    printer: &PrinterSpec,
+    shown: &Shown,
+) -> Result<Machine> {
+    let irradiance = match (&given.irradiance, &given.power) {
+        (Some(text), _) => IRRADIANCE.parse("--irradiance", text)?,
+        (None, Some(text)) => POWER.parse("--power", text)? / shown.area_cm2(),
+        (None, None) => printer.peak_irradiance_mw_per_cm2.ok_or_else(|| {
+            missing(
+                "--irradiance",
+                "how bright the machine is",
+                "an irradiance, or --power, or printer.peak_irradiance_mw_per_cm2 in the job",
+            )
+        })?,
+    };
+    Ok(Machine {
+        irradiance,
+        rpm: given.rpm.unwrap_or(job.spec.output.rpm),
+        turns: given.turns.map(f64::from),
+        refresh_hz: job
+            .spec
+            .printer
+            .as_ref()
+            .map_or(REFRESH_HZ, |printer| printer.refresh_hz),
+        within_s: given.within_s,
+    })
+}
+
+/// A range with its unit.
+fn range(window: Window, unit: &str) -> String {
+    let text = |value: Option<f64>, none: &str| {
+        value.map_or_else(|| none.to_owned(), |v| significant(v, 4))
+    };
+    format!(
+        "{} to {} {unit}",
+        text(window.low, "any"),
+        text(window.high, "any")
+    )
+}
+
+fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan, pw: Option<f64>) {
+    let mut answer = Answer::default();
+    answer.line(
+        "irradiance at white",
+        format!("{} mW/cm²", significant(machine.irradiance, 4)),
+    );
+    answer.line(
+        "white",
+        format!(
+            "{} mJ/mm² over the print",
+            significant(plan.white_mj_per_mm2, 4)
+        ),
+    );
+    answer.line(
+        "time to print",
+        format!("{} s", significant(plan.time_s, 4)),
+    );
+    answer.line(
+        "turns",
+        format!(
+            "{} at {} a minute",
+            concise(plan.turns),
+            significant(plan.rpm, 4)
+        ),
+    );
+    answer.line(
+        "light on for",
+        format!("{} of each frame", percent(plan.duty)),
+    );
+    answer.line(
+        "frames",
+        format!(
+            "{} a turn, {} a second, {} ms each",
+            shown.sums.len(),
+            significant(plan.frame_rate_hz, 4),
+            significant(1e3 * plan.frame_s, 4)
+        ),
+    );
+    let [mean, largest] = plan.frame_mj;
+    answer.line(
+        "energy of a frame",
+        format!(
+            "{} mJ, at most {} mJ",
+            significant(mean, 3),
+            significant(largest, 3)
+        ),
+    );
+    answer.line(
+        "delivered light",
+        format!(
+            "{} J, {} of what the device can give",
+            significant(1e-3 * plan.energy_mj, 4),
+            percent(plan.light_used)
+        ),
+    );
+    if let (Some(in_percent), Some(seconds)) = (plan.window_percent, plan.window_s) {
+        answer.line(
+            "nearly as good",
+            format!(
+                "{}, {} of the best exposure",
+                range(seconds, "s"),
+                range(in_percent, "%")
+            ),
+        );
+    }
+    if let Some(pw) = pw {
+        let seconds = significant(pw * plan.time_s, 3);
+        answer.line(
+            "process window",
+            format!(
+                "{} of the gel dose, {seconds} s (min in − max out)",
+                percent(pw)
+            ),
+        );
+        answer.set("pw_percent", 100.0 * pw);
+        answer.set("pw_s", pw * plan.time_s);
+    }
+    if plan.rpm > 60.0 {
+        answer.warn(format!(
+            "{} turns a minute throw resin about: more turns take longer",
+            significant(plan.rpm, 3)
+        ));
+    }
+    if plan.turns < 3.0 && plan.time_s < 20.0 {
+        answer.warn("in fewer than three turns the resin begins to gel from one side; a lower irradiance takes more turns");
+    }
+    answer.set("plan", plan);
+    answer.set("irradiance_mw_per_cm2", machine.irradiance);
+    answer.tell(given.manner);
+}

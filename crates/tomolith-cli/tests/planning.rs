@@ -1,0 +1,526 @@
+//! `calibrate` fits, `expose` and `analyze`: what they find, what they write, and bad input with one message.
+
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+const JOB: &str = r#"[target]
+phantom = "gear"
+size_mm = 2.0
+[grid]
+pitch_mm = 0.1
+[resin]
+refractive_index = 1.5
+absorption_per_mm = 0.05
+[vial.index_matched]
+radius_mm = 3.0
+[[light]]
+pixels = [32, 16]
+angles = 24
+projector.collimated = { pixel_pitch_mm = 0.1 }
+[stop]
+iterations = 4
+"#;
+
+struct Bench {
+    temp: tempfile::TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        Bench {
+            temp: tempfile::tempdir().unwrap(),
+        }
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// Runs a line that must end with a code; what it said, without line breaks. `~` stands for a blank in a word.
+    fn expect(&self, code: i32, line: &str) -> String {
+        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
+            .current_dir(self.temp.path())
+            .args(line.split(' ').map(|word| word.replace('~', " ")))
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{line}: {said}");
+        if said.starts_with('{') {
+            return said;
+        }
+        let words = said.split_whitespace().filter(|word| *word != "│");
+        words.collect::<Vec<_>>().join(" ")
+    }
+
+    fn json(&self, line: &str) -> Value {
+        let said = self.expect(0, &format!("{line} --json"));
+        let value: Value = serde_json::from_str(said.trim()).unwrap();
+        assert_eq!(value["event"], "done", "{line}");
+        value
+    }
+
+    /// A refusal: one message with all these parts.
+    fn refuse(&self, line: &str, parts: &[&str]) {
+        let said = self.expect(2, line);
+        for part in parts {
+            assert!(said.contains(part), "{line}: `{part}` is not in: {said}");
+        }
+        assert_eq!(said.matches('×').count(), 1, "{line}: {said}");
+    }
+}
+
+/// A data file of the examples.
+fn example(name: &str) -> String {
+    format!(
+        "{}/../../examples/calibration/{name}",
+        env!("CARGO_MANIFEST_DIR")
+    )
+}
+
+fn near(value: &Value, expected: f64, tolerance: f64) {
+    let found = value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"));
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} is not {expected}"
+    );
+}
+
+#[test]
+fn a_grey_curve_goes_from_the_power_meter_to_the_job() {
+    let bench = Bench::new();
+    let found = bench.json(&format!(
+        "calibrate grey {} --output curve",
+        example("grey-uv.csv")
+    ));
+    near(&found["line"]["coefficients"][1], 0.128_668, 5e-7);
+    assert_eq!(found["warnings"].as_array().unwrap().len(), 1);
+    assert!(bench.read("curve/grey_curve.svg").starts_with("<svg xmlns"));
+    assert_eq!(bench.read("curve/grey_curve.csv").lines().count(), 257);
+    bench.write(
+        "job.toml",
+        &format!("{JOB}[printer]\ngrey_curve_file = \"curve/grey_curve.csv\"\n"),
+    );
+    bench.expect(0, "check job.toml --quiet");
+    let said = bench.expect(
+        0,
+        &format!("calibrate grey {}", example("grey-visible.csv")),
+    );
+    assert!(said.contains("usable from grey 86.1 to 239.1"), "{said}");
+    bench.refuse(
+        &format!(
+            "calibrate grey {} --form quadratic",
+            example("grey-visible.csv")
+        ),
+        &[
+            "grey-visible.csv",
+            "usable from grey 86.15 to 239.06",
+            "monotone",
+        ],
+    );
+    bench.write("falls.csv", "0,0\n128,3\n255,2\n");
+    bench.refuse(
+        "calibrate grey falls.csv",
+        &["falls from 3 to 2", "usable from grey 0.00 to 128.00"],
+    );
+    bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
+    bench.refuse(
+        "calibrate grey negative.csv",
+        &["a negative irradiance", "from grey 128.00 to 255.00"],
+    );
+    bench.write("short.csv", "0,0\n200,3\n");
+    bench.refuse(
+        "calibrate grey short.csv",
+        &["--top", "grey values from 0 to 200"],
+    );
+    bench.write("words.csv", "grey,irradiance\n0,zero\n");
+    bench.refuse("calibrate grey words.csv", &["words.csv", "line 2"]);
+    bench.refuse("calibrate grey none.csv", &["none.csv"]);
+    bench.refuse(
+        &format!("calibrate grey {} --output curve", example("grey-uv.csv")),
+        &["--output", "is not empty"],
+    );
+    bench.refuse(
+        &format!("calibrate grey {} --top 0", example("grey-uv.csv")),
+        &["--top"],
+    );
+}
+
+#[test]
+fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
+    let bench = Bench::new();
+    let stiffness = example("stiffness.csv");
+    let found = bench.json(&format!(
+        "calibrate response {stiffness} --log-response --output fit"
+    ));
+    near(&found["midpoint"]["value"], 11.0, 0.05);
+    assert!(found["rms"].as_f64().unwrap() <= 0.135, "{found}");
+    assert!(found["midpoint"]["error"].as_f64().unwrap() < 0.2);
+    assert!(bench.read("fit/response.svg").contains("<circle"));
+    // The table is taken by a job as it stands
+    bench.write(
+        "job.toml",
+        &format!("{JOB}{}", bench.read("fit/response.toml")),
+    );
+    bench.expect(0, "check job.toml --quiet");
+    for options in ["--form table", "--log-dose --log-response"] {
+        let found = bench.json(&format!("calibrate response {stiffness} {options}"));
+        assert!(
+            found["job_table"]
+                .as_str()
+                .unwrap()
+                .contains("[response.table]"),
+            "{found}"
+        );
+    }
+    bench.write("falls.csv", "0 5\n1 4\n2 3\n3 2\n4 1\n5 0\n");
+    bench.refuse(
+        "calibrate response falls.csv",
+        &["falls.csv", "falls with dose"],
+    );
+    bench.refuse(
+        "calibrate response falls.csv --log-dose",
+        &["0 has no logarithm", "--log-dose"],
+    );
+    bench.write("few.csv", "0,0\n1,1\n2,2\n");
+    bench.refuse(
+        "calibrate response few.csv",
+        &["found 3 doses", "at least 5"],
+    );
+    bench.write("three.csv", "0,0,1\n1,1,2\n");
+    bench.refuse(
+        "calibrate response three.csv",
+        &["two numbers a line: dose and response"],
+    );
+    bench.refuse(
+        "calibrate response few.csv --form table --log-dose",
+        &["--form"],
+    );
+}
+
+#[test]
+fn kinetics_fit_curing_times_and_say_when_light_never_cures() {
+    let bench = Bench::new();
+    let balls = example("balls-uv.csv");
+    let found = bench.json(&format!("calibrate kinetics {balls} --at 20 --output fit"));
+    near(&found["dose_spread"], 0.35, 0.005);
+    for residual in found["residuals"].as_array().unwrap() {
+        near(residual, 0.0, 0.05);
+    }
+    near(&found["time_s"], 435.0, 20.0);
+    assert!(
+        bench
+            .read("fit/kinetics.csv")
+            .starts_with("irradiance_mw_per_cm2,time_s")
+    );
+    bench.refuse(
+        &format!("calibrate kinetics {balls} --at 5"),
+        &["--at", "never cures", "% of its inhibitor at most"],
+    );
+    bench.refuse(
+        &format!("calibrate kinetics {balls} --at 20~mJ/cm2"),
+        &["a dose per area", "an irradiance is meant"],
+    );
+    bench.write("three.csv", "1,3\n2,2\n3,1\n");
+    bench.refuse("calibrate kinetics three.csv", &["found 3 irradiances"]);
+}
+
+#[test]
+fn discs_are_drawn_and_their_result_is_read() {
+    let bench = Bench::new();
+    let line = "calibrate discs --canvas 100 60 --pixel-pitch-mm 0.1 --irradiance 20 --from 10 --to 160 --grid 5 3";
+    let found = bench.json(&format!("{line} --output print"));
+    assert_eq!(found["discs"].as_array().unwrap().len(), 15);
+    near(&found["discs"][14]["seconds"], 8.0, 1e-9);
+    assert_eq!(
+        fs::read_dir(bench.path("print/frames")).unwrap().count(),
+        15
+    );
+    // Frames last as long as the discs need: in all as long as the last one
+    let shown: f64 = bench
+        .read("print/schedule.csv")
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(2).unwrap().parse::<f64>().unwrap())
+        .sum();
+    assert!((shown - 8.0).abs() < 1e-4, "{shown}");
+    bench.refuse(
+        "calibrate dose print/discs.csv",
+        &["no results", "cured, depth_mm and diameter_mm"],
+    );
+
+    // Filled in: cured from the disc number 6 on (10·16^(6/14) = 32.8 mJ/cm²)
+    let fill = |f: &dyn Fn(usize, f64) -> String| -> String {
+        let text = bench.read("print/discs.csv");
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        for (j, line) in lines.iter_mut().skip(1).enumerate() {
+            let dose: f64 = line.split(',').nth(5).unwrap().parse().unwrap();
+            *line = line.trim_end_matches(',').to_owned() + &f(j, dose);
+        }
+        lines.join("\n")
+    };
+    bench.write(
+        "cured.csv",
+        &fill(&|j, _| format!(",{},,", u8::from(j >= 6))),
+    );
+    let fit = bench.json("calibrate dose cured.csv --penetration-mm 2 --output dose");
+    near(
+        &fit["fit"]["critical_mj_per_cm2"],
+        10.0 * 16f64.powf(5.5 / 14.0),
+        0.01,
+    );
+    near(
+        &fit["critical_dose_mj_per_mm3"],
+        0.1 * 16f64.powf(5.5 / 14.0) / 2.0,
+        1e-3,
+    );
+    assert!(
+        bench
+            .read("dose/resin.toml")
+            .contains("absorption_per_mm = 0.5")
+    );
+    bench.write(
+        "depth.csv",
+        &fill(&|_, dose| {
+            format!(
+                ",,{},",
+                if dose > 20.0 {
+                    1.5 * (dose / 20.0).ln()
+                } else {
+                    0.0
+                }
+            )
+        }),
+    );
+    let fit = bench.json("calibrate dose depth.csv");
+    near(&fit["fit"]["critical_mj_per_cm2"], 20.0, 0.01);
+    near(&fit["fit"]["length_mm"], 1.5, 0.001);
+    // r₀ = 0.32 of the shorter edge of a field, 2 mm
+    bench.write(
+        "diameter.csv",
+        &fill(&|_, dose| {
+            format!(
+                ",,,{}",
+                if dose > 13.0 {
+                    2.0 * (0.64 + 0.05 * (dose / 12.0 - 1.0).ln())
+                } else {
+                    0.0
+                }
+            )
+        }),
+    );
+    let fit = bench.json("calibrate dose diameter.csv");
+    near(&fit["fit"]["critical_mj_per_cm2"], 12.0, 0.05);
+    near(&fit["fit"]["length_mm"], 0.05, 0.001);
+    let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
+    near(&fit["fit"]["critical_mj_per_cm2"], 38.0, 2.0);
+    near(&fit["fit"]["length_mm"], 2.4, 0.1);
+
+    bench.write("all.csv", &fill(&|_, _| ",1,,".to_owned()));
+    bench.refuse(
+        "calibrate dose all.csv",
+        &["every disc cured", "below 10 mJ/cm²"],
+    );
+    bench.write("none.csv", &fill(&|_, _| ",0,,".to_owned()));
+    bench.refuse(
+        "calibrate dose none.csv",
+        &["no disc cured", "above 160 mJ/cm²"],
+    );
+    bench.write("both.csv", &fill(&|_, _| ",1,2,".to_owned()));
+    bench.refuse(
+        "calibrate dose both.csv",
+        &["results in cured and depth_mm"],
+    );
+    bench.refuse(
+        "calibrate dose cured.csv --penetration-mm 0",
+        &["--penetration-mm"],
+    );
+    bench.refuse(&format!("{line} --output print"), &["is not empty"]);
+    for (change, parts) in [
+        ("--to 5", ["--from", "doses from 10 to 5"]),
+        (
+            "--from 10~mJ/cm3",
+            ["a dose per volume", "a dose per area is meant"],
+        ),
+        ("--irradiance 0", ["--irradiance", "above 0"]),
+        ("--grid 1 1", ["--grid", "4 to 100"]),
+        ("--canvas 20 20", ["--canvas", "8 pixels or more"]),
+        ("--pixel-pitch-mm -1", ["--pixel-pitch-mm", "found -1"]),
+    ] {
+        let key = change.split(' ').next().unwrap();
+        let words: Vec<&str> = line.split(' ').collect();
+        let at = words.iter().position(|word| *word == key).unwrap();
+        let length = change.split(' ').count();
+        let changed = [
+            &words[..at],
+            &change.split(' ').collect::<Vec<_>>(),
+            &words[at + length..],
+        ]
+        .concat();
+        bench.refuse(&format!("{} --output other", changed.join(" ")), &parts);
+    }
+    assert!(!bench.path("other").exists());
+}
+
+#[test]
+fn a_run_is_planned_for_a_machine_and_a_resin() {
+    let bench = Bench::new();
+    bench.write("job.toml", JOB);
+    bench.expect(0, "run job.toml --quiet --output a");
+    // The budget of the run itself, with the same numbers
+    bench.expect(
+        0,
+        "run job.toml --quiet --output b --set resin.critical_dose_mj_per_mm3=0.8 --set printer.peak_irradiance_mw_per_cm2=25",
+    );
+    let report: Value = serde_json::from_str(&bench.read("b/report.json")).unwrap();
+    let budget = &report["lights"][0]["budget"];
+    let b = &bench.json("expose b")["plan"];
+    let a = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];
+    let time = budget["time_s"].as_f64().unwrap();
+    for plan in [a, b] {
+        near(&plan["continuous_s"], time, 2e-3 * time);
+        near(
+            &plan["energy_mj"],
+            budget["energy_mj"].as_f64().unwrap(),
+            3e-3 * time,
+        );
+        let turns = plan["turns"].as_f64().unwrap();
+        assert_eq!(turns, (time / 6.0).ceil());
+        near(&plan["time_s"], 6.0 * turns, 1e-9);
+        near(&plan["duty"], time / (6.0 * turns), 2e-3);
+        near(&plan["frame_rate_hz"], 4.0, 1e-9);
+        near(
+            &plan["window_s"]["low"],
+            plan["time_s"].as_f64().unwrap() * plan["window_percent"]["low"].as_f64().unwrap()
+                / 100.0,
+            1e-6,
+        );
+    }
+    // Units, power over the whole canvas (3.2 mm × 1.6 mm), and turns in place of a speed
+    let units = &bench.json("expose a --irradiance 250~W/m² --critical-dose 0.8~J/cm3")["plan"];
+    near(&units["time_s"], a["time_s"].as_f64().unwrap(), 1e-9);
+    let power = &bench.json("expose a --power 12.8~mW --critical-dose 0.8")["plan"];
+    near(&power["continuous_s"], time, 2e-3 * time);
+    let turns = &bench.json("expose a --irradiance 25 --critical-dose 0.8 --turns 3")["plan"];
+    near(&turns["duty"], 1.0, 1e-9);
+    near(&turns["rpm"], 180.0 / time, 2e-3 * 180.0 / time);
+    let found = bench.json("expose b");
+    let evaluation = &report["evaluation"];
+    let pw = evaluation["pw"].as_f64().unwrap() / evaluation["gel_threshold"].as_f64().unwrap();
+    near(&found["pw_percent"], 100.0 * pw, 1e-3);
+    near(
+        &found["pw_s"],
+        pw * found["plan"]["time_s"].as_f64().unwrap(),
+        1e-3,
+    );
+    let said = bench.expect(0, "expose b");
+    assert!(
+        said.contains("nearly as good") && said.contains("delivered light"),
+        "{said}"
+    );
+
+    bench.refuse("expose a", &["--irradiance", "how bright the machine is"]);
+    bench.refuse(
+        "expose a --irradiance 25",
+        &["--critical-dose", "at which dose the resin gels"],
+    );
+    bench.refuse(
+        "expose a --irradiance 25 --critical-dose 80~mJ/cm2",
+        &[
+            "a dose per area, and a dose per volume is meant",
+            "penetration depth",
+        ],
+    );
+    bench.refuse(
+        "expose a --irradiance 25~mW --critical-dose 1",
+        &["a power, and an irradiance is meant"],
+    );
+    bench.refuse(
+        "expose a --irradiance 25~lux --critical-dose 1",
+        &["unknown unit `lux`"],
+    );
+    bench.refuse(
+        "expose a --irradiance -5 --critical-dose 1",
+        &["--irradiance", "`-5`"],
+    );
+    bench.refuse(
+        "expose b --within-s 1",
+        &[
+            "1 s give",
+            "% of the dose at which the resin gels",
+            "whole turns",
+        ],
+    );
+    bench.refuse(
+        "expose b --rpm 1000",
+        &["--rpm", "400 frames a second", "the device shows 60"],
+    );
+    bench.refuse("expose b --rpm 0", &["--rpm"]);
+    bench.refuse("expose b --light blue", &["unknown light `blue`"]);
+    bench.refuse("expose job.toml", &["holds no job.toml"]);
+    fs::remove_dir_all(bench.path("a/frames")).unwrap();
+    bench.refuse("expose a --irradiance 25 --critical-dose 1", &["frames"]);
+}
+
+#[test]
+fn designs_are_analysed() {
+    let bench = Bench::new();
+    let voxel = "analyze voxel --pixels 1024 --fps 60 --penetration-mm 12";
+    let found = bench.json(&format!("{voxel} --dose-time-s 4 --output voxel"));
+    let crossing = 12.0 * (std::f64::consts::PI * 1024.0 / 480.0).ln();
+    near(&found["crossing_mm"], crossing, 1e-6);
+    assert!(bench.read("voxel/voxel.svg").contains("R*"));
+    // The same from a dose and a light: 0.8 mJ/mm³ over 0.25 mW/mm² in 12 mm are 38.4 s
+    let other = bench.json(&format!("{voxel} --critical-dose 0.8 --irradiance 25"));
+    near(
+        &other["at_radius"]["curing_s"],
+        38.4 * (8.0f64 / 12.0).exp(),
+        1e-6,
+    );
+    let slow = bench.expect(0, &format!("{voxel} --dose-time-s 4 --turn-deg-per-s 2"));
+    assert!(slow.contains("not every angle is shown"), "{slow}");
+    bench.refuse(&format!("{voxel} --dose-time-s 0"), &["--dose-time-s"]);
+    bench.refuse(
+        &format!("{voxel} --critical-dose 1~mJ/cm2 --irradiance 2"),
+        &["a dose per area"],
+    );
+
+    let line = "analyze buildup --radius-mm 8 --penetration-mm 0.8";
+    let found = bench.json(&format!(
+        "{line} --dose-time-s 10 --seconds 50 --output buildup"
+    ));
+    near(&found["points"][2]["dose_s"], 18.57, 0.005);
+    near(&found["points"][2]["mean_rate"], 0.51596, 5e-6);
+    near(&found["wall_over_axis"], 11_365.0, 1.0);
+    assert_eq!(
+        bench.read("buildup/buildup.csv").lines().next(),
+        Some("time_s,dose_s_at_0,dose_s_at_0.5,dose_s_at_1")
+    );
+    bench.refuse(&format!("{line} --at 1.5"), &["--at", "found 1.5"]);
+    bench.refuse(
+        &format!("{line} --turn-deg-per-s -1"),
+        &["--turn-deg-per-s"],
+    );
+
+    let found = bench
+        .json("analyze impulse --pixels 64 --width 5 --radius 0 --step-deg 3 --output impulse");
+    let row = &found["fwhm"][0];
+    near(&row[3], 6.4, 0.2);
+    near(&row[5], 5.0, 0.6);
+    assert!(bench.path("impulse/profile_0.svg").is_file());
+    bench.refuse("analyze impulse --width 0", &["--width"]);
+    bench.refuse("analyze impulse --radius 0.99", &["--radius", "whole post"]);
+    bench.refuse("analyze impulse --pixels 4", &["--pixels"]);
+}

@@ -1,0 +1,132 @@
+//! Light that frames deliver.
+//!
+//! **Equation** (Wang et al. 2022, supplement, Note 1)
+//!
+//! ```text
+//! S = Σ_frames Σ_x I_x·A_x·Δt        A_x = C_x/C_all·A
+//! ```
+//!
+//! C_x of the C_all pixels of a frame show grey x, at which the machine gives I_x. **Units** mW/cm², cm², s; S in J.
+//!
+//! ```
+//! use tomolith_planning::delivered::delivered_j;
+//! // Their visible example: grey 255 everywhere on 1.2 cm × 2 cm for 900 s (printed: 10 J)
+//! let light = delivered_j(&[(4.62, 1.0)], 2.4, 900.0);
+//! assert!((light - 9.979).abs() < 5e-4);
+//! ```
+
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::PatternGrid;
+use tomolith_io::frames::{Frames, read_frames};
+use tomolith_optics::exposure::{Printer, PrinterSpec, Quantised, Rotation};
+
+/// Light of irradiances (mW/cm²) that each take a share of an area (cm²) for some time (s), J.
+#[must_use]
+pub fn delivered_j(shares: &[(f64, f64)], area_cm2: f64, seconds: f64) -> f64 {
+    let mean: f64 = shares
+        .iter()
+        .map(|(irradiance, share)| irradiance * share)
+        .sum();
+    1e-3 * mean * area_cm2 * seconds
+}
+
+/// The area (cm²) that a dose (J) of an irradiance (mW/cm²) over a time (s) was given to.
+#[must_use]
+pub fn area_cm2(dose_j: f64, irradiance: f64, seconds: f64) -> f64 {
+    1e3 * dose_j / (irradiance * seconds)
+}
+
+/// Frames as a machine shows them.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// Sum of the intensities of all pixels of each frame, where white is 1.
+    pub sums: Vec<f64>,
+    /// Pixels of a frame.
+    pub pixels: usize,
+    /// Area of a pixel at the vial, mm².
+    pub pixel_mm2: f64,
+    /// The pattern value of white, in units of the job.
+    pub white: Option<f64>,
+}
+
+impl Shown {
+    /// The frames of a folder on a machine with this grey curve and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
+    ///
+    /// # Errors
+    /// As [`read_frames`] and [`Printer::new`].
+    pub fn read(
+        folder: &Path,
+        machine: &PrinterSpec,
+        base: &Path,
+        pitch_mm: [f64; 2],
+    ) -> Result<Self> {
+        let Frames {
+            shape: [count, rows, columns],
+            bits,
+            full_scale,
+            values,
+        } = read_frames(folder)?;
+        let grid = PatternGrid {
+            azimuths: vec![0.0],
+            frame_arc: 0.0,
+            rows,
+            columns,
+            pitch_mm,
+            offset_mm: [0.0; 2],
+        };
+        // What a frame's levels put out depends on curve and maps only, not on where the patterns lie
+        let spec = PrinterSpec {
+            grey_curve: machine.grey_curve.clone(),
+            grey_curve_file: machine.grey_curve_file.clone(),
+            flat_field: machine.flat_field.clone(),
+            dead_pixels: machine.dead_pixels.clone(),
+            ..PrinterSpec::default()
+        };
+        let printer = Printer::new(&spec, base, &grid, Rotation::Clockwise)?;
+        let sum = |levels: &[u16]| {
+            printer.emitted(&Quantised {
+                grid: grid.clone(),
+                bits,
+                full_scale: 1.0,
+                values: levels.to_vec(),
+            })
+        };
+        let sums: Vec<f64> = values.chunks(rows * columns).map(sum).collect();
+        if sums.iter().all(|sum| *sum == 0.0) {
+            return Err(Error::Format {
+                path: folder.to_owned(),
+                found: format!("{count} frames, all of them dark"),
+                accepted: "frames with light".to_owned(),
+            });
+        }
+        Ok(Shown {
+            sums,
+            pixels: rows * columns,
+            pixel_mm2: grid.pixel_mm2(),
+            white: full_scale.map(f64::from),
+        })
+    }
+
+    /// Area of a frame, cm².
+    #[must_use]
+    pub fn area_cm2(&self) -> f64 {
+        self.pixels as f64 * self.pixel_mm2 / 100.0
+    }
+
+    /// Mean intensity over all pixels and frames, where white is 1.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        self.sums.iter().sum::<f64>() / (self.sums.len() * self.pixels) as f64
+    }
+
+    /// Light of one pass in which each frame is shown for some time (s), white having an irradiance (mW/cm²), J.
+    #[must_use]
+    pub fn pass_j(&self, irradiance: f64, frame_s: f64) -> f64 {
+        delivered_j(
+            &[(irradiance, self.mean())],
+            self.area_cm2(),
+            frame_s * self.sums.len() as f64,
+        )
+    }
+}

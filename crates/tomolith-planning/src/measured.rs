@@ -1,0 +1,232 @@
+//! Tables that were measured: CSV files in, CSV text out.
+//!
+//! [`read_pairs`] reads two columns; [`Columns`] reads tables with named columns, in which cells may be empty.
+//!
+//! ```
+//! use tomolith_planning::measured::Columns;
+//! let table = Columns::parse("dose,cured\n1.5,0\n3, 1\n# a comment\n6,", "discs.csv".as_ref()).unwrap();
+//! assert_eq!(table.pairs("dose", "cured").unwrap(), [[1.5, 0.0], [3.0, 1.0]]); // rows without a value are left out
+//! ```
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use tomolith_core::error::{Error, Result, nearest_name};
+use tomolith_core::response::curve::Curve;
+use tomolith_io::write_folder_whole;
+
+/// All pairs of a file with two columns, which messages call `what`; a first line of words is a header.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Format`] naming the line.
+pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
+    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+    let accepted = || format!("two numbers a line: {what}");
+    let named = |error: Error| match error {
+        Error::Format { path, found, .. } => Error::Format {
+            path,
+            found,
+            accepted: accepted(),
+        },
+        other => other,
+    };
+    let table = Columns::parse(&text, path).map_err(named)?;
+    let pairs: Vec<[f64; 2]> = table
+        .rows
+        .iter()
+        .filter_map(|row| Some([cell(row, 0)?, cell(row, 1)?]))
+        .collect();
+    let whole = table.rows.iter().all(|row| row.len() == 2);
+    if whole && pairs.len() == table.rows.len() && !pairs.is_empty() {
+        return Ok(pairs);
+    }
+    Err(Error::Format {
+        path: path.to_owned(),
+        found: format!("{} of {} lines hold a pair", pairs.len(), table.rows.len()),
+        accepted: accepted(),
+    })
+}
+
+/// Points by ascending first number, equal ones averaged.
+///
+/// # Errors
+/// As [`Curve::new`].
+pub fn curve(pairs: &[[f64; 2]]) -> Result<Curve> {
+    let column = |c: usize| -> Vec<f64> { pairs.iter().map(|p| p[c]).collect() };
+    Curve::new(&column(0), &column(1))
+}
+
+/// A table with names.
+#[derive(Clone, Debug)]
+pub struct Columns {
+    path: PathBuf,
+    names: Vec<String>,
+    rows: Vec<Vec<Option<f64>>>,
+}
+
+impl Columns {
+    /// The table of a file.
+    ///
+    /// # Errors
+    /// [`Error::Io`], [`Error::Format`] naming the line.
+    pub fn read(path: &Path) -> Result<Self> {
+        let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+        Columns::parse(&text, path)
+    }
+
+    /// The table of a text: names first (none where the first line is numbers), cells parted by commas, semicolons or tabs, else by blanks; what
+    /// follows a # is skipped.
+    ///
+    /// # Errors
+    /// [`Error::Format`] naming the line.
+    pub fn parse(text: &str, path: &Path) -> Result<Self> {
+        let bad = |line: usize, found: String, accepted: String| Error::Format {
+            path: path.to_owned(),
+            found: format!("line {line}: {found}"),
+            accepted,
+        };
+        let strip = |line: &'_ str| -> String {
+            let line = line.split('#').next().unwrap_or_default();
+            line.trim_start_matches('\u{feff}').trim().to_owned()
+        };
+        let lines: Vec<(usize, String)> = text
+            .lines()
+            .enumerate()
+            .map(|(i, line)| (i + 1, strip(line)))
+            .filter(|(_, line)| !line.is_empty())
+            .collect();
+        let Some((_, head)) = lines.first() else {
+            return Err(bad(1, "an empty file".to_owned(), "a table".to_owned()));
+        };
+        let is_parted = head.contains([',', ';', '\t']);
+        let cells = |line: &str| -> Vec<String> {
+            if is_parted {
+                let cells = line.split([',', ';', '\t']);
+                cells.map(|cell| cell.trim().to_owned()).collect()
+            } else {
+                line.split_whitespace().map(str::to_owned).collect()
+            }
+        };
+        let names = cells(head);
+        let is_head = names.iter().all(|name| name.parse::<f64>().is_err());
+        let lines = &lines[usize::from(is_head)..];
+        let mut rows = Vec::new();
+        for (number, line) in lines {
+            let row: Option<Vec<Option<f64>>> = cells(line.as_str())
+                .iter()
+                .map(|cell| match cell.parse::<f64>() {
+                    _ if cell.is_empty() => Some(None),
+                    Ok(value) if value.is_finite() => Some(Some(value)),
+                    _ => None,
+                })
+                .collect();
+            match row {
+                Some(row) if row.len() <= names.len() => rows.push(row),
+                _ => {
+                    let accepted = format!("at most {} numbers: {}", names.len(), head);
+                    return Err(bad(*number, format!("`{line}`"), accepted));
+                }
+            }
+        }
+        Ok(Columns {
+            path: path.to_owned(),
+            names,
+            rows,
+        })
+    }
+
+    /// Whether a column has a number anywhere.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.column(name)
+            .is_some_and(|i| self.rows.iter().any(|row| cell(row, i).is_some()))
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|n| n == name)
+    }
+
+    /// Two columns, where a row has both.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for a column that is not there.
+    pub fn pairs(&self, first: &str, second: &str) -> Result<Vec<[f64; 2]>> {
+        let find = |name: &str| {
+            self.column(name).ok_or_else(|| {
+                let names = || self.names.iter().map(String::as_str);
+                let guess = nearest_name(name, names())
+                    .map(|near| format!(" (is `{near}` meant to be it?)"))
+                    .unwrap_or_default();
+                Error::Format {
+                    path: self.path.clone(),
+                    found: format!("no column `{name}`{guess}"),
+                    accepted: format!("a first line with names, `{name}` among them"),
+                }
+            })
+        };
+        let (a, b) = (find(first)?, find(second)?);
+        let both = |row: &Vec<Option<f64>>| Some([cell(row, a)?, cell(row, b)?]);
+        Ok(self.rows.iter().filter_map(both).collect())
+    }
+}
+
+fn cell(row: &[Option<f64>], column: usize) -> Option<f64> {
+    row.get(column).copied().flatten()
+}
+
+/// A table as text; what is not a number is an empty cell.
+#[must_use]
+pub fn csv(names: &[&str], rows: &[Vec<f64>]) -> String {
+    let mut text = names.join(",") + "\n";
+    for row in rows {
+        let cells: Vec<String> = row
+            .iter()
+            .map(|value| {
+                if value.is_finite() {
+                    // Six digits: rounding noise is no measurement
+                    tomolith_core::units::concise(*value)
+                } else {
+                    String::new()
+                }
+            })
+            .collect();
+        // Writing into a string cannot fail
+        let _ = writeln!(text, "{}", cells.join(","));
+    }
+    text
+}
+
+/// Refuses a folder that holds anything.
+///
+/// # Errors
+/// [`Error::Config`] (key `--output`).
+pub fn must_be_free(folder: &Path) -> Result<()> {
+    let is_taken = match std::fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_some(),
+        Err(_) => folder.exists(),
+    };
+    if !is_taken {
+        return Ok(());
+    }
+    Err(Error::config(
+        "--output",
+        format!("`{}` is not empty", folder.display()),
+        "a folder that does not exist yet, or an empty one",
+    ))
+}
+
+/// Writes texts as files of a new folder, all of them or none.
+///
+/// # Errors
+/// As [`must_be_free`]; [`Error::Io`].
+pub fn write_folder(folder: &Path, files: &[(&str, String)]) -> Result<()> {
+    must_be_free(folder)?;
+    if let Some(parent) = folder.parent() {
+        std::fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))?;
+    }
+    write_folder_whole(folder, |aside| {
+        for (name, text) in files {
+            std::fs::write(aside.join(name), text)?;
+        }
+        Ok(())
+    })
+}

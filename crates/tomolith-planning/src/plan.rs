@@ -1,0 +1,194 @@
+//! Power and critical dose → time, turns, speed, frame rate, duty and energy.
+//!
+//! **Equation** [`Exposure`] says how many passes white needs, S/(I·Δt), and what a pass costs. Turns are rounded up to whole ones, so that every angle
+//! gets the same; the light is then on for duty = passes/whole passes of each frame's time.
+//!
+//! ```text
+//! time = whole·60/rpm·(arc/turn)        frame rate = 6·rpm/Δθ        energy of frame k = I·duty·Δt·A_pixel·Σ_k
+//! ```
+//!
+//! The window is that of the run: the exposures over which the print stays nearly as good, in % of the best one, here also in s.
+//!
+//! ```
+//! use tomolith_planning::plan::{Machine, Plan};
+//! use tomolith_planning::delivered::Shown;
+//! // 10 frames of 100 pixels of 0.01 mm², half of them white; white is 2.4, and the resin gels at 0.8 = 2 mJ/mm³: 6 mJ/mm²
+//! let shown = Shown { sums: vec![50.0; 10], pixels: 100, pixel_mm2: 0.01, white: Some(2.4) };
+//! let machine = Machine { irradiance: 95.0, rpm: 10.0, turns: None, refresh_hz: 60.0, within_s: None };
+//! let plan = Plan::new(&shown, &machine, 2.4, std::f64::consts::TAU / 10.0, 2.0, 0.8, None).unwrap();
+//! // 0.95 mW/mm² for 0.6 s in each turn: 10.53 turns, so 11 with the light on for 95.7 % of the time
+//! assert_eq!(plan.turns, 11.0);
+//! assert!((plan.duty - 6.0 / 0.57 / 11.0).abs() < 1e-12 && (plan.time_s - 66.0).abs() < 1e-9);
+//! assert!((plan.energy_mj - 6.0 * 0.01 * 500.0).abs() < 1e-9); // 6 mJ/mm² on all that is lit
+//! ```
+
+use crate::delivered::Shown;
+use serde::Serialize;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::units::concise;
+use tomolith_optics::exposure::Exposure;
+
+/// A machine, as far as a plan needs it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Machine {
+    /// Irradiance at white, mW/cm².
+    pub irradiance: f64,
+    /// Turns a minute.
+    pub rpm: f64,
+    /// Turns that the print is to take: the speed follows, and `rpm` is not read.
+    pub turns: Option<f64>,
+    /// Images a second that the device shows.
+    pub refresh_hz: f64,
+    /// Longest time that the print may take, s.
+    pub within_s: Option<f64>,
+}
+
+/// A window of exposures in %, and the best one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Window {
+    /// The shortest exposure; None where there is no limit.
+    pub low: Option<f64>,
+    /// The longest exposure.
+    pub high: Option<f64>,
+}
+
+/// How a print is exposed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Plan {
+    /// White, over the whole print, mJ/mm².
+    pub white_mj_per_mm2: f64,
+    /// Time with the light always on, s.
+    pub continuous_s: f64,
+    /// Time of whole passes, s.
+    pub time_s: f64,
+    /// Whole passes of all frames: turns, for frames of a full turn.
+    pub turns: f64,
+    /// Share of each frame's time in which the light is on.
+    pub duty: f64,
+    /// Turns a minute.
+    pub rpm: f64,
+    /// Frames a second.
+    pub frame_rate_hz: f64,
+    /// Time of a frame in a pass, s.
+    pub frame_s: f64,
+    /// Energy at the vial of a frame in a pass, mJ: the mean, and the largest.
+    pub frame_mj: [f64; 2],
+    /// Energy at the vial in all, mJ.
+    pub energy_mj: f64,
+    /// Mean over all pixels and frames, white being 1.
+    pub light_used: f64,
+    /// Exposures over which the print stays nearly as good, % of the best one.
+    pub window_percent: Option<Window>,
+    /// The same as times at this speed and duty, s.
+    pub window_s: Option<Window>,
+}
+
+impl Plan {
+    /// For frames whose white has a value in units of the job and whose arcs are `frame_arc` (rad), of a resin that gels at `gel_dose` in these units and at
+    /// `critical` mJ/mm³ in fact.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives), and frames faster than the device.
+    pub fn new(
+        shown: &Shown,
+        machine: &Machine,
+        white: f64,
+        frame_arc: f64,
+        critical: f64,
+        gel_dose: f64,
+        window: Option<Window>,
+    ) -> Result<Self> {
+        if frame_arc <= 0.0 {
+            return Err(Error::config(
+                "RUN",
+                "frames of a list of angles, which have no times",
+                "a run whose light.angles are even",
+            ));
+        }
+        let frames = shown.sums.len();
+        let at_speed = |rpm: f64| Exposure {
+            peak_mw_per_cm2: Some(machine.irradiance),
+            rpm,
+            frames,
+            frame_arc,
+            critical_mj_per_mm3: Some(critical),
+            gel_dose: Some(gel_dose),
+        };
+        let total: f64 = shown.sums.iter().sum();
+        let budget = at_speed(machine.rpm).budget(white, total, shown.pixels, shown.pixel_mm2);
+        let (Some(continuous_s), Some(exact), Some(white_mj_per_mm2)) =
+            (budget.time_s, budget.turns, budget.white_mj_per_mm2)
+        else {
+            return Err(Error::config(
+                "RUN",
+                format!("white {white} and a gel dose {gel_dose}"),
+                "numbers above 0",
+            ));
+        };
+        // A pass of a part of a turn is shorter
+        let arc = frame_arc * frames as f64 / std::f64::consts::TAU;
+        let (turns, rpm) = match machine.turns {
+            Some(turns) => (turns, 60.0 * arc * turns / continuous_s),
+            // A hair over a whole number is that number
+            None => ((exact - 1e-9).ceil().max(1.0), machine.rpm),
+        };
+        let time_s = turns * arc * 60.0 / rpm;
+        let duty = continuous_s / time_s;
+        if let Some(within) = machine.within_s.filter(|within| *within < time_s) {
+            return Err(Error::config(
+                "--within-s",
+                format!(
+                    "{} s give {:.1} % of the dose at which the resin gels, at most",
+                    concise(within),
+                    100.0 * within / continuous_s
+                ),
+                format!(
+                    "{} s or more ({} whole turns), or an irradiance from {} mW/cm²",
+                    concise(time_s),
+                    concise(turns),
+                    concise(machine.irradiance * continuous_s / within)
+                ),
+            ));
+        }
+        let frame_s = frame_arc.to_degrees() / (6.0 * rpm);
+        if 1.0 / frame_s > machine.refresh_hz * (1.0 + 1e-9) {
+            return Err(Error::config(
+                if machine.turns.is_some() {
+                    "--turns"
+                } else {
+                    "--rpm"
+                },
+                format!(
+                    "{} frames a second, and the device shows {}",
+                    concise(1.0 / frame_s),
+                    concise(machine.refresh_hz)
+                ),
+                format!(
+                    "at most {} turns a minute with {frames} frames",
+                    concise(machine.refresh_hz * frame_arc.to_degrees() / 6.0)
+                ),
+            ));
+        }
+        let lit = machine.irradiance / 100.0 * frame_s * duty * shown.pixel_mm2;
+        let largest = shown.sums.iter().copied().fold(0.0, f64::max);
+        let scale = |value: Option<f64>| value.map(|percent| time_s * percent / 100.0);
+        Ok(Plan {
+            white_mj_per_mm2,
+            continuous_s,
+            time_s,
+            turns,
+            duty,
+            rpm,
+            frame_rate_hz: 1.0 / frame_s,
+            frame_s,
+            frame_mj: [lit * total / frames as f64, lit * largest],
+            energy_mj: lit * total * turns,
+            light_used: shown.mean(),
+            window_percent: window,
+            window_s: window.map(|w| Window {
+                low: scale(w.low),
+                high: scale(w.high),
+            }),
+        })
+    }
+}

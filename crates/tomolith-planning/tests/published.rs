@@ -1,0 +1,454 @@
+//! The numbers of Wang et al. 2022 (supplement), printed and checked.
+
+use std::f64::consts::PI;
+use tomolith_core::Error;
+use tomolith_core::response::curve::Curve;
+use tomolith_planning::buildup::{Vial, bessel_less_struve, wall_rate};
+use tomolith_planning::delivered::{area_cm2, delivered_j};
+use tomolith_planning::grey::{Form, GreyCurve, Polynomial};
+use tomolith_planning::impulse::Post;
+use tomolith_planning::kinetics::{self, Kinetics};
+use tomolith_planning::measured::curve;
+use tomolith_planning::response::{Axes, ResponseFit};
+use tomolith_planning::voxel::Setup;
+use tomolith_planning::wang::{BALLS_UV, BALLS_VISIBLE, GREY_UV, GREY_VISIBLE, STIFFNESS};
+
+fn near(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} is not {expected}"
+    );
+}
+
+fn worst(fit: &Polynomial, table: &Curve) -> f64 {
+    fit.residuals(table)
+        .iter()
+        .fold(0.0, |worst, r| worst.max(r.abs()))
+}
+
+#[test]
+fn printed_grey_fits_are_the_least_squares_of_the_table() {
+    let (visible, uv) = (curve(&GREY_VISIBLE).unwrap(), curve(&GREY_UV).unwrap());
+    let quadratic = Polynomial::fit(&visible, 2).unwrap();
+    let [c0, c1, c2] = quadratic.coefficients[..] else {
+        panic!()
+    };
+    near(c2, -1.98883e-4, 5e-10);
+    near(c1, 0.095_088_8, 5e-8);
+    near(c0, -6.71576, 5e-6);
+    let line = Polynomial::fit(&uv, 1).unwrap();
+    near(line.coefficients[1], 0.128_668, 5e-7);
+    near(line.coefficients[0], -0.194_783, 5e-7);
+    assert!(worst(&line, &uv) < 0.0225, "{}", worst(&line, &uv));
+    let off = worst(&quadratic, &visible);
+    assert!((0.12..0.122).contains(&off), "{off}");
+    // As printed, to one digit
+    let printed = Polynomial {
+        coefficients: vec![-6.7158, 0.0951, -0.0002],
+    };
+    let off = worst(&printed, &visible);
+    assert!((0.13..0.132).contains(&off), "{off}");
+    let [low, high] = printed.usable(255.0).unwrap();
+    near(low, 86.27, 0.01);
+    near(high, 237.75, 1e-9);
+    // Printed and table agree to the digits of the table: at white 4.530 against 4.62
+    near(quadratic.at(255.0), 4.600, 0.001);
+    near(printed.at(255.0), 4.530, 0.001);
+}
+
+#[test]
+fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
+    let table = curve(&GREY_VISIBLE).unwrap();
+    let found = GreyCurve::new(&table, 255.0, Form::Monotone).unwrap();
+    for [grey, irradiance] in GREY_VISIBLE {
+        near(found.at(grey), irradiance, 1e-6);
+        near(found.grey_of(irradiance), grey, 1e-3);
+    }
+    let points = found.points();
+    assert_eq!(
+        (points.len(), points[0], points[255][0]),
+        (256, [0.0, 0.0], 1.0)
+    );
+    assert!(points.windows(2).all(|w| w[1][1] > w[0][1]));
+    assert_eq!(found.notes.len(), 1, "below grey 102 nothing was measured");
+    let Err(error) = GreyCurve::new(&table, 255.0, Form::Quadratic) else {
+        panic!("a curve that falls was taken")
+    };
+    let said = error.to_string();
+    assert!(said.contains("usable from grey 86.15 to 239.06"), "{said}");
+    assert!(GreyCurve::new(&curve(&GREY_UV).unwrap(), 255.0, Form::Line).is_ok());
+}
+
+#[test]
+fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
+    for (pairs, parts) in [
+        (
+            &[[0.0, 0.1], [100.0, 2.0], [200.0, 5.0], [255.0, 4.5]][..],
+            [
+                "falls from 5 to 4.5 between grey 200 and 255",
+                "from grey 0.00 to 200.00",
+            ],
+        ),
+        (
+            &[[0.0, -0.2], [100.0, 2.0], [255.0, 4.5]],
+            [
+                "a negative irradiance, -0.2 at grey 0",
+                "from grey 100.00 to 255.00",
+            ],
+        ),
+        (
+            &[[0.0, 3.0], [255.0, 1.0]],
+            ["falls from 3 to 1", "no range of it is usable"],
+        ),
+        (
+            &[[0.0, 0.0], [230.0, 1.0]],
+            ["grey values from 0 to 230", "--top"],
+        ),
+    ] {
+        let Err(error) = GreyCurve::new(&curve(pairs).unwrap(), 255.0, Form::Monotone) else {
+            panic!("{pairs:?} was taken")
+        };
+        let said = error.to_string();
+        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+    }
+}
+
+#[test]
+fn delivered_light_of_both_examples() {
+    near(delivered_j(&[(4.62, 1.0)], 1.2 * 2.0, 900.0), 9.979, 5e-4);
+    // UV: 30 600 frames of 0.04 s; 11.3 mm × 20 mm, in the text 2.3 cm²
+    let seconds = 30_600.0 * 0.04;
+    near(seconds, 1224.0, 1e-9);
+    let table = curve(&GREY_UV).unwrap();
+    for (form, area, grey) in [
+        (Form::Line, 2.26, 147.6),
+        (Form::Line, 2.3, 145.1),
+        (Form::Monotone, 2.26, 148.6),
+        (Form::Monotone, 2.3, 145.7),
+    ] {
+        let fit = GreyCurve::new(&table, 255.0, form).unwrap();
+        let irradiance = 52.0 / (1e-3 * area * seconds);
+        near(fit.grey_of(irradiance), grey, 0.8);
+        near(
+            delivered_j(&[(irradiance, 0.4), (irradiance, 0.6)], area, seconds),
+            52.0,
+            1e-9,
+        );
+    }
+    // The ceiling: white everywhere
+    near(delivered_j(&[(32.53, 1.0)], 2.26, seconds), 90.0, 0.05);
+}
+
+fn irradiance(table: &[[f64; 2]], grey: f64) -> f64 {
+    table.iter().find(|row| row[0] == grey).unwrap()[1]
+}
+
+#[test]
+fn balls_have_one_area() {
+    let areas = |balls: &[[f64; 3]], table: &[[f64; 2]]| -> Vec<f64> {
+        balls
+            .iter()
+            .map(|[grey, seconds, dose]| area_cm2(*dose, irradiance(table, *grey), *seconds))
+            .collect()
+    };
+    let uv = areas(&BALLS_UV, &GREY_UV);
+    let visible = areas(&BALLS_VISIBLE, &GREY_VISIBLE);
+    for area in uv.iter().chain(&visible) {
+        near(*area, 0.0415, 0.0009);
+    }
+    let all: Vec<f64> = uv.into_iter().chain(visible).collect();
+    let mean = all.iter().sum::<f64>() / all.len() as f64;
+    near(mean, 0.0415, 0.0003);
+    let deviation = (all.iter().map(|a| (a - mean).powi(2)).sum::<f64>() / all.len() as f64).sqrt();
+    assert!(deviation < 0.0007, "{deviation}");
+    near((4.0 / PI * 0.0415f64).sqrt() * 10.0, 2.30, 0.005);
+}
+
+fn balls(series: &[[f64; 3]], table: &[[f64; 2]]) -> Curve {
+    let pairs = series
+        .iter()
+        .map(|[grey, seconds, _]| [irradiance(table, *grey), *seconds]);
+    curve(&pairs.collect::<Vec<_>>()).unwrap()
+}
+
+#[test]
+fn inhibitor_and_kinetics_fit_the_balls_where_one_dose_misses() {
+    for (series, table, spread) in [
+        (&BALLS_UV[..], &GREY_UV[..], 0.35),
+        (&BALLS_VISIBLE, &GREY_VISIBLE, 0.08),
+    ] {
+        let fit = kinetics::fit(&balls(series, table)).unwrap();
+        near(fit.dose_spread, spread, 0.005);
+        assert!(fit.worst() < 0.05, "{fit:?}");
+        assert!((0.0..=1.0).contains(&fit.kinetics.order), "{fit:?}");
+        let lowest = series[series.len() - 1][0];
+        assert!(fit.kinetics.min_irradiance < irradiance(table, lowest));
+    }
+}
+
+#[test]
+fn kinetics_come_back_from_their_own_times() {
+    let made_of = Kinetics {
+        min_irradiance: 3.0,
+        supply_per_s: 0.004,
+        cure_s: 80.0,
+        order: 0.5,
+        reference: 30.0,
+    };
+    let pairs: Vec<[f64; 2]> = [4.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0]
+        .iter()
+        .map(|i| [*i, made_of.time_s(*i).unwrap()])
+        .collect();
+    let fit = kinetics::fit(&curve(&pairs).unwrap()).unwrap();
+    near(fit.kinetics.min_irradiance, 3.0, 1e-4);
+    near(fit.kinetics.supply_per_s, 0.004, 1e-6);
+    near(fit.kinetics.order, 0.5, 1e-4);
+    near(fit.kinetics.inhibitor_dose(), 750.0, 0.2);
+    assert!(fit.worst() < 1e-6);
+    let few = kinetics::fit(&curve(&pairs[..3]).unwrap());
+    assert!(matches!(few, Err(Error::Config { key, .. }) if key == "irradiance"));
+}
+
+/// The induction time in closed form against its differential equation.
+#[test]
+fn induction_is_the_solution_of_its_equation() {
+    let resin = Kinetics {
+        min_irradiance: 2.0,
+        supply_per_s: 0.05,
+        cure_s: 1e-9,
+        order: 0.0,
+        reference: 5.0,
+    };
+    let (light, dt) = (5.0, 1e-4);
+    let kappa = resin.supply_per_s / resin.min_irradiance;
+    let (mut inhibitor, mut seconds) = (1.0, 0.0);
+    while inhibitor > 0.0 {
+        inhibitor += dt * (resin.supply_per_s * (1.0 - inhibitor) - kappa * light);
+        seconds += dt;
+    }
+    near(resin.time_s(light).unwrap(), seconds, 2e-3);
+    near(resin.inhibitor_used(0.5), 0.25, 1e-12);
+}
+
+#[test]
+fn stiffness_is_a_logistic_of_the_place() {
+    let pairs: Vec<[f64; 2]> = STIFFNESS
+        .iter()
+        .map(|[x, y, modulus, _]| [x + y, *modulus])
+        .collect();
+    let axes = Axes {
+        log_dose: false,
+        log_response: true,
+    };
+    let fit = ResponseFit::logistic(&pairs, axes, false).unwrap();
+    let found = fit.logistic.as_ref().unwrap();
+    near(found.params.lower, 0.705, 0.03);
+    near(10f64.powf(found.params.lower), 5.1, 0.3);
+    near(found.params.upper, 3.959, 0.05);
+    near(found.params.midpoint, 11.0, 0.05);
+    near(1.0 / found.params.steepness, 0.64, 0.05);
+    assert!(fit.rms <= 0.135, "{}", fit.rms);
+    near(fit.width_10_90().unwrap(), 2.8, 0.2);
+    let errors = found.errors.unwrap();
+    assert!(errors[3] > 0.01 && errors[3] < 0.2, "{errors:?}");
+    // The table is one that a job takes
+    let job: toml::Value = toml::from_str(&fit.job_table()).unwrap();
+    near(
+        job["response"]["logistic"]["midpoint"].as_float().unwrap(),
+        11.0,
+        0.05,
+    );
+}
+
+/// Rates of the notes' table: axis, half way, wall.
+#[test]
+fn rates_of_a_turn() {
+    for (depth, [axis, half, wall], ratio) in [
+        (0.1, [4.54e-5, 1.63e-3, 0.51596], 11_365.0),
+        (0.25, [1.832e-2, 5.088e-2, 0.54054], 29.5),
+        (0.5, [0.1353, 0.1935, 0.58544], 4.33),
+        (1.0, [0.3679, 0.4175, 0.67108], 1.82),
+        (2.0, [0.6065, 0.6367, 0.77791], 1.28),
+        (5.0, [0.8187, 0.8317, 0.89060], 1.09),
+    ] {
+        let vial = Vial {
+            radius_mm: 7.0,
+            penetration_mm: 7.0 * depth,
+            turn_deg_per_s: 5.0,
+        };
+        for (r, expected) in [(0.0, axis), (0.5, half), (1.0, wall)] {
+            let found = vial.mean_rate(r);
+            assert!(
+                (found / expected - 1.0).abs() < 2.5e-3,
+                "{depth} {r}: {found}"
+            );
+            // To the digits that the table has
+            let digits = 10f64.powf(-3.0 + expected.log10().floor() + 1.0);
+            assert!(
+                (found - expected).abs() < 0.6 * digits,
+                "{depth} {r}: {found}"
+            );
+        }
+        near(vial.mean_rate(0.0), (-1.0 / depth).exp(), 1e-12);
+        near(vial.mean_rate(1.0), wall_rate(1.0 / depth), 1e-9);
+        assert!((vial.mean_rate(1.0) / vial.mean_rate(0.0) / ratio - 1.0).abs() < 3e-3);
+    }
+}
+
+/// Where the two series meet, and against the integral (2/π)·∫ e^(−x·cos θ) dθ over a quarter turn.
+#[test]
+fn bessel_less_struve_is_its_integral() {
+    let integral = |x: f64| {
+        let n = 20_000;
+        let h = PI / 2.0 / f64::from(n);
+        let at = |i: i32| (-x * ((f64::from(i) + 0.5) * h).cos()).exp();
+        2.0 / PI * h * (0..n).map(at).sum::<f64>()
+    };
+    for x in [0.0, 0.3, 1.0, 4.0, 10.0, 14.9, 15.1, 20.0, 40.0] {
+        near(bessel_less_struve(x), integral(x), 2e-8);
+    }
+}
+
+#[test]
+fn the_wall_has_a_plateau_from_20_to_50_s() {
+    let vial = Vial {
+        radius_mm: 1.0,
+        penetration_mm: 0.1,
+        turn_deg_per_s: 5.0,
+    };
+    near(vial.dose(1.0, 0.0, 20.0), 18.55, 0.005);
+    near(vial.dose(1.0, 0.0, 50.0), 18.57, 0.005);
+    near(vial.dose(1.0, 0.0, 72.0), 37.15, 0.005);
+    near(vial.dose(1.0, 0.0, 72.0), 72.0 * vial.mean_rate(1.0), 1e-9);
+    near(
+        vial.dose(1.0, 0.0, 720.0),
+        10.0 * vial.dose(1.0, 0.0, 72.0),
+        1e-9,
+    );
+    // Curing time leads back to the dose, through turns too, and the axis is slow by e^10
+    for (r, phase, dose) in [
+        (1.0, 0.0, 10.0),
+        (0.5, 1.0, 3.0),
+        (1.0, 2.0, 100.0),
+        (0.3, 4.0, 0.01),
+    ] {
+        let time = vial.curing_s(r, phase, dose).unwrap();
+        near(vial.dose(r, phase, time), dose, 1e-6);
+    }
+    near(
+        vial.curing_s(0.0, 0.0, 1e-3).unwrap(),
+        1e-3 * 10f64.exp(),
+        1e-6,
+    );
+    let rest = Vial {
+        turn_deg_per_s: 0.0,
+        ..vial
+    };
+    near(rest.dose(1.0, 0.0, 3.0), 3.0, 1e-9);
+    near(rest.curing_s(1.0, PI, 1.0).unwrap(), 20f64.exp(), 1.0);
+}
+
+#[test]
+fn pixel_and_step_cross_at_the_closed_form() {
+    let setup = Setup {
+        pixels: 1024.0,
+        fps: 60.0,
+        dose_time_s: 4.0,
+        penetration_mm: 12.0,
+        turn_deg_per_s: None,
+    };
+    let crossing = setup.crossing_mm().unwrap();
+    near(
+        crossing,
+        12.0 * (PI * 1024.0 / (2.0 * 60.0 * 4.0)).ln(),
+        1e-12,
+    );
+    let difference = |radius: f64| {
+        let size = setup.printed(radius);
+        size.step_mm - size.pixel_mm
+    };
+    assert!(difference(0.99 * crossing) > 0.0 && difference(1.01 * crossing) < 0.0);
+    near(difference(crossing), 0.0, 1e-12);
+    // The step is largest where R = D_p
+    let step = |radius: f64| setup.printed(radius).step_mm;
+    assert!(step(12.0) > step(11.9) && step(12.0) > step(12.1));
+    assert_eq!(setup.corrected_crossing_mm(), Some(crossing));
+    // No more angles than a half turn has: at 36°/s these are 5 s of frames
+    let turning = Setup {
+        turn_deg_per_s: Some(36.0),
+        ..setup
+    };
+    let (slow, fast) = (turning.corrected(1.0), turning.corrected(60.0));
+    near(slow.angles, 60.0 * setup.curing_s(1.0), 1e-9);
+    near(slow.covered, setup.curing_s(1.0) / 5.0, 1e-12);
+    near(fast.angles, 300.0, 1e-9);
+    assert_eq!(fast.covered, 1.0);
+    // At R* (23 mm) the axis takes 27 s: half turns of 5 s have shown their angles before, half turns of 60 s have not
+    assert_eq!(turning.corrected_crossing_mm(), None);
+    let slow = Setup {
+        turn_deg_per_s: Some(3.0),
+        ..setup
+    };
+    assert_eq!(slow.corrected_crossing_mm(), Some(crossing));
+    assert_eq!(Setup { fps: 1e5, ..setup }.crossing_mm(), None);
+}
+
+#[test]
+fn plain_posts_are_wider_than_they_should_be() {
+    for step_deg in [0.25, 1.0, 2.0, 4.0] {
+        for radius in [0.0, 0.5, 0.9] {
+            let width = |width: f64| {
+                let post = Post {
+                    pixels: 200,
+                    width,
+                    radius,
+                    step_deg,
+                };
+                post.check().unwrap();
+                post.plain().fwhm().map(|fwhm| fwhm / width)
+            };
+            for ratio in width(5.0) {
+                assert!(
+                    (1.22..1.33).contains(&ratio),
+                    "5 voxels, {step_deg}°, {radius}: {ratio}"
+                );
+            }
+            for ratio in width(1.0) {
+                assert!(
+                    (1.8..2.5).contains(&ratio),
+                    "1 voxel, {step_deg}°, {radius}: {ratio}"
+                );
+            }
+        }
+    }
+}
+
+/// In the continuum: (4/π)·ln(1 + √2) of the width in the middle, 0.766 at the middle of an edge.
+#[test]
+fn a_wide_post_has_the_dose_of_the_continuum() {
+    let post = Post {
+        pixels: 256,
+        width: 40.0,
+        radius: 0.0,
+        step_deg: 0.5,
+    };
+    let plain = post.plain();
+    let middle = plain.dose(20.0, -20.0);
+    near(middle / 40.0, 4.0 / PI * (1.0 + 2f64.sqrt()).ln(), 0.005);
+    near(plain.dose(40.0, -20.0) / 40.0, 0.766, 0.01);
+}
+
+#[test]
+fn a_corrected_post_is_nearly_as_wide_as_it_should_be() {
+    let post = Post {
+        pixels: 64,
+        width: 5.0,
+        radius: 0.5,
+        step_deg: 2.0,
+    };
+    let (plain, corrected) = (post.plain(), post.corrected());
+    for (plain, corrected) in plain.fwhm().into_iter().zip(corrected.fwhm()) {
+        assert!(plain / 5.0 > 1.2, "{plain}");
+        assert!((corrected / 5.0 - 1.0).abs() < 0.12, "{corrected}");
+    }
+}
