@@ -195,7 +195,7 @@ fn a_job_on_the_parallel_model_has_the_same_bits() {
     let outcome = same("parallel", model, &part, &job);
     // It did something
     let first = outcome.history[0].loss;
-    assert!(outcome.loss < 0.05 * first, "{first} {}", outcome.loss);
+    assert!(outcome.loss < 0.3 * first, "{first} {}", outcome.loss);
 }
 
 #[test]
