@@ -5,11 +5,13 @@
 //! rate law. Inhibitors (and the dose, where asked) diffuse. Equations, units and sources: `docs/material.md`; Wang et al. 2022, Note 4 and Fig. S12.
 //!
 //! # Parameters
-//! See [`Params`]. **Limits** One voxel has one temperature, which is that of the room; matter that shrinks or sinks is not modelled. An antagonist
+//! See [`Params`]. **Limits** Heat, shrinkage and sedimentation are not modelled. An antagonist
 //! (negative drive) makes inhibitor, of the network's first; without one it does nothing.
 //!
 //! # Cost
 //! State: a volume per inhibitor and network, one or two more with bleaching. A step reads and writes each once; diffusion by faces once more.
+
+mod params;
 
 use crate::diffusion::faces::{self, longest_step_s};
 use crate::diffusion::{
@@ -20,9 +22,8 @@ use crate::domain::Domain;
 use crate::mixing::Mixing;
 use crate::reaction::{Stage, smooth_step};
 use crate::{Absorption, Material, Readout, Requirement, State};
+pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading};
 use rayon::prelude::*;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use tomolith_core::error::{Error, Result};
@@ -33,355 +34,6 @@ use tomolith_core::units::exact;
 
 /// Voxels that a thread takes through all stages at a time: they stay in the second cache.
 const CHUNK: usize = 4096;
-
-/// What a network takes to gel.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum Curing {
-    /// It gels where the dose that inhibitors leave reaches a threshold.
-    Threshold {
-        /// E_d, mJ/mm³, above 0.
-        critical_dose_mj_per_mm3: f64,
-    },
-    /// dC/dt = k e^m (1 − C), e the power that inhibitors leave, mW/mm³.
-    RateLaw {
-        /// k: rate at 1 mW/mm³, 1/s, above 0.
-        rate_per_s: f64,
-        /// m, ½ (radicals that end in pairs) to 1.
-        exponent: f64,
-        /// Conversion at the gel point, between 0 and 1.
-        gel_conversion: f64,
-    },
-}
-
-impl Curing {
-    /// A threshold, mJ/mm³.
-    #[must_use]
-    pub fn threshold(critical_dose_mj_per_mm3: f64) -> Self {
-        Curing::Threshold {
-            critical_dose_mj_per_mm3,
-        }
-    }
-}
-
-/// What a state is before the first frame.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Initial {
-    /// The same everywhere.
-    Even(f64),
-    /// Values at heights `[z in mm, value]`, heights ascending; linear between, even beyond: an oxygen gradient along the vial.
-    Axial(Vec<[f64; 2]>),
-}
-
-impl Initial {
-    fn at(&self, z: f64) -> f64 {
-        match self {
-            Initial::Even(value) => *value,
-            Initial::Axial(points) => {
-                let above = points.partition_point(|p| p[0] <= z);
-                match (above.checked_sub(1).map(|i| points[i]), points.get(above)) {
-                    (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (z - a[0]) / (b[0] - a[0]),
-                    (Some(a), None) => a[1],
-                    (None, b) => b.map_or(0.0, |b| b[1]),
-                }
-            }
-        }
-    }
-
-    fn validate(&self) -> Result<()> {
-        let refuse = |found: String, accepted: &str| Err(Error::config("initial", found, accepted));
-        let values: Vec<f64> = match self {
-            Initial::Even(value) => vec![*value],
-            Initial::Axial(points) => {
-                let ascends = points.windows(2).all(|p| p[0][0] < p[1][0]);
-                if points.is_empty() || !ascends || points.iter().any(|p| !p[0].is_finite()) {
-                    return refuse(
-                        format!(
-                            "heights {:?}",
-                            points.iter().map(|p| p[0]).collect::<Vec<_>>()
-                        ),
-                        "at least one height, finite and ascending, mm",
-                    );
-                }
-                points.iter().map(|p| p[1]).collect()
-            }
-        };
-        match values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
-            Some(bad) => refuse(format!("found {}", exact(*bad)), "0 to 1"),
-            None => Ok(()),
-        }
-    }
-}
-
-/// Something that takes drive until it is used up.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Inhibitor {
-    /// Its name.
-    pub name: String,
-    /// 1/κ: the dose that uses up all of it (from 1 to 0), mJ/mm³, above 0.
-    pub capacity_mj_per_mm3: f64,
-    /// How much there is, 0 to 1 (1: what air saturates resin with).
-    pub initial: Initial,
-    /// D, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
-    pub diffusion_mm2_per_s: f64,
-    /// Share of D that cured resin has, 0 to 1.
-    pub cured_diffusion: f64,
-    /// K of the smooth consumption r·O/(O + K), above 0; none: of zeroth order.
-    pub half_saturation: Option<f64>,
-    /// Whether air on top holds it at 1.
-    pub from_air: bool,
-}
-
-impl Default for Inhibitor {
-    fn default() -> Self {
-        Inhibitor {
-            name: "oxygen".to_owned(),
-            capacity_mj_per_mm3: 1.0,
-            initial: Initial::Even(1.0),
-            diffusion_mm2_per_s: 0.0,
-            cured_diffusion: 1.0,
-            half_saturation: None,
-            from_air: true,
-        }
-    }
-}
-
-/// A network that cures.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Network {
-    /// Its name.
-    pub name: String,
-    /// What takes its drive first, in this order.
-    #[serde(default)]
-    pub inhibitors: Vec<Inhibitor>,
-    /// What it takes to gel.
-    pub curing: Curing,
-    /// w: width of the rise of the cured share about the gel point, relative to it; 0: a step.
-    #[serde(default = "tenth")]
-    pub gel_width: f64,
-    /// b: share of initiator that a dose uses up, mm³/mJ, 0 or more.
-    #[serde(default)]
-    pub bleaching_mm3_per_mj: f64,
-    /// D of the dose, mm²/s: radicals that wander before they react. With a threshold only.
-    #[serde(default)]
-    pub dose_diffusion_mm2_per_s: f64,
-}
-
-fn tenth() -> f64 {
-    0.1
-}
-
-impl Network {
-    /// A network without inhibitor and bleaching.
-    #[must_use]
-    pub fn new(name: &str, curing: Curing) -> Self {
-        Network {
-            name: name.to_owned(),
-            inhibitors: Vec::new(),
-            curing,
-            gel_width: tenth(),
-            bleaching_mm3_per_mj: 0.0,
-            dose_diffusion_mm2_per_s: 0.0,
-        }
-    }
-}
-
-/// How a light's absorption changes as a network cures.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Shading {
-    /// Which light.
-    pub light: usize,
-    /// Which network.
-    #[serde(default)]
-    pub network: usize,
-    /// Active absorption before and after, 1/mm.
-    pub active_per_mm: [f64; 2],
-    /// Total attenuation before and after, 1/mm, at least the active absorption.
-    pub attenuation_per_mm: [f64; 2],
-}
-
-/// Parameters of a photopolymer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Params {
-    /// One per row of the mixing matrix.
-    pub networks: Vec<Network>,
-    /// At most one per light.
-    #[serde(default)]
-    pub shading: Vec<Shading>,
-    /// How diffusion is stepped.
-    #[serde(default)]
-    pub diffusion: Scheme,
-}
-
-impl Params {
-    /// Networks without shading.
-    #[must_use]
-    pub fn new(networks: Vec<Network>) -> Self {
-        Params {
-            networks,
-            shading: Vec::new(),
-            diffusion: Scheme::default(),
-        }
-    }
-
-    fn validate(&self, mixing: &Mixing) -> Result<()> {
-        if self.networks.len() != mixing.species() {
-            return Err(Error::config(
-                "networks",
-                format!("{} networks", self.networks.len()),
-                format!("{}, one per row of the mixing matrix", mixing.species()),
-            ));
-        }
-        for (i, network) in self.networks.iter().enumerate() {
-            let own = check_network(network);
-            own.map_err(|e| e.under(&format!("networks[{i}]")))?;
-        }
-        for (i, shading) in self.shading.iter().enumerate() {
-            let others = &self.shading[..i];
-            let own = check_shading(shading, mixing, others);
-            own.map_err(|e| e.under(&format!("shading[{i}]")))?;
-        }
-        Ok(())
-    }
-}
-
-/// Refuses what is not within lower (left out where `open`) and upper.
-fn within(key: &str, value: f64, lower: f64, upper: f64, open: bool) -> Result<()> {
-    if value.is_finite() && value <= upper && (value > lower || (!open && value == lower)) {
-        return Ok(());
-    }
-    let from = if open { "above" } else { "from" };
-    let to = if upper < f64::MAX {
-        format!(" to {}", exact(upper))
-    } else {
-        String::new()
-    };
-    Err(Error::config(
-        key,
-        format!("found {}", exact(value)),
-        format!("a finite number {from} {}{to}", exact(lower)),
-    ))
-}
-
-fn check_network(network: &Network) -> Result<()> {
-    match network.curing {
-        Curing::Threshold {
-            critical_dose_mj_per_mm3,
-        } => within(
-            "curing.threshold.critical_dose_mj_per_mm3",
-            critical_dose_mj_per_mm3,
-            0.0,
-            f64::MAX,
-            true,
-        )?,
-        Curing::RateLaw {
-            rate_per_s,
-            exponent,
-            gel_conversion,
-        } => {
-            within(
-                "curing.rate_law.rate_per_s",
-                rate_per_s,
-                0.0,
-                f64::MAX,
-                true,
-            )?;
-            within("curing.rate_law.exponent", exponent, 0.5, 1.0, false)?;
-            within(
-                "curing.rate_law.gel_conversion",
-                gel_conversion,
-                0.0,
-                0.999_999,
-                true,
-            )?;
-            if network.dose_diffusion_mm2_per_s != 0.0 {
-                return Err(Error::config(
-                    "dose_diffusion_mm2_per_s",
-                    format!(
-                        "found {} with a rate law",
-                        exact(network.dose_diffusion_mm2_per_s)
-                    ),
-                    "0: a network does not wander; a dose that does takes curing.threshold",
-                ));
-            }
-        }
-    }
-    within("gel_width", network.gel_width, 0.0, 2.0, false)?;
-    for (key, value) in [
-        ("bleaching_mm3_per_mj", network.bleaching_mm3_per_mj),
-        ("dose_diffusion_mm2_per_s", network.dose_diffusion_mm2_per_s),
-    ] {
-        within(key, value, 0.0, f64::MAX, false)?;
-    }
-    for (i, inhibitor) in network.inhibitors.iter().enumerate() {
-        check_inhibitor(inhibitor).map_err(|e| e.under(&format!("inhibitors[{i}]")))?;
-    }
-    Ok(())
-}
-
-fn check_inhibitor(inhibitor: &Inhibitor) -> Result<()> {
-    within(
-        "capacity_mj_per_mm3",
-        inhibitor.capacity_mj_per_mm3,
-        0.0,
-        f64::MAX,
-        true,
-    )?;
-    within(
-        "diffusion_mm2_per_s",
-        inhibitor.diffusion_mm2_per_s,
-        0.0,
-        f64::MAX,
-        false,
-    )?;
-    within(
-        "cured_diffusion",
-        inhibitor.cured_diffusion,
-        0.0,
-        1.0,
-        false,
-    )?;
-    if let Some(half) = inhibitor.half_saturation {
-        within("half_saturation", half, 0.0, 1e3, true)?;
-    }
-    inhibitor.initial.validate()
-}
-
-fn check_shading(shading: &Shading, mixing: &Mixing, others: &[Shading]) -> Result<()> {
-    let number = |key: &str, value: usize, count: usize| {
-        if value < count {
-            return Ok(());
-        }
-        Err(Error::config(
-            key,
-            format!("found {value}"),
-            format!("0 to {}", count - 1),
-        ))
-    };
-    number("light", shading.light, mixing.lights())?;
-    number("network", shading.network, mixing.species())?;
-    if others.iter().any(|other| other.light == shading.light) {
-        return Err(Error::config(
-            "light",
-            format!("light {} a second time", shading.light),
-            "one entry per light",
-        ));
-    }
-    for (active, total) in shading
-        .active_per_mm
-        .into_iter()
-        .zip(shading.attenuation_per_mm)
-    {
-        within("active_per_mm", active, 0.0, f64::MAX, false)?;
-        within("attenuation_per_mm", total, active, f64::MAX, false)?;
-    }
-    Ok(())
-}
 
 /// A volume of the state.
 #[derive(Clone, Debug)]
@@ -415,6 +67,8 @@ pub struct Photopolymer {
     slots: Vec<Slot>,
     chains: Vec<Chain>,
     responses: Vec<Box<dyn Response>>,
+    /// Volumes of inhibitors that begin as they were given.
+    given: Vec<(usize, HostField)>,
     spectral: Option<Spectral>,
     spare: Mutex<Vec<HostField>>,
 }
@@ -438,6 +92,7 @@ impl Photopolymer {
             domain,
             slots,
             chains,
+            given: Vec::new(),
             spectral: None,
             spare: Mutex::default(),
             params,
@@ -457,6 +112,49 @@ impl Photopolymer {
     pub fn with_response(mut self, network: usize, response: Box<dyn Response>) -> Self {
         self.responses[network] = response;
         self
+    }
+
+    /// Starts an inhibitor as it was measured or left by an earlier print (file order, 0 or above), instead of its `initial`.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for an inhibitor that there is not, or a value that is negative or not finite; [`Error::Shape`].
+    pub fn with_initial(
+        mut self,
+        network: usize,
+        inhibitor: usize,
+        values: &Volume<f32>,
+    ) -> Result<Self> {
+        let key = format!("networks[{network}].inhibitors[{inhibitor}]");
+        let all = self.params.networks.get(network);
+        let count = all.map_or(0, |network| network.inhibitors.len());
+        if inhibitor >= count {
+            return Err(Error::config(
+                key,
+                format!("there are {count} inhibitors"),
+                "one of them",
+            ));
+        }
+        let grid = self.domain.grid();
+        if values.grid.shape != grid.shape {
+            return Err(Error::Shape {
+                what: format!("{key}.initial"),
+                expected: grid.shape.to_vec(),
+                found: values.grid.shape.to_vec(),
+            });
+        }
+        let is_amount = |v: &f32| v.is_finite() && *v >= 0.0;
+        if let Some(bad) = values.values.iter().find(|v| !is_amount(v)) {
+            return Err(Error::config(
+                format!("{key}.initial"),
+                format!("found {}", exact(*bad)),
+                "finite numbers, 0 or above",
+            ));
+        }
+        let slot = self.chains[network].cure - count + inhibitor;
+        let mut field = HostField::from_slice(&self.domain.layout().field_of(values));
+        self.domain.only_resin(&mut field);
+        self.given.push((slot, field));
+        Ok(self)
     }
 
     /// Its parameters.
@@ -886,6 +584,9 @@ impl Material for Photopolymer {
                 volumes.push(self.domain.filled(|z| inhibitor.initial.at(z) as f32));
             }
             volumes.push(self.domain.zeros());
+        }
+        for (slot, field) in &self.given {
+            volumes[*slot].copy_from(field);
         }
         Ok(State {
             seconds: 0.0,

@@ -262,3 +262,6 @@ pub(crate) fn must_fit(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;
