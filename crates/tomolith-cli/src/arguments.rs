@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Run a job: target → patterns → predicted print → report
     Run(RunArguments),
-    /// Simulate patterns of an earlier run (or of another program) under a job
+    /// Predict what given patterns print: those of an earlier run, or of another program
     Simulate(SimulateArguments),
     /// Print patterns of an earlier run in time: when what is solid, and when to stop; the job needs a [schedule]
     Print(SimulateArguments),
@@ -51,7 +51,7 @@ pub(crate) enum Command {
     Sweep(SweepArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),
-    /// List what a job can choose from: vials, objectives, optimisers, … with their parameters
+    /// List what a job can choose from (vials, objectives, optimizers, …), with all parameters
     Kinds {
         /// Only this family, for example `vial`
         family: Option<String>,
@@ -63,23 +63,23 @@ pub(crate) enum Command {
     },
     /// Print the JSON Schema of a job file
     Schema {
-        /// A page for people in place of the schema: tables of all keys
+        /// Print tables of all keys (Markdown) instead of the schema
         #[arg(long)]
         markdown: bool,
     },
     /// Turn a mesh into voxels: .npy, .vti or .png
     Voxelize(VoxelizeArguments),
-    /// Turn a part by formula into voxels: .npy, .vti or .png
+    /// Turn a phantom (a part given by a formula) into voxels: .npy, .vti or .png
     Phantom(PhantomArguments),
-    /// Measure a dose against a target, anybody's arrays: every number of the report and every published one
+    /// Compute every metric of the report, and every published one, for any dose and target
     Metrics(MetricsArguments),
     /// Write frames and movie of a run for another machine
     Export(ExportArguments),
     /// Write the dose model of a small job as a sparse matrix for SciPy
     ExportMatrix(MatrixArguments),
-    /// Follow the light of single pixels: its way, where its power goes, its dose
+    /// Follow the light of single pixels: its path, where its power goes, its dose
     Trace(TraceArguments),
-    /// Translate a job of Dr.TVAM into one of ours
+    /// Translate a job of Dr.TVAM into a Tomolith job
     Import(ImportArguments),
     /// Draw calibration frames for a machine, or fit what was measured: grey curve, response, kinetics, a print of discs
     Calibrate(CalibrateArguments),
@@ -95,7 +95,7 @@ pub(crate) enum Command {
 pub(crate) struct JobArguments {
     /// Job file, TOML or JSON
     pub(crate) job: PathBuf,
-    /// Quick trial: a third of the resolution, few angles, few iterations; what it prints is poor
+    /// Run a coarse version: a third of the resolution, few angles, few iterations; its print is poor
     #[arg(long)]
     pub(crate) toy: bool,
     /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable)
@@ -124,7 +124,7 @@ pub(crate) struct RunArguments {
     /// Run folder, in place of `output.folder`
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Go on from the checkpoint in the run folder
+    /// Continue from the checkpoint in the run folder
     #[arg(long)]
     pub(crate) resume: bool,
     /// Replace a finished run of another job in the run folder

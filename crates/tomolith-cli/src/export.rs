@@ -12,7 +12,7 @@ const EXPORT: &str = "\
 Examples:
   tomolith export out/01-gear --printer opencal.toml --output gear-opencal
   tomolith export out/01-gear --set printer.flip_horizontal=true --set output.rpm=12 --output gear-12
-Nothing is optimised or simulated again: `tomolith simulate` on the frames says what they print";
+Patterns are not optimized or simulated again; `tomolith simulate` on the frames predicts what they print";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXPORT)]

@@ -1,4 +1,4 @@
-//! `tomolith metrics`: the numbers of anybody's dose against anybody's target.
+//! `tomolith metrics`: all metrics of any dose against any target.
 
 use crate::arguments::Manner;
 use crate::screen::say;
@@ -208,7 +208,7 @@ fn must_be_grey(source: &str, target: &Volume<f32>) -> Result<()> {
         Some(value) => Err(Error::Format {
             path: source.into(),
             found: format!("a grey value of {value}"),
-            accepted: "values from 0 to 1 with --grey: divide those of 8 bits by 255".to_owned(),
+            accepted: "with --grey, values from 0 to 1: divide 8-bit values by 255".to_owned(),
         }),
         None => Ok(()),
     }

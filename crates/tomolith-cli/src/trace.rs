@@ -1,4 +1,4 @@
-//! `tomolith trace`: what becomes of the light of single pixels.
+//! `tomolith trace`: follows the light of single pixels.
 
 use crate::arguments::{JobArguments, Manner, must_have_folder};
 use crate::screen::say;
@@ -13,7 +13,7 @@ use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
-  tomolith trace job.toml --pixel 0,100,50                   power balance and way of one pixel
+  tomolith trace job.toml --pixel 0,100,50                   power balance and path of one pixel
   tomolith trace job.toml --pixel 0,20,50 --pixel 0,180,50 --output light.png
   tomolith trace job.toml --light 1 --pixel 12,0,0 --json";
 

@@ -1,4 +1,4 @@
-//! Errors, for people: the line of the job underlined, what is accepted, the nearest name.
+//! Errors as text: the line of the job underlined, what is accepted, the nearest name.
 
 use crate::screen::say;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};

@@ -219,7 +219,7 @@ fn grey_frames_may_be_stored_in_colour() {
     save(7, 1);
     contains(
         &bench.expect(2, line),
-        &["07.png: a coloured pixel in row 0, column 0"],
+        &["07.png: a colored pixel in row 0, column 0"],
     );
 }
 

@@ -745,7 +745,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
             "--set grid.shape=[10,10,10] --set grid.clip=true",
             "% of the part's volume: patterns, numbers and print",
         ),
-        ("--set evaluate.refine=1", "judged on the job's own voxels"),
+        (
+            "--set evaluate.refine=1",
+            "evaluated on the job's own voxels",
+        ),
     ]
     .into_iter()
     .enumerate()
@@ -784,7 +787,7 @@ fn the_closing_lines_say_on_which_voxels() {
     );
     let said = bench.expect(0, "run job.toml --output b --set evaluate.refine=1 --toy");
     assert!(
-        said.contains("the job's own: nothing finer was looked at (evaluate.refine = 1)"),
+        said.contains("the job's own (evaluate.refine = 1)"),
         "{said}"
     );
     let lines = bench.expect(0, "run job.toml --output c --json --toy");

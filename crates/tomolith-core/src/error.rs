@@ -5,7 +5,7 @@
 
 use std::path::PathBuf;
 
-/// Where in a text file something stands.
+/// Position in a text file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The file as the user named it.
@@ -76,7 +76,7 @@ pub enum Error {
     },
     /// Memory or disk would not be enough.
     #[error("{what}: {needed_mb} MB needed, {}; {advice}",
-        available_mb.map_or("which the system does not give".to_owned(), |mb| format!("{mb} MB available")))]
+        available_mb.map_or("but the system refused to allocate it".to_owned(), |mb| format!("{mb} MB available")))]
     Resources {
         /// `memory` or `disk`, and for what.
         what: String,

@@ -166,7 +166,7 @@ pub struct PatternGrid {
     pub columns: usize,
     /// Distance of columns and of rows at the vial, mm.
     pub pitch_mm: [f64; 2],
-    /// Where the middle of the image stands beside the rotation axis [u, z], mm.
+    /// Offset of the image's center from the rotation axis [u, z], mm.
     pub offset_mm: [f64; 2],
 }
 

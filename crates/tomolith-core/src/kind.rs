@@ -40,7 +40,7 @@ impl Section {
         self
     }
 
-    /// Where a file that the section names is.
+    /// Path of a file that the section names.
     #[must_use]
     pub fn file(&self, path: &Path) -> PathBuf {
         self.base.join(path)
@@ -241,7 +241,7 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
                 format!("{key}.{word}")
             },
             MISSING,
-            "a value: docs/job.md and `tomolith kinds` say which",
+            "a value; docs/job.md and `tomolith kinds` list what is accepted",
         );
     }
     let (found, accepted) = match message.split_once(", expected ") {

@@ -56,18 +56,18 @@ impl Default for Run {
 }
 
 impl Run {
-    /// A run that nobody has stopped yet.
+    /// A run without a request to stop.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Asks everything that carries this run to stop soon; returns how often that was asked before.
+    /// Requests a stop of everything that carries this run; returns the number of earlier requests.
     pub fn cancel(&self) -> u32 {
         self.signal.requests.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Whether a stop was asked for.
+    /// Whether a stop was requested.
     #[must_use]
     pub fn is_stop_asked(&self) -> bool {
         self.signal.requests.load(Ordering::Relaxed) > 0

@@ -62,7 +62,7 @@ impl Mm {
         let value: f64 = number
             .trim()
             .parse()
-            .map_err(|_| format!("`{text}` is no length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
+            .map_err(|_| format!("`{text}` is not a length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
         let factor = match unit.trim() {
             "" | "mm" => 1.0,
             "um" | "µm" | "μm" => 1e-3,
@@ -127,7 +127,7 @@ impl schemars::JsonSchema for Pitch {
     fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let one = generator.subschema_for::<Mm>();
         schemars::json_schema!({
-            "description": "One length for square pixels, or that of columns and that of rows",
+            "description": "One length for square pixels, or [column pitch, row pitch]",
             "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }]
         })
     }

@@ -1,4 +1,4 @@
-//! Anybody's volumes: `.npy`, or one array of an `.npz`, of whatever number type, as f32 `[z, y, x]`.
+//! Volumes of other programs: `.npy`, or one array of an `.npz`, of any number type, as f32 `[z, y, x]`.
 //!
 //! Read are floats of 16, 32 and 64 bits, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), little or
 //! big endian, in C or Fortran order; an array of two dimensions is one slice. An `.npz` with several arrays needs the name of one: `results.npz:dose`.

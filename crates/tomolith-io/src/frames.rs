@@ -217,7 +217,7 @@ fn format_error(path: &Path, found: &str) -> Error {
     Error::Format {
         path: path.to_owned(),
         found: found.to_owned(),
-        accepted: "grey PNG frames, all alike (RGB and palettes too, where all colours are grey)"
+        accepted: "gray PNG frames of one size and bit depth (RGB and palettes too, if all colors are gray)"
             .to_owned(),
     }
 }
@@ -299,7 +299,7 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
     let is_coloured = |pixel: &&[u16]| pixel[..colours].iter().any(|v| *v != pixel[0]);
     if let Some(at) = pixels.clone().position(|pixel| is_coloured(&pixel)) {
         let (row, column) = (at / shape.width as usize, at % shape.width as usize);
-        let found = format!("a coloured pixel in row {row}, column {column}");
+        let found = format!("a colored pixel in row {row}, column {column}");
         return Err(Trouble::Said(found));
     }
     let values: Vec<u16> = pixels.map(|pixel| pixel[0]).collect();

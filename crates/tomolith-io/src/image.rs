@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 
 /// What [`read_grey`] reads, for error messages.
-pub const ACCEPTED: &str = "a grey or colour image: .png, .tif or .tiff";
+pub const ACCEPTED: &str = "a gray or color image: .png, .tif or .tiff";
 
 /// Most pixels of an image: what is larger is damaged, or no target.
 const MOST_PIXELS: u64 = 1 << 28;

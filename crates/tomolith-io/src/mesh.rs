@@ -229,7 +229,7 @@ fn check_whole(mesh: &Mesh, read: usize, path: &Path) -> Result<()> {
         return Err(bad(
             path,
             format!("its {read} triangles have no area"),
-            "a closed surface round a volume",
+            "a closed surface around a volume",
         ));
     }
     Ok(())

@@ -227,8 +227,8 @@ impl Header {
         if start.get(..6) != Some(b"\x93NUMPY") {
             return Err(match start.get(..2) {
                 None => "the file is empty".to_owned(),
-                Some(b"PK") => "an archive of arrays, which should be named .npz".to_owned(),
-                _ => format!("no NumPy array: it begins with `{}`", beginning(&start)),
+                Some(b"PK") => "an .npz archive under another name: rename it to .npz".to_owned(),
+                _ => format!("not a NumPy array: it begins with `{}`", beginning(&start)),
             });
         }
         // Version 1 has two bytes for the length of the text, later ones four
@@ -364,7 +364,7 @@ fn no_archive(path: &Path) -> Option<String> {
             let start = beginning(&head[..head.len().min(8)]);
             return (!head.starts_with(b"PK")).then(|| match head.len() {
                 0 => "the file is empty".to_owned(),
-                _ => format!("no .npz archive: it begins with `{start}`"),
+                _ => format!("not an .npz archive: it begins with `{start}`"),
             });
         }
         if head.get(..4) != Some(b"PK\x03\x04") {

@@ -63,7 +63,7 @@ pub fn write_stl_pieces(
         pieces(&mut |corners, triangles| {
             let known = |&i: &u32| (i as usize) < corners.len();
             if !triangles.par_iter().flatten_iter().all(known) {
-                return Err(refuse("a triangle names a corner that does not exist").into());
+                return Err(refuse("a triangle refers to a vertex that does not exist").into());
             }
             count += triangles.len();
             Ok(write_triangles(file, corners, triangles)?)

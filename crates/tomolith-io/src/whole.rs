@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::{Run, Steps};
 
-/// Why the content of a file could not be written: the system's word, or the format's.
+/// Reason why the content of a file could not be written: the system's, or the format's.
 #[derive(Debug)]
 pub enum Refused {
     /// The system refused; [`write_whole`] adds the path.
@@ -97,7 +97,7 @@ pub fn write_whole_under<T>(
 const AT_A_TIME: usize = 4 << 20;
 const WAITING: usize = 64 << 20;
 
-/// A file on its way to the disk, refused as soon as its run is cancelled.
+/// A file being written; writing fails as soon as its run is canceled.
 #[derive(Debug)]
 pub struct Watched<'r> {
     file: File,

@@ -31,7 +31,7 @@ impl Metric for BestThreshold {
 pub const KIND: MetricKind = MetricKind {
     name: "best_threshold",
     title: "Best threshold",
-    summary: "The gel threshold at which print and part overlap best (the middle of all that are equally good).",
+    summary: "The gel threshold with the best IoU (the middle of all equally good ones).",
     unit: "response",
     better: Better::Neutral,
     metric: &BestThreshold,

@@ -148,7 +148,7 @@ fn notes(print: &Print<'_>) -> Vec<String> {
         && distance.coarsened > 1
     {
         notes.push(format!(
-            "Distances between surfaces were taken on a grid coarsened {} times, of {} mm.",
+            "Surface distances were measured on voxels {} times as large, of {} mm.",
             distance.coarsened,
             concise(print.grid().pitch_mm * distance.coarsened as f64)
         ));

@@ -34,7 +34,7 @@ impl Metric for Gamma {
 pub const KIND: MetricKind = MetricKind {
     name: "gamma",
     title: "Process window Γ",
-    summary: "How much the threshold may vary: share of the dose scale 0…1 over which IoU stays within 5 % of its best.",
+    summary: "Range of thresholds, as a share of the dose scale 0…1, over which IoU stays above 95 % of its best.",
     unit: "%",
     better: Better::Higher,
     metric: &Gamma,

@@ -141,7 +141,7 @@ impl Metric for GreyError {
 pub const IN_BAND: MetricKind = MetricKind {
     name: "in_band",
     title: "Voxels in the band",
-    summary: "Share of the voxels whose response is as near to its grey value as the objective asks.",
+    summary: "Share of the voxels whose response lies within the objective's band around their gray value.",
     unit: "",
     better: Better::Higher,
     metric: &GreyError(|errors| Some(errors.in_band)),
@@ -167,7 +167,7 @@ const fn error(
 pub const RMS: MetricKind = error(
     "rms_error",
     "Rms error",
-    "Root of the mean square difference between response and grey value.",
+    "Root mean square difference between response and gray value.",
     &GreyError(|errors| Some(errors.rms)),
 );
 
@@ -175,7 +175,7 @@ pub const RMS: MetricKind = error(
 pub const MAX_PART: MetricKind = error(
     "max_error_part",
     "Largest error, bright",
-    "Largest difference where a grey value of at least ½ was asked for.",
+    "Largest error where the target's gray value is at least ½.",
     &GreyError(|errors| errors.largest[0]),
 );
 
@@ -183,7 +183,7 @@ pub const MAX_PART: MetricKind = error(
 pub const MAX_VOID: MetricKind = error(
     "max_error_void",
     "Largest error, dark",
-    "Largest difference where a grey value below ½ was asked for.",
+    "Largest error where the target's gray value is below ½.",
     &GreyError(|errors| errors.largest[1]),
 );
 

@@ -41,7 +41,7 @@ impl Metric for Iou {
 pub const KIND: MetricKind = MetricKind {
     name: "iou",
     title: "IoU",
-    summary: "Overlap of print and part, divided by what either of them fills; 1 is a perfect print.",
+    summary: "Volume in both print and part, divided by the volume in either; 1 is a perfect print.",
     unit: "",
     better: Better::Higher,
     metric: &Iou,

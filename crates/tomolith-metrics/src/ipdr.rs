@@ -35,7 +35,7 @@ impl Metric for InPartDoseRange {
 pub const KIND: MetricKind = MetricKind {
     name: "ipdr",
     title: "In-part dose range",
-    summary: "Spread of the dose inside the part: strongest minus weakest voxel; small means evenly cured.",
+    summary: "Largest minus smallest dose in the part; small means evenly cured.",
     unit: "response",
     better: Better::Lower,
     metric: &InPartDoseRange,

@@ -42,7 +42,7 @@ pub trait Metric: Send + Sync {
     fn measure(&self, print: &Print<'_>) -> Measure;
 }
 
-/// Which way a number is better.
+/// Whether larger or smaller values of a metric are better.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Better {
     /// The larger, the better.

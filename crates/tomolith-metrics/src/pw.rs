@@ -39,7 +39,7 @@ impl Metric for ProcessWindow {
 pub const KIND: MetricKind = MetricKind {
     name: "pw",
     title: "Process window PW",
-    summary: "Gap between the weakest voxel of the part and the strongest void voxel; below 0 they overlap.",
+    summary: "Smallest dose in the part minus largest dose in the void; below 0 they overlap.",
     unit: "response",
     better: Better::Higher,
     metric: &ProcessWindow,

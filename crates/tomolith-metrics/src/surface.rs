@@ -91,7 +91,7 @@ pub struct SurfaceDistance {
     pub mean_mm: f64,
     /// 95 % of the area of both surfaces is nearer.
     pub p95_mm: f64,
-    /// Largest distance, both ways.
+    /// Largest distance, in both directions (Hausdorff).
     pub hausdorff_mm: f64,
     /// Where that is.
     pub farthest: Farthest,

@@ -61,7 +61,7 @@ pub const MEAN: MetricKind = row(
 pub const P95: MetricKind = row(
     "surface_p95_mm",
     "Surface deviation, 95 %",
-    "95 % of the surface is nearer to the target's surface than this.",
+    "95 % of the print's surface is closer to the target's surface than this.",
     &Deviation(|d| d.p95_mm),
 );
 

@@ -253,7 +253,7 @@ mod tests {
             (&None, level, "collimated light"),
             (&None, leaning, ": light is not normal to the axis"),
             (&None, cut, ": the target's surface cuts voxels into cells"),
-            (&rays, level, ": as asked; [model.parallel] covers"),
+            (&rays, level, ": as the job asks ([model.parallel] covers"),
             (&scatter, level, ": as asked; nothing scatters"),
             (&parallel, leaning, "model.parallel"),
             (&wave, level, "wave ("),
@@ -341,7 +341,7 @@ mod tests {
             paths == leaning && reason.starts_with("rays, 4"),
             "{paths} {leaning} {reason}"
         );
-        let why = "the resin scatters and much light is scattered into a narrow forward lobe";
+        let why = "the resin scatters and too much of the scattered light goes into a narrow forward peak";
         assert!(reason.ends_with(why), "{reason}");
         let (_, reason) = planned(rayleigh(), false, Some("a trial was too far off"));
         let why = "the resin scatters and a trial was too far off";

@@ -1,4 +1,4 @@
-//! The `scatter` dose model: rays in a resin that scatters, by frozen random paths.
+//! The `scatter` dose model: rays in a resin that scatters, by frozen Monte Carlo paths.
 //!
 //! # Model
 //! Straight light is followed as by [`rays`](super::rays), exactly. Along each leg of it the part that is scattered goes on
@@ -87,17 +87,17 @@ pub struct Params {
     pub paths_per_pixel: usize,
     /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
     pub accumulation: Accumulation,
-    /// Which paths.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// Iterations of an optimisation after which other paths are drawn, 0 to 10000; 0: never.
+    /// Iterations of an optimization after which new paths are drawn, 0 to 10000; 0: never.
     pub renew: usize,
-    /// Below this part of the emitted power a path lives on by chance only, 1e-6 to 0.5.
+    /// Share of the emitted power below which a path may end by Russian roulette, 1e-6 to 0.5.
     pub least_power: f64,
     /// Whether light reflected at walls is followed.
     pub reflections: bool,
-    /// How often light is scattered at most, 0 to 1000.
+    /// Largest number of scattering events of a path, 0 to 1000.
     pub orders: usize,
-    /// Voxels along an edge of the cells on which scattered light is summed, 1 to 32; half as large in what is reported.
+    /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
     pub smooth: usize,
     /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgement does, which has paths enough.
     #[serde(skip)]
@@ -140,7 +140,7 @@ impl Params {
 /// Row of [`MODELS`](super::MODELS).
 pub const KIND: ModelKind = ModelKind {
     name: "scatter",
-    summary: "Rays in a resin that scatters: frozen random paths with their exact adjoint.",
+    summary: "Scattering by Monte Carlo paths, fixed during an optimization, with their exact adjoint.",
     example: "[model.scatter]\npaths_per_pixel = 4\n",
     schema: || schemars::schema_for!(Params),
     build: MakeFamily {
@@ -267,7 +267,7 @@ pub fn model(
     )
 }
 
-/// The straight light of [`model`] alone.
+/// The unscattered light of [`model`] alone.
 ///
 /// # Errors
 /// As [`Rays::new`].

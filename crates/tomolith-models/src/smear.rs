@@ -1,11 +1,11 @@
-//! What cells smear out, and how it is brought back.
+//! Blur by cells, and the stencil that undoes it.
 //!
 //! A mean over an edge h, and linear interpolation between points h apart, take from a wave of wave number k along an axis
 //!
 //! ```text
 //! 1 − v k²/2 + O(k⁴)        v = h²/12 and h²/6
 //! ```
-//! Second moments v add up. In `orders` light on its way from straight light to the dose of voxels meets the mean over pixels that are taken
+//! Second moments v add up. In `orders` light on its way from unscattered light to the dose of voxels meets the mean over pixels that are taken
 //! together, over a cell as a source, over a cell as a receiver and interpolation; in `scatter` the last two. On cells h apart
 //!
 //! ```text

@@ -100,7 +100,7 @@ impl Params {
 pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
     Kind {
         name: "pm",
-        summary: "penalty minimisation: part above d_h, void below d_l, a free buffer at the surface",
+        summary: "penalty minimization: part above d_h, void below d_l, a free buffer at the surface",
         example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
         schema: || schemars::schema_for!(Params),
         build: |section, input: &ObjectiveInput| {

@@ -183,7 +183,7 @@ impl AroundTarget {
         }
         if surface != Surface::Voxel {
             return Err(surface.refused(
-                "the target is grey: its values are no inside fractions; surface = \"voxel\"",
+                "the target is gray, so its values are not inside fractions; use surface = \"voxel\"",
             ));
         }
         check_shape("labels", &input.labels.grid.shape, input)?;

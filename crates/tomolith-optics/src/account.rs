@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Where the power of a ray went; all add up to 1.
+/// Power balance of a ray; all parts add up to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Account {
     /// Taken by the resin, active or not.

@@ -51,7 +51,7 @@ pub struct Params {
     pub quadratic_per_mm2: f64,
     /// p, 1/mm⁴.
     pub quartic_per_mm4: f64,
-    /// Length of the chords in whose place light runs along curves, mm, 0.001 to 10.
+    /// Length of the chords that replace curved rays, mm, 0.001 to 10.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_mm: Option<f64>,
 }

@@ -14,7 +14,7 @@
 //! surface to surface, and what it loses to scattering goes on from one point of that way. A way is one leg, or the pieces of it in
 //! which the resin differs; a piece of length L scatters P·(μ_s/μ_t)·(1 − e^(−μ_t·L)) of its power P, exactly. The power that goes on is
 //! the sum, the piece is drawn by its part of it, the distance in it from the free paths below L, the direction from the phase function:
-//! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the straight light
+//! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the unscattered light
 //! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
 //! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised; in a gradient it runs along curves.
 //!
@@ -312,7 +312,7 @@ impl SpaceTracer {
         self
     }
 
-    /// Follows one ray, straight light only; where it begins along its line does not matter.
+    /// Follows one ray, unscattered light only; where it begins along its line does not matter.
     #[must_use]
     pub fn trace(&self, ray: Ray) -> Path {
         self.trace_with(ray, None, Extent::Whole)

@@ -385,7 +385,7 @@ impl Checkpoints {
             return Err(Error::Format {
                 path,
                 found: format!("a checkpoint of another job: {changed}"),
-                accepted: "a checkpoint of this very job".to_owned(),
+                accepted: "a checkpoint of this job".to_owned(),
             });
         }
         Ok(Some(Checkpoint {

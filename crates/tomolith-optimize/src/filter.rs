@@ -98,7 +98,7 @@ impl<F: Field> Projection<F> {
             return Err(Error::config(
                 "light",
                 "no light meets the target",
-                "pixels that cover it, and a resin and a bath that let their light come so far (absorption_per_mm)",
+                "pixels that cover the target, and a resin and a bath that let light reach it (absorption_per_mm)",
             ));
         }
         Ok(Projection {

@@ -206,7 +206,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
     fn needs(&self) -> Needs {
         Needs {
             continuous: self.params.step.is_none().then_some(
-                "the automatic step length is searched along a line, which rounded patterns leave; give `step`",
+                "the automatic step length comes from a line search, which rounding breaks; give `step`",
             ),
             ..Needs::of("gradient")
         }

@@ -340,7 +340,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
     fn needs(&self) -> Needs {
         Needs {
             continuous: Some(
-                "its pairs measure curvature along steps, which rounding changes, and its search walks a line",
+                "it measures curvature along its steps and searches along a line, and rounding changes both",
             ),
             ..Needs::of(self.name)
         }

@@ -62,7 +62,7 @@ pub struct Gain {
     pub calls: u64,
 }
 
-/// What a machine shows when it is asked for patterns.
+/// The light that a machine shows for given patterns.
 pub type Shown<'a> = dyn FnMut(&HostField) -> Result<HostField> + 'a;
 
 /// Improves patterns on the levels that a machine shows: what to ask of it, and what that brings.

@@ -48,7 +48,7 @@ const NAME: &str = "pm";
 pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
     Kind {
         name: NAME,
-        summary: "penalty minimisation as published: quasi-Newton with ten pairs (use [objective.pm])",
+        summary: "penalty minimization as published: quasi-Newton with ten pairs (use [objective.pm])",
         example: "[optimizer.pm]",
         schema: || schemars::schema_for!(Params),
         build: |section| {

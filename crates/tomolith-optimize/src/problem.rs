@@ -79,7 +79,7 @@ pub struct Position<F> {
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// Place on the segment, 0 when nothing better was found.
+    /// Position on the segment, 0 when nothing better was found.
     pub alpha: f32,
     /// Slope at the end of the search relative to that at its beginning; 1 when α = 0.
     pub slope: f64,
@@ -136,7 +136,7 @@ impl<'a, F: Field> Problem<'a, F> {
             return Err(Error::config(
                 "bounds.bits",
                 format!("found {bits}"),
-                "1 to 16 bits, or no such key for patterns that are not rounded",
+                "1 to 16 bits, or leave the key out for patterns that are not rounded",
             ));
         }
         self.levels = bits.map(|bits| 1 << bits);
@@ -305,8 +305,8 @@ impl<'a, F: Field> Problem<'a, F> {
         let largest = f64::from(at.dose.max_marked(self.target()?));
         if largest == 0.0 {
             return Err(Error::Unsupported {
-                what: "normalising by the largest dose".to_owned(),
-                reason: "the dose became zero everywhere; thresholds nearer to 1, fewer steps, or another method"
+                what: "normalizing by the largest dose".to_owned(),
+                reason: "the dose became zero everywhere; use thresholds closer to 1, fewer steps, or another method"
                     .to_owned(),
             });
         }

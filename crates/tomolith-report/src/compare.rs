@@ -232,7 +232,7 @@ pub fn compare_html(runs: &[ComparedRun]) -> String {
     let plots = [
         (
             "Loss against model calls",
-            "Dose and pull-back calls. Compare methods by model calls, not by iterations.",
+            "Dose and adjoint calls. Compare methods by model calls, not by iterations.",
             history(runs, "loss", ComparedRun::calls, "model calls"),
         ),
         (
@@ -247,12 +247,12 @@ pub fn compare_html(runs: &[ComparedRun]) -> String {
         ),
         (
             "IoU over the gel threshold",
-            "A broad plateau forgives errors of exposure.",
+            "A broad plateau tolerates errors of exposure.",
             curves(runs),
         ),
         (
             "IoU against model calls",
-            "On each optimisation's own grid, where it was measured.",
+            "On the grid of each optimization, where it was measured.",
             history(runs, "iou", ComparedRun::calls, "model calls"),
         ),
         (
@@ -331,7 +331,7 @@ fn pictures(runs: &[ComparedRun]) -> String {
     if !alike.is_empty() {
         let _ = write!(
             notes,
-            " Below, where the dose of {} is higher (red) or lower (blue) than that of {}: grey up to 5 % of the largest dose, full colour from 20 %.",
+            " Below, where the dose of {} is higher (red) or lower (blue) than that of {}: gray up to 5 % of the largest dose, full color from 20 %.",
             names(&alike),
             escape(first)
         );
@@ -339,7 +339,7 @@ fn pictures(runs: &[ComparedRun]) -> String {
     if !unlike.is_empty() {
         let _ = write!(
             notes,
-            " No difference is drawn for {}, whose voxels are others than those of {}.",
+            " No difference is drawn for {}: its voxels differ from those of {}.",
             names(&unlike),
             escape(first)
         );
@@ -399,13 +399,13 @@ fn warnings(runs: &[ComparedRun]) -> String {
         said.push("The runs were evaluated on different voxels: distances and error rates depend on them.");
     }
     if differ(&|run| run.job.get("objective").cloned().unwrap_or_default() + &objective(run)) {
-        said.push("The runs minimise different losses, which cannot be compared as numbers.");
+        said.push("The runs minimize different losses, whose numbers cannot be compared.");
     }
     if runs
         .iter()
         .any(|run| run.report["evaluation"]["iou_curve"].is_null())
     {
-        said.push("A report of an earlier version holds no curves: run `tomolith simulate` on its patterns to have them.");
+        said.push("Reports of earlier versions hold no curves: run `tomolith simulate` on their patterns to get them.");
     }
     if said.is_empty() {
         return String::new();
@@ -599,7 +599,7 @@ fn numbers(runs: &[ComparedRun]) -> String {
     let best = if is_fair {
         "the best is bold."
     } else {
-        "no best is marked, as not all have the same judge: compare columns that have."
+        "the best is not marked, because the runs were evaluated by different models: compare only columns with the same one."
     };
     format!(
         "<section><h2>Numbers</h2><p class=\"muted\">Written patterns, vial turning, finer grid. ↑ larger is better, ↓ smaller is better; \
@@ -818,9 +818,11 @@ mod tests {
         assert_eq!(figures(&runs), 4);
         let page = compare_html(&runs);
         assert!(!page.contains("Below, what"), "{page}");
-        assert!(page.contains(
-            "No difference is drawn for waves, whose voxels are others than those of rays."
-        ));
+        assert!(
+            page.contains(
+                "No difference is drawn for waves: its voxels differ from those of rays."
+            )
+        );
     }
 
     #[test]
@@ -831,7 +833,7 @@ mod tests {
         assert_eq!(page.matches("judged by").count(), 1);
         assert!(page.contains("waves<br><span class=\"muted\">judged by wave</span>"));
         // What one model says is no better than what another says
-        assert!(page.contains("no best is marked") && !page.contains("<td class=\"head\">"));
+        assert!(page.contains("the best is not marked") && !page.contains("<td class=\"head\">"));
     }
 
     #[test]
@@ -899,7 +901,7 @@ mod tests {
         bare.history.clear();
         bare.report["evaluation"] = json!({ "iou": 0.5 });
         let page = compare_html(&[bare]);
-        assert!(page.contains("No run holds these numbers.") && page.contains("holds no curves"));
+        assert!(page.contains("No run holds these numbers.") && page.contains("hold no curves"));
     }
 
     #[test]

@@ -215,7 +215,7 @@ fn sentence(evaluation: &Evaluation) -> String {
         (evaluation.half_width, get("in_band"), get("rms_error"))
     {
         return format!(
-            "The response of <b>{} %</b> of the voxels lies within ±{} of the grey value that was asked for; the rms error is {}.",
+            "The response of <b>{} %</b> of the voxels lies within ±{} of the target's gray value; the rms error is {}.",
             significant(100.0 * in_band, 3),
             significant(half_width, 3),
             significant(rms, 3),
@@ -374,7 +374,7 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
         _ => String::new(),
     };
     format!(
-        "<section><h2>Turning and standing still</h2><p>The vial turns on while a frame is shown, which blurs every frame over its arc. The large numbers count this \
+        "<section><h2>Turning and standing still</h2><p>The vial keeps turning while a frame is shown, which blurs the frame over its arc. The large numbers include this \
          ({} positions per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.{window} \
          More frames per turn bring the two together.</p></section>",
         turning.sub_angles,
@@ -393,9 +393,9 @@ fn dose_plots(data: &ReportData<'_>) -> String {
         );
     }
     format!(
-        "<div class=\"two\"><section><h2>How much dose part and void get</h2><p class=\"muted\">Voxels per bin, on a logarithmic scale. The further the two hills are apart, \
+        "<div class=\"two\"><section><h2>How much dose part and void get</h2><p class=\"muted\">Voxels per bin, on a logarithmic scale. The farther the two peaks are apart, \
          the safer the print.</p>{}</section><section><h2>How much the threshold matters</h2><p class=\"muted\">Overlap of print and part if the resin gels at this dose. A broad plateau \
-         forgives errors of exposure.</p>{}</section></div>",
+         tolerates errors of exposure.</p>{}</section></div>",
         histogram_plot(data),
         iou_plot(data),
     )
@@ -486,7 +486,7 @@ fn tone_plot(curves: &GreyCurves) -> String {
         |sign: f64| -> Vec<[f64; 2]> { tones.iter().map(|(f, m, d)| [*f, m + sign * d]).collect() };
     let high = line(1.0).iter().map(|p| p[1]).fold(1.0, f64::max);
     let mut plot = Plot::new(
-        Axis::linear("grey value that was asked for", 0.0, 1.0),
+        Axis::linear("gray value of the target", 0.0, 1.0),
         Axis::linear("response", 0.0, high),
     );
     plot.line(&[[0.0, 0.0], [1.0, 1.0]], "still", "asked for");
@@ -559,7 +559,7 @@ fn iou_plot(data: &ReportData<'_>) -> String {
 fn slices_section(data: &ReportData<'_>) -> String {
     if let Some(half_width) = data.evaluation.half_width {
         return format!(
-            "<section><h2>Slices through the middle of the image</h2><p class=\"muted\">The grey values that were asked for, the response to the dose, and the difference. \
+            "<section><h2>Slices through the middle of the image</h2><p class=\"muted\">The gray values of the target, the response to the dose, and the difference. \
              Where a pixel stands for several voxels, it shows the largest difference.</p>{}<div class=\"legends\">{}{}</div></section>",
             slices(data),
             dose_bar(data),
@@ -581,7 +581,7 @@ fn slices_section(data: &ReportData<'_>) -> String {
         })
         .collect();
     format!(
-        "<section><h2>Slices through the middle of the part's box</h2><p class=\"muted\">What was asked for, the dose with the part's outline in white, and what the print would get wrong. \
+        "<section><h2>Slices through the middle of the part's box</h2><p class=\"muted\">The target, the dose with the part's outline in white, and the errors of the print. \
          Where a pixel stands for several voxels, it shows the worst of them.</p>{}<div class=\"legends\">{}<div class=\"fates\">{fates}</div></div></section>",
         slices(data),
         dose_bar(data),
@@ -628,10 +628,10 @@ fn history(rows: &[HistoryRow]) -> String {
         .map(|row| row.iteration.saturating_sub(1))
         .filter(|&n| n > 0);
     let finer = finer.map_or_else(String::new, |n| {
-        format!(" After iteration {n} the voxels became finer: numbers before are of the coarser ones, and gradients begin there.")
+        format!(" After iteration {n} the voxels became finer: earlier numbers belong to coarser voxels, and the gradient curve begins there.")
     });
     format!(
-        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} pull-back calls, {} s. Compare methods by model calls, not by iterations.{finer}</p>",
+        "<div class=\"two\">{plots}</div><p class=\"note\" style=\"margin:-8px 4px 20px\">{} iterations, {} dose and {} adjoint calls, {} s. Compare methods by model calls, not by iterations.{finer}</p>",
         last.iteration,
         last.forward_calls,
         last.adjoint_calls,
@@ -673,10 +673,7 @@ fn history_plot(title: &str, label: &str, points: &[[f64; 2]]) -> String {
     } else {
         Axis::log(label, low, high)
     };
-    let mut plot = Plot::new(
-        Axis::linear("model calls (dose and pull-back)", 0.0, last),
-        y,
-    );
+    let mut plot = Plot::new(Axis::linear("model calls (dose and adjoint)", 0.0, last), y);
     plot.line(points, "accent", "");
     plot.zeros(points, "accent");
     plot.svg(&format!("{title} against model calls"))
@@ -819,7 +816,7 @@ fn table(data: &ReportData<'_>) -> String {
         rows.push_str("</tr>");
     }
     let grey = if is_grey(data) {
-        " For a grey target, “part” is where at least ½ was asked for."
+        " For a gray target, “part” is where its value is at least ½."
     } else {
         ""
     };

@@ -17,8 +17,8 @@
 //!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
 //! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
-//!               paths (scattering by random paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
-//!               orders (scattering order by order: how far it is from random paths in part and void, over the part's mean dose)
+//!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
+//!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
 //! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and

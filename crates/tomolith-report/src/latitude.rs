@@ -175,7 +175,7 @@ impl ExposureWindow {
             && (reported - 100.0).abs() >= 0.05
         {
             text += &format!(
-                " The numbers here belong to {} % of it.",
+                " The numbers on this page are for {} % of it.",
                 significant(reported, 3)
             );
         }
@@ -186,7 +186,7 @@ impl ExposureWindow {
 /// The section of the page.
 pub(super) fn section(window: Option<&ExposureWindow>) -> String {
     let Some(window) = window else {
-        return "<section><h2>Best exposure</h2><p class=\"muted\">Not stated: nothing prints, or the response to the dose is not the dose itself, so that more light does not \
+        return "<section><h2>Best exposure</h2><p class=\"muted\">Not given: either nothing prints, or the response is not the dose itself, so that more light does not \
                 scale the grey values.</p></section>"
             .to_owned();
     };
@@ -283,7 +283,7 @@ mod tests {
         assert!(
             window
                 .sentence()
-                .ends_with("The numbers here belong to 125 % of it.")
+                .ends_with("The numbers on this page are for 125 % of it.")
         );
     }
 
@@ -323,7 +323,7 @@ mod tests {
         assert_eq!(
             window.sentence(),
             "The best exposure has an rms error of 0.1; the rms error is at most 0.01 worse from 80 % to 120 % of it. \
-             The numbers here belong to 80 % of it."
+             The numbers on this page are for 80 % of it."
         );
     }
 }

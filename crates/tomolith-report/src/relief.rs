@@ -128,7 +128,7 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
     ];
     format!(
         "<section><h2>Where the print is off</h2><p class=\"muted\">The predicted surface, red where it is too large, blue where it is too small. It stands out by up to {} and \
-         falls short by up to {}. What is missing altogether has no surface here. The same surface in mm: <code>print.ply</code> (colours, and <code>deviation_um</code> at every corner) and \
+         falls short by up to {}. Regions that do not print at all have no surface here. The same surface in mm: <code>print.ply</code> (colours, and <code>deviation_um</code> at every corner) and \
          <code>print.stl</code>.</p><div class=\"pair\">{figures}</div>{}</section>",
         length(ends[1]),
         length(ends[0]),

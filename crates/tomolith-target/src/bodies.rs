@@ -180,7 +180,7 @@ fn meshes(
         if bodies[first].mesh.is_none() && bodies[first].mesh_unit.is_some() {
             return Err(Error::config(
                 format!("{}.mesh_unit", key(first)),
-                "the key is given without a file of the body's own",
+                "this key needs a mesh file of the body's own",
                 "`target.mesh_unit`, the unit of the file that bodies share",
             ));
         }

@@ -134,7 +134,7 @@ impl Diagnosis {
         }
         if self.copied_triangles > 0 {
             said.push(format!(
-                "{} triangles were there more than once; the copies were dropped.",
+                "{} triangles occurred more than once; the copies were dropped.",
                 self.copied_triangles
             ));
         }
@@ -155,7 +155,7 @@ impl Diagnosis {
         }
         if self.one_sided_edges > 0 || self.guessed_holes > 0 {
             said.push(format!(
-                "Repaired by a guess, as asked: {}.",
+                "Repaired by a guess, as target.repair = \"force\" asks: {}.",
                 self.guesses().join("; ")
             ));
         }
@@ -168,7 +168,7 @@ impl Diagnosis {
         }
         if self.inconsistent_edges > 0 {
             said.push(format!(
-                "Neighbouring triangles disagree about the outside at {} edges; {} triangles were turned.",
+                "Neighboring triangles disagree about the outside at {} edges; {} triangles were turned.",
                 self.inconsistent_edges, self.turned_triangles
             ));
         }
@@ -204,7 +204,7 @@ impl Diagnosis {
         }
         if self.one_sided_edges > 0 {
             what.push(format!(
-                "its surface has one side only (neighbours disagree about the outside at {} edges, whichever way they \
+                "its surface has one side only (neighbors disagree about the outside at {} edges, whichever way they \
                  are turned)",
                 self.one_sided_edges
             ));
@@ -307,7 +307,7 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Me
                 found.triangles,
                 concise(volume)
             ),
-            accepted: "a closed surface round a volume".to_owned(),
+            accepted: "a closed surface around a volume".to_owned(),
         });
     }
     [found.own_crossings, found.shell_crossings] = find_crossings(&mesh);
@@ -482,7 +482,7 @@ mod tests {
         let cube = cuboid([0.0; 3], [1.0; 3]);
         let (after, diagnosis) = found(together(&[cube.clone(), cube.clone()]).welded());
         assert_eq!((after, diagnosis.copied_triangles), (cube.welded(), 12));
-        assert!(diagnosis.sentences()[0].contains("12 triangles were there more than once"));
+        assert!(diagnosis.sentences()[0].contains("12 triangles occurred more than once"));
     }
 
     #[test]

@@ -134,7 +134,7 @@ impl Placement {
 }
 
 impl Map {
-    /// The map that changes nothing.
+    /// The identity map.
     pub const IDENTITY: Map = Map {
         rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         scale: 1.0,

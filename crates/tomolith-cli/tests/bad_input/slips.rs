@@ -58,7 +58,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[model.wave]\n[optimizer.fista]\n[vial.index_matched]\nradius_mm = 3.0",
         "[optimizer.fista]",
         &[
-            "does not go with waves",
+            "cannot be combined with waves",
             "accepted: lbfgs, gradient, adam, pm, bclp",
         ],
     ),
@@ -428,7 +428,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "threshold]\nlower = 0.85\nupper = 0.95",
         "pm]\nd_h = 1.4\nd_l = 0.7\n[response.logistic]\nupper = 1.0",
         "pm]",
-        &["objective.pm", "1.4", "cannot reach"],
+        &["objective.pm", "1.4", "lies outside the response's range"],
     ),
     (
         "[stop]",
@@ -441,7 +441,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[response.logistic]\nupper = 0.97\n[stop]",
         "response",
         &[
-            "response: the start asks for the dose of the response 1, and no dose has it",
+            "response: the start needs a dose with the response 1, but no dose gives it",
             "from 0 to 0.97",
             "[start.zero], [start.patterns]",
         ],
@@ -524,7 +524,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[optimizer",
         &[
             "optimizer.osmo",
-            "wants no dose at all in the void",
+            "allows no dose at all in the void",
             "in the end all light",
             "accepted: lbfgs, gradient, fista",
         ],

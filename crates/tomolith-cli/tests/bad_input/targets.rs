@@ -119,8 +119,8 @@ fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     for part in [
-        "optimizer: normalising by the largest dose, but the dose became zero everywhere",
-        "accepted: thresholds nearer to 1",
+        "optimizer: normalizing by the largest dose, but the dose became zero everywhere",
+        "accepted: use thresholds closer to 1",
         "job.toml, line ",
     ] {
         assert!(flat(&message).contains(part), "{part}: {message}");
@@ -222,13 +222,16 @@ fn goals_of_part_and_void_are_refused_for_grey_values() {
             "iterations = 2",
             "iou = 0.9",
             "iou",
-            ["stop.iou: counts part and void", "stop.loss"],
+            ["stop.iou: needs a target of part and void", "stop.loss"],
         ),
         (
             "[stop]",
             "[evaluate]\nrequire_iou = 0.9\n[stop]",
             "require_iou",
-            ["evaluate.require_iou: counts", "evaluate.require_in_band"],
+            [
+                "evaluate.require_iou: needs a target of part and void",
+                "evaluate.require_in_band",
+            ],
         ),
     ] {
         let job = grey.replace(from, to);
@@ -245,7 +248,7 @@ fn goals_of_part_and_void_are_refused_for_grey_values() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     for part in [
-        "response: the start asks for the dose",
+        "response: the start needs a dose",
         "from 0 to 0.7",
         "job.toml, line 25)",
     ] {

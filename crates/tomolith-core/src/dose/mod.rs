@@ -87,7 +87,7 @@ pub trait DoseModel: Send + Sync {
     fn z_coupling(&self) -> ZCoupling;
     /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
     fn is_linear(&self) -> bool;
-    /// Before the step of an iteration (the first is 1): draws other random paths where the model's schedule wants them, and says
+    /// Before the step of an iteration (the first is 1): draws other Monte Carlo paths where the model's schedule wants them, and says
     /// whether it did. It is another map then.
     fn renew(&self, _iteration: usize) -> bool {
         false

@@ -39,7 +39,7 @@ impl Curve {
             return Err(Error::config(
                 "response",
                 format!("{} responses for {} doses", responses.len(), doses.len()),
-                "as many of one as of the other",
+                "lists of equal length",
             ));
         }
         for (key, list) in [("dose", doses), ("response", responses)] {

@@ -121,7 +121,7 @@ fn falls(curve: &Curve) -> Error {
     Error::config(
         "response",
         format!("a response that falls with dose or stays the same: from {first} to {last}"),
-        "responses that rise with dose, noise apart",
+        "responses that rise with dose, apart from noise",
     )
 }
 

@@ -109,7 +109,7 @@ pub struct Logistic {
 /// The row of the table.
 pub const KIND: Kind<BuildResponse> = Kind {
     name: "logistic",
-    summary: "generalised logistic curve with induction and saturation",
+    summary: "generalized logistic curve with induction and saturation",
     example: "[response.logistic]\nsteepness = 10.0\nmidpoint = 0.5",
     schema: || schemars::schema_for!(Params),
     build: |section| {

@@ -82,9 +82,9 @@ pub fn dose_for(response: &dyn Response, wanted: f64) -> Result<f32> {
     let [low, high] = response.range();
     Err(Error::config(
         "",
-        format!("the start asks for the dose of the response {wanted}, and no dose has it"),
+        format!("the start needs a dose with the response {wanted}, but no dose gives it"),
         format!(
-            "a response that reaches it, this one goes from {low} to {high}; or a start that does not ask for it: \
+            "a response that reaches it (this one goes from {low} to {high}), or a start that does not need it: \
              [start.zero], [start.patterns]"
         ),
     ))

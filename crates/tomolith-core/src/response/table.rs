@@ -96,7 +96,7 @@ impl Table {
                     responses[i],
                     responses[i - 1]
                 ),
-                "a response that never falls; a noisy one can go through response.fit",
+                "a response that never falls; for noisy points use response.fit",
             ));
         }
         if responses[0] == responses[responses.len() - 1] {

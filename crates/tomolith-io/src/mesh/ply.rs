@@ -106,7 +106,7 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
             "vertex" => points = Some(rows.iter().map(|row| row.point).collect::<Vec<_>>()),
             "face" => {
                 let Some(points) = &points else {
-                    return Err(bad(path, "faces stand before the vertices", WANTED));
+                    return Err(bad(path, "the faces come before the vertices", WANTED));
                 };
                 send_faces(&rows, points, path, sink)?;
             }
@@ -183,7 +183,7 @@ fn send_faces(rows: &[Row], points: &[[f64; 3]], path: &Path, sink: Sink) -> Res
                     bad(
                         path,
                         format!(
-                            "face {number} names vertex {index}, there are {}",
+                            "face {number} refers to vertex {index}, but there are {}",
                             points.len()
                         ),
                         "indices from 0 to the number of vertices − 1",

@@ -152,7 +152,7 @@ fn damage_is_named() {
     assert!(refused(&short[..short.len() - 9], "ply").contains("truncated"));
     let far = String::from_utf8(ply(&part(), "ascii")).unwrap();
     assert!(
-        refused(far.replace("3 0 3 1", "3 0 9 1").as_bytes(), "ply").contains("names vertex 9")
+        refused(far.replace("3 0 3 1", "3 0 9 1").as_bytes(), "ply").contains("refers to vertex 9")
     );
     assert!(
         refused(
@@ -165,7 +165,7 @@ fn damage_is_named() {
     let changed =
         |from: &str, to: &str| refused(&package(model.replacen(from, to, 1).as_bytes()), "3mf");
     assert!(changed("y=\"2\"", "y=\"two\"").contains("y = `two`"));
-    assert!(changed("v3=\"3\"", "v3=\"33\"").contains("names vertex 33"));
+    assert!(changed("v3=\"3\"", "v3=\"33\"").contains("refers to vertex 33"));
     assert!(changed("v3=\"3\"", "v3=\"-3\"").contains("v3 = `-3`"));
     assert!(changed("item objectid=\"1\"", "item objectid=\"7\"").contains("object 7"));
     let whole = package(model.as_bytes());

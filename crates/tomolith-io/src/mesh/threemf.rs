@@ -330,7 +330,7 @@ impl<'a> Walk<'a, '_> {
                     return Err(bad(
                         self.path,
                         format!(
-                            "a triangle of object {id} names vertex {index}, there are {}",
+                            "a triangle of object {id} refers to vertex {index}, but there are {}",
                             points.len()
                         ),
                         "indices from 0 to the number of vertices − 1",

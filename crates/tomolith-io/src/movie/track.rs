@@ -91,7 +91,8 @@ pub(super) fn missing(file: &[u8]) -> Option<String> {
         has_index |= matches!(&*kind, "moov" | "moof");
         at += size;
     }
-    let why = "no box `moov`, which says where the frames lie: the file was not finished, or its end is missing";
+    let why =
+        "no box `moov`, which lists the frames: the file was not finished, or its end is missing";
     (!has_index).then(|| why.to_owned())
 }
 

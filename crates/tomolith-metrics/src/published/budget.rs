@@ -74,7 +74,7 @@ pub(super) fn list(
         TOMOLITH,
         "dose × mm³",
         (!patterns.is_empty()).then_some(budget.sent),
-        "Σ pattern value × pixel area: mJ where doses are mJ/mm³, relative where they are",
+        "Σ pattern value × pixel area: mJ if doses are in mJ/mm³, else relative",
     );
     list.add(
         "light_in_part",

@@ -34,7 +34,7 @@ pub(super) struct Far {
     kernels: Vec<Kernel>,
     /// Part of each (y, x) of cells that is resin.
     resin: Vec<f32>,
-    /// For straight light as a source, light from cell to cell, and what voxels see.
+    /// For unscattered light as a source, light from cell to cell, and what voxels see.
     given: Sharpen,
     between: Sharpen,
     seen: Sharpen,
@@ -47,7 +47,7 @@ struct Moment {
     harmonic: Harmonic,
     /// μ_s·f_l, 1/mm.
     scattered: f32,
-    /// Of straight light: the channel that tells it, and its scattered part of that field; None where it is 0.
+    /// Of unscattered light: the channel that tells it, and its scattered part of that field; None where it is 0.
     straight: Option<(usize, f32)>,
 }
 
@@ -241,7 +241,7 @@ impl Far {
             .collect()
     }
 
-    /// dose += light scattered twice or more, of these fields of straight light
+    /// dose += light scattered twice or more, of these fields of unscattered light
     pub(super) fn add_forward(&self, sources: &[HostField], dose: &mut [f32]) {
         let fields: Vec<Vec<f32>> = (sources.iter())
             .map(|source| self.given.of(&self.restrict(source.as_slice())))
@@ -271,7 +271,7 @@ impl Far {
         self.coarse.spread(&self.seen.of(&sum), dose);
     }
 
-    /// Transpose of [`add_forward`](Self::add_forward): what each field of straight light gets.
+    /// Transpose of [`add_forward`](Self::add_forward): what each field of unscattered light gets.
     pub(super) fn adjoint(&self, cotangent: &[f32]) -> Back<'_> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);

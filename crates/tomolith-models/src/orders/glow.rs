@@ -1,4 +1,4 @@
-//! The scattered part of one light: straight light on cells, and what becomes of it.
+//! The scattered part of one light: unscattered light on cells, and what becomes of it.
 
 use super::bins::Bins;
 use super::cones::Cones;
@@ -24,14 +24,14 @@ use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::phase::Scattering;
 use tomolith_optics::vial::Vial;
 
-/// A phase function by harmonics, its forward lobe folded into the straight light.
+/// A phase function by harmonics, its forward lobe folded into the unscattered light.
 #[derive(Clone, Debug)]
 pub(super) struct Folded {
     /// Part of the scattered light that counts as straight.
     pub(super) lobe: f64,
     /// Scattering that is left, 1/mm.
     pub(super) per_mm: f64,
-    /// Scattering that counts as straight light, 1/mm.
+    /// Scattering that counts as unscattered light, 1/mm.
     pub(super) straight_per_mm: f64,
     /// f_l for l = 0 …; f_0 = 1.
     pub(super) coefficients: Vec<f64>,
@@ -75,7 +75,7 @@ pub(super) struct Glow {
     frames: Range<usize>,
     /// Straight light on cells.
     straight: Box<dyn Straight>,
-    /// For straight light as a source, and what voxels see of order 1.
+    /// For unscattered light as a source, and what voxels see of order 1.
     given: Sharpen,
     seen: Sharpen,
     /// Of each of its fields: to the dose of order 1.
@@ -215,7 +215,7 @@ impl Glow {
     }
 }
 
-/// What turns a field of straight light into the dose of light scattered once.
+/// What turns a field of unscattered light into the dose of light scattered once.
 fn order_one(folded: &Folded, Channel(terms): &Channel) -> Pattern {
     let zero = Harmonic { l: 0, m: 0 };
     let fluence = (4.0 * PI).sqrt() * folded.per_mm;
@@ -246,7 +246,7 @@ fn cells_of_later_orders([edge, usual]: [f64; 2], mu: f64, radius: f64) -> usize
 /// How far above and below what is lit or wanted light may go and come back, mm.
 ///
 /// Diffusion in a cylinder decays along z as e^(−κz), κ² = 3μ_a(μ_a + μ_s′) + (2.4/R)², μ_s′ = μ_s(1 − f₁). Five lengths, fewer where much
-/// light is absorbed before it is scattered again: 0.1 to 0.3 % of the dose are missing (docs/scattering.md).
+/// light is absorbed before it is scattered again: 0.1 to 0.3 % of the dose are missing (docs/measured/scattering.md).
 fn margin_mm(folded: &Folded, mu: f64, radius: f64) -> f64 {
     const LENGTHS: f64 = 5.0;
     /// First zero of the Bessel function J₀.

@@ -102,7 +102,7 @@ fn orders_of_azimuth(folded: &Folded) -> Vec<isize> {
     orders
 }
 
-/// What the straight light of one order of the azimuth tells.
+/// What the unscattered light of one order of the azimuth tells.
 fn channel(folded: &Folded, m: isize) -> Channel {
     let own = folded.harmonics().into_iter().filter(|h| h.m == m);
     let weighted = own.map(|harmonic| (harmonic, level(harmonic)));

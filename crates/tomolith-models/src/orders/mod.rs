@@ -9,7 +9,7 @@
 //! ```text
 //! dose = A x + I₁·K₁·c(x) + I₂·Σ_{n≥2} K^n·c(x)
 //! ```
-//! A: [`Parallel`] or [`Rays`]. c: moments of the straight light on cells: of collimated light by [`Parallel`] with patterns weighted by
+//! A: [`Parallel`] or [`Rays`]. c: moments of the unscattered light on cells: of collimated light by [`Parallel`] with patterns weighted by
 //! cos mφ and sin mφ (`level.rs`), of any other by [`Rays`] whose rays are weighted by harmonics of their direction in the resin
 //! (`cones.rs`). K: free flight and scattering (`flight.rs`). I₁, I₂: interpolation from the cells of order 1 and of later orders to
 //! voxels.
@@ -22,11 +22,11 @@
 //! | key | range | default | meaning |
 //! |---|---|---|---|
 //! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius, at most 0.2/μ_s | edge of the cells of order 1 |
-//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow straight light |
+//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow unscattered light |
 //!
 //! # Limits
 //! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
-//! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against random paths: docs/scattering.md.
+//! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against Monte Carlo paths: docs/measured/scattering.md.
 //!
 //! # Cost
 //! Beside `parallel`: the same on 1/100 to 1/1000 of the voxels, for every harmonic (three for Rayleigh), and Fourier transforms of the
@@ -93,7 +93,7 @@ use tomolith_optics::vial::Vial;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Edge of the cells on which light scattered once is computed, mm; later orders use larger ones, which get smaller with it.
+    /// Edge of the cells for light scattered once, mm; the larger cells of later orders scale with it.
     pub cell_mm: Option<f64>,
     /// Rays of a pixel in a frame, 1 to 4096, where light is not collimated and normal to the axis; 4 (default).
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -110,7 +110,7 @@ impl Params {
 /// Row of [`MODELS`](super::MODELS).
 pub const KIND: ModelKind = ModelKind {
     name: "orders",
-    summary: "Light in an even resin that scatters, order by order: convolutions instead of random paths.",
+    summary: "Scattering by successive orders in an even resin: convolutions instead of Monte Carlo paths.",
     example: "[model.orders]\ncell_mm = 0.2\n",
     schema: || schemars::schema_for!(Params),
     build: MakeFamily {
@@ -217,7 +217,7 @@ impl OnVoxels {
     }
 }
 
-/// Largest part of scattered light that may count as straight: above, the dose is more than 1 % off (docs/scattering.md).
+/// Largest part of scattered light that may count as straight: above, the dose is more than 1 % off (docs/measured/scattering.md).
 const LOBE: f64 = 0.03;
 
 /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
@@ -310,7 +310,7 @@ fn by_rays(
     Rays::new(vial, lights, &optics, &params, grid.clone())
 }
 
-/// Why the model does not cover a vial and its lights; None when it does.
+/// The reason why the model does not support a vial and its lights; None when it does.
 #[must_use]
 pub fn beyond(
     vial: &dyn Vial,
@@ -329,11 +329,11 @@ pub fn beyond(
     } else if lights.iter().any(|light| light.map.is_some()) {
         Some("the absorption changes across the plane")
     } else if folded.any(|f| f.lobe > LOBE) {
-        Some("much light is scattered into a narrow forward lobe")
+        Some("too much of the scattered light goes into a narrow forward peak")
     } else if !vial.is_convex() {
-        Some("the resin is not all in sight of itself")
+        Some("not all points of the resin see each other along straight lines")
     } else if grid.shape[0] == 1 {
-        Some("a single slice does not say how high light is scattered")
+        Some("a single slice does not show how far light scatters along z")
     } else {
         None
     }

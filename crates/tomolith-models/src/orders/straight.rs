@@ -1,4 +1,4 @@
-//! The straight light of one light as a source: what cells of scattered light need to know of it.
+//! The unscattered light of one light as a source: what cells of scattered light need to know of it.
 
 use super::harmonics::Harmonic;
 use crate::Run;
@@ -6,7 +6,7 @@ use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 
-/// What one field of straight light tells: the moment of each of these harmonics is the field times its weight.
+/// What one field of unscattered light tells: the moment of each of these harmonics is the field times its weight.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Channel(pub(super) Vec<(Harmonic, f64)>);
 
@@ -18,7 +18,7 @@ impl Channel {
     }
 }
 
-/// The straight light of one light on cells, by direction. Light on cells is smooth where the cells are, so pixels are taken together
+/// The unscattered light of one light on cells, by direction. Light on cells is smooth where the cells are, so pixels are taken together
 /// to larger ones ([`Bins`](super::bins::Bins)).
 pub(super) trait Straight: Send + Sync {
     /// What each field tells.

@@ -438,10 +438,10 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
         model.err().unwrap().to_string()
     };
     let rayleigh = of(Rayleigh {}, 0.2);
-    assert!(refused(&tube, [4, 8, 8], rayleigh.clone(), None).contains("in sight"));
+    assert!(refused(&tube, [4, 8, 8], rayleigh.clone(), None).contains("see each other"));
     assert!(refused(&BATH, [1, 8, 8], rayleigh.clone(), None).contains("single slice"));
     let peaked = of(HenyeyGreenstein { g: 0.5 }, 0.2);
-    assert!(refused(&BATH, [4, 8, 8], peaked, None).contains("forward lobe"));
+    assert!(refused(&BATH, [4, 8, 8], peaked, None).contains("forward peak"));
     // 6 mm across and high in cells of 1 µm: told what would do, before any array
     let many = refused(&BATH, [4, 8, 8], rayleigh, Some(1e-3));
     assert!(

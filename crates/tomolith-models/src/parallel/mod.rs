@@ -544,7 +544,7 @@ fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
         Err(Error::config(
             "model.parallel.kernel",
             found,
-            "\"distance-driven\" (\"line\", \"linear\" and \"strip\" want an index-matched vial and resin.pure_radon = true)",
+            "\"distance-driven\" (\"line\", \"linear\" and \"strip\" need an index-matched vial and resin.pure_radon = true)",
         ))
     };
     if light.kernel == Kernel::DistanceDriven {
@@ -552,7 +552,7 @@ fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
     }
     if !is_straight(vial, light) {
         return refused(format!(
-            "{name:?} is defined for straight light, and this vial refracts"
+            "{name:?} needs straight rays, and this vial refracts"
         ));
     }
     if light.bath.is_some() {
@@ -604,7 +604,7 @@ fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
             refused(what, "with resin.pure_radon nothing absorbs")
         }
         (None, Some(_)) if light.kernel != Kernel::DistanceDriven => {
-            refused(what, "the kernels of pure Radon know no absorption")
+            refused(what, "the kernels of pure Radon do not model absorption")
         }
         (None, Some(_)) => Ok(()),
     }

@@ -1,4 +1,4 @@
-//! How a leg of light leaves its energy in voxels: the exact integral, or random points.
+//! How a path segment leaves its energy in voxels: the exact integral, or random points.
 //!
 //! The random ones are those of Nicolet et al. 2024, § 4.3, with the weights that make their means right. They are there for
 //! comparison: the integral has their mean and no variance.
@@ -41,7 +41,9 @@ impl Accumulation {
     pub(crate) fn trouble(self, attenuation: f64) -> Option<String> {
         match self {
             Accumulation::Integral => None,
-            _ if attenuation <= 0.0 => Some("random points want a resin that attenuates".into()),
+            _ if attenuation <= 0.0 => {
+                Some("random accumulators need a resin that attenuates".into())
+            }
             Accumulation::Ratio { majorant_per_mm }
                 if majorant_per_mm.is_nan() || majorant_per_mm < attenuation =>
             {

@@ -1,4 +1,4 @@
-//! Walks that are kept: what every pixel leaves in every voxel, stored where that is little.
+//! Cached ray matrix: what every pixel leaves in every voxel, stored where it fits.
 //!
 //! Rays on coarse voxels, those through the cells of a solid above all, take far longer to trace than to sum. Up to [`MOST`]
 //! entries their walks are done once, the rays of a pixel are added up, and dose and adjoint are sums along stored rows
@@ -20,7 +20,7 @@ use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_io::csr::Csr;
 
-/// Entries that are kept at most.
+/// Largest number of cached entries.
 pub const MOST: usize = 1 << 27;
 
 /// Bytes of an entry, by place and by pixel.

@@ -1,4 +1,4 @@
-//! What is lit at a time: pixels in chunks, and the segments or sheets of their rays.
+//! Batches of rays: pixels in chunks, and the segments or column rays that they send.
 
 use super::Rays;
 use super::segment::{Lattice, Segment};
@@ -17,7 +17,7 @@ pub(super) const CHUNK: usize = 1 << 14;
 /// Segments by major axis.
 pub(super) type Bundles = [Vec<Segment>; 3];
 
-/// Segments of straight light on voxels, of its pieces inside a solid apart, and of scattered light on coarse cells.
+/// Segments of unscattered light on voxels, of its pieces inside a solid apart, and of scattered light on coarse cells.
 #[derive(Default)]
 pub(super) struct Lit {
     pub(super) straight: Bundles,

@@ -20,7 +20,7 @@
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
-//! | `rays_per_pixel` | 1 to 4096 | 4; 16 where cells made the planner choose `rays` | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
+//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
 //! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
 //! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
@@ -277,14 +277,14 @@ pub(super) struct Emission {
     pub(super) rays_per_pixel: usize,
     pub(super) accumulation: Accumulation,
     pub(super) limits: Limits,
-    /// None: straight light only.
+    /// None: unscattered light only.
     pub(super) scattered: Option<Scattered>,
 }
 
 /// How scattered light is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scattered {
-    /// Which paths.
+    /// Seed of the random numbers.
     pub(super) seed: u64,
     /// Voxels along an edge of the cells on which it is summed.
     pub(super) smooth: usize,
@@ -352,7 +352,7 @@ impl Rays {
         Self::build(vial, &lights, optics, &emission, grid)
     }
 
-    /// The model of straight light, or of light and what is scattered out of it.
+    /// The model of unscattered light, or of light and what is scattered out of it.
     pub(super) fn build(
         vial: &dyn Vial,
         lights: &[Light],
@@ -437,7 +437,7 @@ impl Rays {
         })
     }
 
-    /// Keeps what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
+    /// Caches what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
     /// light is scattered. Worth it where a dose is asked for more than once or twice.
     #[must_use]
     pub fn keeping(mut self) -> Self {

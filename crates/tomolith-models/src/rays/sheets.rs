@@ -1,4 +1,4 @@
-//! Level light: one way for all rows of a column.
+//! Level light: one path for all rows of a column.
 //!
 //! Where nothing changes with height, the rays of all rows of a column run above each other. They make a [`Sheet`]: its way through
 //! the plane is walked once, and in each voxel of the plane the lanes along z take what the rows bring, by the

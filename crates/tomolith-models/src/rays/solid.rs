@@ -1,4 +1,4 @@
-//! The solid that is to be printed, as rays see it: which parts of a leg lie inside, and how much of a voxel does.
+//! The target's solid as rays see it: which parts of a path segment lie inside, and how much of a voxel does.
 //!
 //! # Model
 //! A mesh is crossed in f64, inside is where its winding number is above 0. A ray that meets an edge may count a crossing

@@ -1,4 +1,4 @@
-//! Where rays come from: pixels of frames → legs in the resin.
+//! Source of rays: pixels of frames → path segments in the resin.
 
 use super::Emission;
 use crate::parallel::Light;
@@ -21,7 +21,7 @@ pub(super) struct Source {
     tracer: SpaceTracer,
     samples: Vec<Sample>,
     sub_angles: usize,
-    /// Seed of the paths of scattered light; None: straight light only.
+    /// Seed of the paths of scattered light; None: unscattered light only.
     seed: Option<u64>,
     /// How often other paths have been drawn.
     round: AtomicU64,
@@ -83,7 +83,7 @@ impl Source {
         self.round.swap(round, Ordering::Relaxed) != round
     }
 
-    /// Seed of the present paths; None: straight light only.
+    /// Seed of the present paths; None: unscattered light only.
     fn seed(&self) -> Option<u64> {
         let round = self.round.load(Ordering::Relaxed);
         self.seed.map(|seed| seed.wrapping_add(round))

@@ -1,4 +1,4 @@
-//! Straight light by direction: the dose of rays that are weighted by a function of their direction in the resin.
+//! Unscattered light by direction: the dose of rays that are weighted by a function of their direction in the resin.
 
 use super::Rays;
 use super::lit::Bundles;
@@ -13,7 +13,7 @@ use tomolith_core::grid::VolumeGrid;
 pub(crate) type Weight = dyn Fn([f64; 3]) -> f64 + Send + Sync;
 
 impl Rays {
-    /// doses[i] += the straight light of these frames, every ray times weights[i]; without cells of a solid.
+    /// doses[i] += the unscattered light of these frames, every ray times weights[i]; without cells of a solid.
     ///
     /// # Errors
     /// [`Error::Cancelled`](tomolith_core::Error::Cancelled).

@@ -1,4 +1,4 @@
-//! The linear relative of waves: rays that fill a cone, focused in a plane.
+//! Incoherent light that fills a cone and is focused in a plane: the linear counterpart of waves.
 //!
 //! # Equation
 //! Light of a pixel fills the directions within θ of the axis evenly; at depth x behind the focal plane it lies on a disc of radius x·tan θ:

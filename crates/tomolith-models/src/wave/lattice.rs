@@ -1,4 +1,4 @@
-//! Where samples lie, and how few of them are enough.
+//! Sampling lattice of waves: spacing, and the number of samples that an error needs.
 //!
 //! Depths lie at (k + ½) steps from the focal plane, their mirror images on its other side. Where the focal plane lies outside the part, they begin
 //! at the nearest voxel instead.

@@ -17,20 +17,20 @@ use tomolith_core::grid::VolumeGrid;
 use tomolith_core::units::concise;
 use tomolith_optics::vial::{Curve, Vial};
 
-/// Why the model does not cover a vial and its lights; None when it does.
+/// The reason why the model does not support a vial and its lights; None when it does.
 #[must_use]
 pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
     let any = |f: &dyn Fn(&Light) -> bool| lights.iter().any(f);
     if any(&|light| !is_straight(vial, light)) {
         Some(
-            "it knows one refractive index, and this vial refracts or has walls; [vial.index_matched] does not",
+            "it has a single refractive index, but this vial refracts or has walls; use [vial.index_matched]",
         )
     } else if any(&|light| light.resin.gradient.is_some()) {
-        Some("it knows one refractive index, and the resin's changes from place to place")
+        Some("it has a single refractive index, but the resin's changes from place to place")
     } else if any(&|light| light.map.is_some()) {
-        Some("it knows one absorption for all the resin")
+        Some("it needs the same absorption everywhere in the resin")
     } else if any(&|light| light.bath.is_some()) {
-        Some("it knows no absorption before the vial")
+        Some("it does not model absorption before the vial")
     } else {
         None
     }
@@ -215,10 +215,10 @@ fn windows_of<T: Number>(
         Error::config(
             settings.model,
             format!(
-                "{found} up to {} mm from the focal plane, more than anybody has time for",
+                "{found} up to {} mm from the focal plane, which would take too long",
                 concise(needs.depths[1])
             ),
-            "a focal plane nearer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
+            "a focal plane closer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
         )
     })?;
     Ok(Windows::new(sampling, [&u, &z], (heights, nz)))
@@ -250,9 +250,9 @@ pub(super) fn working_bytes(
         return Err(Error::config(
             focus.1.model,
             format!(
-                "a frame takes {depths} depths of {u} × {z} pixels, {modes} modes: {work:.1e} operations, more than anybody has time for"
+                "a frame takes {depths} depths of {u} × {z} pixels, {modes} modes: {work:.1e} operations, which would take too long"
             ),
-            "fewer rings, a focal plane nearer to the axis, larger errors, fewer or larger pixels",
+            "fewer rings, a focal plane closer to the axis, larger errors, fewer or larger pixels",
         ));
     }
     let layout = DoseLayout::new("dose", grid.clone(), 0);

@@ -1,4 +1,4 @@
-//! What frames at work keep in memory beside patterns and doses, before anything of it is made.
+//! Working memory of frames beside patterns and doses, estimated before it is allocated.
 //!
 //! # Equation
 //! ```text

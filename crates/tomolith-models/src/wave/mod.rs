@@ -14,7 +14,7 @@
 //!
 //! # Source
 //! Wechsler et al. 2024, eqs. 2 to 4 and Algorithms 2 and 3; Matsushima & Shimobaba 2009 (band limit). What is saved against the published
-//! algorithm, with its errors: docs/wave.md.
+//! algorithm, with its errors: docs/wave.md and docs/measured/wave.md.
 //!
 //! # Parameters
 //! | key | unit | range | default | meaning |
@@ -128,11 +128,11 @@ pub struct Params {
     pub rotation_error: f64,
     /// Numerical aperture of the projector's lens.
     pub numerical_aperture: Option<f64>,
-    /// Part of the band of frequencies over which it fades, 0 to 1; 0: cut, as published.
+    /// Share of the frequency band over which it fades, 0 to 1; 0: cut sharply, as published.
     pub soft_edge: f64,
-    /// How far behind the axis, seen with the light, the focal plane lies, mm.
+    /// Distance of the focal plane behind the axis, along the light, mm.
     pub focus_mm: f64,
-    /// How components end that would come back from the far side of the window.
+    /// How frequencies are cut that the window cannot hold: they would return from its far side.
     pub band_limit: BandLimit,
     /// Where the resin begins to absorb.
     pub entrance: Entrance,

@@ -77,7 +77,7 @@ use tomolith_optics::vial::Vial;
 pub struct Params {
     /// Half angle of the cone in resin, degrees, 0 to 30.
     pub half_angle_deg: f64,
-    /// How far behind the axis, seen with the light, the focal plane lies, mm.
+    /// Distance of the focal plane behind the axis, along the light, mm.
     pub focus_mm: f64,
     /// Where the resin begins to absorb.
     pub entrance: Entrance,
@@ -120,7 +120,7 @@ impl Params {
 /// Row of [`MODELS`](crate::MODELS).
 pub const KIND: ModelKind = ModelKind {
     name: "spread",
-    summary: "Rays that fill a cone, in focus in a plane, in an index-matched vial: the étendue of an incoherent projector.",
+    summary: "Incoherent light that fills a cone and is focused in a plane, in an index-matched vial (étendue of the projector).",
     example: "[model.spread]\nhalf_angle_deg = 1.0\n",
     schema: || schemars::schema_for!(Params),
     build: MakeFamily {

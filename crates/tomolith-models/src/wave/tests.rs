@@ -686,7 +686,7 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
     };
     let found = refused(light(2), &far, grid());
     assert!(
-        found.starts_with("model.wave: a focal plane nearer to the axis"),
+        found.starts_with("model.wave: a focal plane closer to the axis"),
         "{found}"
     );
     let mut bent = light(2);

@@ -66,7 +66,7 @@ pub fn smoothness<F: Field>(params: &Params, lights: &[PatternLayout]) -> Result
     if params.rows + params.columns + params.angles == 0.0 {
         return Err(Error::config(
             "rows",
-            "rows, columns and angles are all 0",
+            "rows, columns and angles are all 0: the penalty would do nothing",
             "one of them above 0",
         ));
     }
@@ -143,7 +143,7 @@ fn overlap(a: &PixelRun, b: &PixelRun, weight: f64) -> Option<PixelPairs> {
 pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
     Kind {
         name: "smoothness",
-        summary: "neighbouring pixels and frames that differ cost: squares, or rounded total variation",
+        summary: "differences between neighboring pixels and frames: squared, or a smoothed total variation",
         example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
         schema: || schemars::schema_for!(Params),
         build: |section, lights| {

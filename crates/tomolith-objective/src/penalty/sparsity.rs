@@ -55,7 +55,7 @@ pub fn sparsity<F: Field>(exponent: f64) -> Result<CostPenalty<F>> {
 pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
     Kind {
         name: "sparsity",
-        summary: "bright pixels cost: the sum of |x| to a power",
+        summary: "sum of |x| to a power: penalizes bright pixels",
         example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
         schema: || schemars::schema_for!(Params),
         build: |section, _| {

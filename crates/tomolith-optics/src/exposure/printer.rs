@@ -281,7 +281,7 @@ impl PrinterSpec {
                 return Err(Error::config(
                     "printer.time_s",
                     format!("{} s without a peak irradiance", exact(time)),
-                    "printer.peak_irradiance_mw_per_cm2 beside it, or no such key",
+                    "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
                 ));
             }
         }
@@ -398,8 +398,8 @@ impl Printer {
         };
         if right.abs().max(down.abs()) > 1e-3 {
             self.notes.push(format!(
-                "the patterns lie {:.2} pixels beside the columns and {:.2} beside the rows of the device: this blurs them; an even \
-                 number of pixels in light.pixels and printer.canvas, or half a pixel of printer.offset_px, would not",
+                "the patterns are {:.2} columns and {:.2} rows off the pixel grid of the device, which blurs them; use an even \
+                 number of pixels in light.pixels and printer.canvas, or shift printer.offset_px by half a pixel",
                 right.abs(),
                 down.abs()
             ));
@@ -667,7 +667,7 @@ fn order(
             return Err(Error::config(
                 "printer.start_deg",
                 format!("{start} degrees, but the angles are not a full turn"),
-                "no such key: a part of a turn has its own beginning, light.angles.start_deg",
+                "leave this key out: for a part of a turn, light.angles.start_deg says where it begins",
             ));
         }
         Some(start) => {

@@ -24,7 +24,7 @@ impl Phase for Isotropic {
 /// Row of [`PHASES`](super::PHASES).
 pub const KIND: Kind<BuildPhase> = Kind {
     name: "isotropic",
-    summary: "Scattered light goes everywhere alike.",
+    summary: "Scattered light goes into all directions equally.",
     example: "[resin.phase.isotropic]\n",
     schema: || schemars::schema_for!(Isotropic),
     build: |section| Ok(Box::new(section.parse::<Isotropic>()?)),

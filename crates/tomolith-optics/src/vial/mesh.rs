@@ -128,7 +128,7 @@ fn must_be_closed(mesh: &Mesh, key: &str) -> Result<()> {
         return Err(Error::config(
             key,
             format!("{open} edges are open, or join triangles of opposite sense"),
-            "a closed mesh: light could leak through its gaps",
+            "a closed mesh (light would leak through its gaps)",
         ));
     }
     if mesh.signed_volume() <= 0.0 {

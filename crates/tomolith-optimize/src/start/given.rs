@@ -57,7 +57,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
     }
 }
 
-/// Patterns of a file, read when they are asked for.
+/// Patterns of a file, read on demand.
 #[derive(Clone, Debug)]
 pub struct OfFile(pub PathBuf);
 

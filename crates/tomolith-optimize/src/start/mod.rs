@@ -33,7 +33,7 @@ pub struct StartInput<'a, F: Field = HostField> {
     pub limits: &'a [Limits],
 }
 
-/// A way to make first patterns.
+/// A method that makes initial patterns.
 pub trait Start<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     /// First patterns, within the bounds.
     ///

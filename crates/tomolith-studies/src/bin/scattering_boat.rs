@@ -3,7 +3,7 @@
 //!
 //! Table 2 of Nicolet et al. 2024 at half its resolution: 256³ voxels, 360 frames of 256² pixels, their resin (μ_a 0.1299, μ_s 0.1707
 //! per mm, Rayleigh) and vial (15.33/16.77 mm, n 1.514; resin 1.4849), boat of 9.5 mm, 40 iterations. All patterns are judged with
-//! scattering, on the same voxels, standing still. Prints a table; see docs/scattering.md.
+//! scattering, on the same voxels, standing still. Prints a table; see docs/measured/scattering.md.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::error::Error;

@@ -1,7 +1,7 @@
 //! Voxels, fractions and surface-aware cells on coarser and finer grids: figure 7 of Nicolet et al. 2024.
 //!
 //! Runs `examples/14-surface-cells.toml` once for every grid and every `surface`, judges the written patterns on a grid of 1024
-//! voxels across (or fewer, the second argument), and prints a row of docs/rays.md for each grid.
+//! voxels across (or fewer, the second argument), and prints a row of docs/measured/rays.md for each grid.
 //!
 //!     cargo run --release -p tomolith-studies --bin surface_cells -- 16,32,64,128 1024
 //!

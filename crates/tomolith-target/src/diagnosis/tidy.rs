@@ -1,4 +1,4 @@
-//! What can be set right before a surface is judged: cracks between vertices, and triangles that are there twice.
+//! Repairs before a surface is examined: cracks between vertices, and duplicate triangles.
 
 use super::edges::Edges;
 use std::collections::HashMap;

@@ -1,4 +1,4 @@
-//! Sine and cosine of whole turns, for surfaces made of waves: millions of them are asked for.
+//! Sine and cosine of whole turns, for surfaces made of waves, which need millions of them.
 
 use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
-//! How far the scattered light of `orders` is from random paths, for the patterns at hand.
+//! Error of the scattered light of `orders` against Monte Carlo paths, for the patterns at hand.
 //!
-//! A sample of the lit pixels is followed by random paths, twice, with independent draws; what they leave, less their straight light, is
+//! A sample of the lit pixels is followed by Monte Carlo paths, twice, with independent draws; what they leave, less their unscattered light, is
 //! an unbiased estimate of the scattered dose. In blocks of voxels, with o by orders and a, b by paths,
 //!
 //! ```text
@@ -119,8 +119,8 @@ impl Agreement {
         self.is_far_off().then(|| {
             let worst = self.worst();
             format!(
-                "scattered light by orders is {:.1} % of the part's mean dose off random paths: a smaller model.orders.cell_mm, \
-                 or [model.scatter], may be better",
+                "scattered light by successive orders is {:.1} % of the part's mean dose off Monte Carlo paths: use a smaller model.orders.cell_mm, \
+                 or [model.scatter]",
                 100.0 * worst
             )
         })
@@ -139,7 +139,7 @@ impl fmt::Display for Agreement {
         };
         write!(
             f,
-            "{} of the part's mean dose off random paths in the part, {} in the void (rms over blocks of {} mm, {} paths twice); \
+            "{} of the part's mean dose off Monte Carlo paths in the part, {} in the void (rms over blocks of {} mm, twice {} paths); \
              99.9 % of the blocks within {:.1} % and {:.1} %, noise of the paths included",
             off(self.part),
             off(self.void),

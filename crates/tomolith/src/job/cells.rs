@@ -50,7 +50,7 @@ pub(super) fn must_fit(spec: &JobSpec, shape: &dyn Shape, model: Option<&Family>
         )
     } else if let Some(other) = whole_voxels {
         (
-            format!("cells, but {other} knows whole voxels only"),
+            format!("cells, but {other} has whole voxels only"),
             "\"voxel\" or \"fraction\", or leave that table out",
         )
     } else {

@@ -1,4 +1,4 @@
-//! Patterns on their way to the machine of a job, and back from files that a machine shows.
+//! Patterns → frames of the job's machine, and back from files that a machine shows.
 
 use super::build::Optics;
 use super::progress::{Event, Progress};
@@ -68,7 +68,7 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
     let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
         Error::config(
             "printer.time_s",
-            "a time, but not at which dose the resin is solid",
+            "a time, but no dose at which the resin turns solid",
             "evaluate.threshold beside it",
         )
     })?;
@@ -328,7 +328,7 @@ fn frames_of(
         .or_else(|| white_beside(path))
         .unwrap_or_else(|| {
             let text = format!(
-                "{} does not say what white is worth: it is taken as 1",
+                "{} does not say which pattern value white stands for: 1 is assumed",
                 path.display()
             );
             progress.event(&Event::Note { text });

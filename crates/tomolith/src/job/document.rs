@@ -72,7 +72,7 @@ impl Document {
             let line = 1 + e.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
             Error::Config {
                 key: String::new(),
-                found: "bytes that are no UTF-8 text".to_owned(),
+                found: "bytes that are not UTF-8 text".to_owned(),
                 accepted: "a job file in TOML or JSON, encoded in UTF-8".to_owned(),
                 nearest: None,
                 place: Some(Place {
@@ -119,7 +119,7 @@ impl Document {
         if !document.root.is_object() {
             return Err(document.syntax(
                 0..0,
-                "a JSON value that is no object",
+                "a JSON value that is not an object",
                 "an object {…} with the keys of a job",
             ));
         }
@@ -551,7 +551,7 @@ impl JsonPlaces<'_> {
             if !seen.insert(name) {
                 return Err(Error::Config {
                     key: inner,
-                    found: "the key stands here a second time".to_owned(),
+                    found: "the key appears here a second time".to_owned(),
                     accepted: "each key once".to_owned(),
                     nearest: None,
                     place: Some(self.document.place(key)),
@@ -629,7 +629,7 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(
-            text.starts_with("a: the key stands here a second time")
+            text.starts_with("a: the key appears here a second time")
                 && text.ends_with("(a.json, line 2)"),
             "{text}"
         );

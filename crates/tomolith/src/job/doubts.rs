@@ -1,4 +1,4 @@
-//! What makes the numbers of a judgement worthless, said in words.
+//! Warnings about evaluations whose numbers mean nothing.
 
 use super::spec::JobSpec;
 use crate::grid::Patterns;

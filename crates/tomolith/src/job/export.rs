@@ -236,7 +236,7 @@ pub fn matrix(
         "memory for the matrix",
         needed_mb,
         memory_budget_mb(scene.spec.resources.memory_gb),
-        "fewer voxels, pixels or angles: `--toy` is a trial",
+        "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });
     stage(progress, "lighting every pixel");

@@ -83,7 +83,7 @@ impl Optics {
         }
         let touching = (over > 0.0).then(|| {
             format!(
-                "the target reaches {} mm into the wall of the vial, where nothing prints: as much is cut off there",
+                "the target reaches {} mm into the wall of the vial, where nothing prints: that much is cut off",
                 concise(out - resin)
             )
         });
@@ -160,8 +160,8 @@ impl Optics {
             let beyond = |(_, seen, end): &(&str, f64, f64)| tilt > 0.0 && seen > end;
             if let Some((way, seen, end)) = sides(light).into_iter().find(beyond) {
                 warnings.push(format!(
-                    "light[{i}]: the axis leans by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
-                     {} mm: some of it may not be lit from all sides",
+                    "light[{i}]: the axis is tilted by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
+                     {} mm: parts of it may not be lit from all sides",
                     tilt.to_degrees(),
                     concise(seen),
                     concise(end),
@@ -196,7 +196,7 @@ impl Optics {
             .map(|(i, end)| {
                 format!(
                     "motion.offset_mm and motion.axis_runout_mm take the part up to {} mm from the rotation axis, but the \
-                     field of light[{i}] ends at {} mm: in some frames no light meets what lies beyond; use more columns in \
+                     field of light[{i}] ends at {} mm: in some frames what lies beyond gets no light; use more columns in \
                      light[{i}].pixels, or move the vial less",
                     concise(reach),
                     concise(end),
@@ -290,7 +290,7 @@ impl Optics {
         let hidden = self.in_bodies(inside, labels, grey);
         if hidden > 0 {
             warnings.push(format!(
-                "{} of {} mm³ of the target lie within bodies of [[obstacles]], where there is no resin",
+                "{} of {} mm³ of the target lie inside [[obstacles]], where there is no resin",
                 mm3(hidden),
                 mm3(part)
             ));
@@ -416,10 +416,10 @@ mod tests {
         };
         let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
         assert!(
-            text.contains("1 of 8 mm³ of the target lie within"),
+            text.contains("1 of 8 mm³ of the target lie inside"),
             "{text}"
         );
-        assert!(!warned(&[]).contains("within bodies"));
+        assert!(!warned(&[]).contains("lie inside [[obstacles]]"));
     }
 
     #[test]

@@ -248,9 +248,8 @@ pub fn import(theirs: &str) -> Result<Imported> {
     model(&mut root, scatters, &mut ours)?;
     if let Some(fine) = root.table("final_sensor")? {
         sensor(fine, "final_sensor")?;
-        ours.notes.push(
-            "final_sensor is left out: [evaluate] judges on a grid twice as fine by default".into(),
-        );
+        ours.notes
+            .push("final_sensor is left out: [evaluate] uses finer voxels by default".into());
     }
     ours.add(
         "[stop]",
@@ -267,12 +266,12 @@ pub fn import(theirs: &str) -> Result<Imported> {
     }
     root.leave_out(
         &["filter_radon", "spp_filter_radon"],
-        "pixels whose light misses the part are never unknowns here",
+        "pixels whose light misses the part always stay dark here",
         &mut ours.notes,
     );
     root.leave_out(
         &["surface_aware"],
-        "at this place it has no effect there either (film.surface_aware has); objective.surface = \"cells\" is ours",
+        "at this place Dr.TVAM ignores it, too (it reads film.surface_aware); use objective.surface = \"cells\"",
         &mut ours.notes,
     );
     root.leave_out(
@@ -367,7 +366,7 @@ fn vial(mut keys: Keys, ours: &mut Ours) -> Result<(bool, Option<f64>)> {
     if kind != "index_matched" {
         let factor = (surrounding / index).powi(2);
         ours.notes.push(format!(
-            "doses there carry a factor (n_surrounding/n_resin)² = {factor:.6} that energy does not have: pattern values here are \
+            "doses of Dr.TVAM contain a factor (n_surrounding/n_resin)² = {factor:.6} that an energy does not: pattern values here are \
              {factor:.6} of those there for the same dose thresholds; resin.dose_convention = \"drtvam\" takes the factor along"
         ));
     }
@@ -749,7 +748,7 @@ fn model(root: &mut Keys, scatters: bool, ours: &mut Ours) -> Result<()> {
     let regular = root.flag("regular_sampling", false)?;
     root.leave_out(
         &["spp_grad", "spp_ref"],
-        "dose and gradient see the same rays, and results are judged by more",
+        "dose and gradient use the same rays here, and results are evaluated with more",
         &mut ours.notes,
     );
     root.leave_out(

@@ -1,4 +1,4 @@
-//! The judgement of patterns: their dose is simulated again and measured.
+//! Evaluation of patterns: their dose is simulated again and measured.
 //!
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
@@ -50,9 +50,9 @@ pub(crate) struct Judged {
     pub(crate) keep_dark: Option<KeepDark>,
     /// Which voxels of the finer grid belong to bodies that are not printed, for the report; None without any.
     pub(crate) bodies: Option<Volume<u8>>,
-    /// What random paths leave uncertain; None where none are drawn.
+    /// What Monte Carlo paths leave uncertain; None where none are drawn.
     pub(crate) noise: Option<Noise>,
-    /// How far scattered light by orders is from random paths; None where it does not go order by order.
+    /// How far scattered light by orders is from Monte Carlo paths; None where it does not go order by order.
     pub(crate) agreement: Option<Agreement>,
     /// The model that gave the doses, and why it was chosen.
     pub(crate) model: String,
@@ -260,13 +260,13 @@ pub(crate) fn judge(
     let keep_dark = shares.as_ref().map(of_shares);
     let bodies = scene.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
-        let text = format!("what is to stay dark gets {dark}");
+        let text = format!("keep-dark bodies get {dark}");
         progress.event(&Event::Note { text });
     }
     let in_time = in_time(scene, voxels, shown, progress, cancel)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
     if let Some(noise) = &noise {
-        let text = format!("random paths: {noise}");
+        let text = format!("Monte Carlo paths: {noise}");
         progress.event(&Event::Note { text });
     }
     let agreement = Agreement::of(scene, voxels, shown, agreement::PATHS, cancel)?;

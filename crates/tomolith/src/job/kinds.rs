@@ -37,23 +37,23 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Fa
 #[must_use]
 pub fn families() -> Vec<Family> {
     vec![
-        family("vial", "What stands around the resin", VIALS),
-        family(
-            "projector",
-            "What a light's rays do before the vial",
-            PROJECTORS,
-        ),
+        family("vial", "The vial around the resin", VIALS),
+        family("projector", "The optics of the projector", PROJECTORS),
         family("resin.phase", "Where scattered light goes", PHASES),
         family("model", "How light becomes dose", MODELS),
-        family("objective", "What is minimised", OBJECTIVES),
-        family("penalties", "What patterns cost by themselves", PENALTIES),
-        family("optimizer", "How it is minimised", OPTIMIZERS),
-        family("start", "Where it begins", STARTS),
+        family("objective", "What is minimized", OBJECTIVES),
+        family("penalties", "Penalties on the patterns", PENALTIES),
         family(
-            "response",
-            "What the material does with the dose",
-            RESPONSES,
+            "optimizer",
+            "The method that minimizes the objective",
+            OPTIMIZERS,
         ),
+        family(
+            "start",
+            "The patterns that the optimizer starts from",
+            STARTS,
+        ),
+        family("response", "The material's response to the dose", RESPONSES),
         family("target.phantom", "Parts by formula", PHANTOMS),
     ]
 }

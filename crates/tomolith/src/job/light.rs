@@ -48,7 +48,7 @@ pub(super) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<Stri
         }
         if account.cut > CUT {
             warnings.push(format!(
-                "light[{i}]: {:.2} % of its power is given up after too many interfaces, or scattered too often \
+                "light[{i}]: {:.2} % of its power is dropped after too many interfaces or scattering events \
                  (model.scatter.orders)",
                 100.0 * account.cut
             ));
@@ -87,7 +87,7 @@ fn ends(account: &Account) -> String {
     let parts = [
         ("is reflected at the walls", account.reflected),
         (
-            "passes beside the vial or through its walls alone",
+            "passes beside the vial, or through its walls only",
             account.missed,
         ),
         ("ends at bodies", account.blocked),

@@ -278,7 +278,7 @@ impl Found {
         let loss = self.loss(self.written, to)?;
         let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
         let found = format!(
-            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimiser does not see inside its voxels.",
+            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimizer resolves nothing below a voxel.",
             self.change(self.written?, to?),
         );
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
@@ -336,7 +336,7 @@ impl Found {
         let [[low, high], [below, above]] =
             [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
         let found = format!(
-            "The part's flat ends lie at z = {low} and {high} mm, within rows of pixels, but light ends with a row: at {below} and {above} mm. Between them lie {} % of the part's volume.",
+            "The part ends at z = {low} and {high} mm, inside rows of pixels, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
             significant(100.0 * loss, 1)
         );
         let action = "Change the part's height or place, or lower";
@@ -372,9 +372,9 @@ impl Found {
         };
         let Some(Falling { fall, key }) = self.falling.filter(|_| !self.has_few_angles) else {
             let rest = match loss >= WORTH_CHANGING {
-                true if self.is_simulated => "; the rest is what the given patterns leave.",
-                true => "; the rest is what this light leaves.",
-                false => ": nothing is left to gain there.",
+                true if self.is_simulated => "; the rest is due to the given patterns.",
+                true => "; the rest is the limit of this light.",
+                false => ": there is nothing left to improve.",
             };
             let found = reach + rest;
             if self.is_simulated {
@@ -411,7 +411,7 @@ impl Found {
             (Some(seen), _) if self.saw_finer => {
                 format!(" (on the job's own, coarser voxels {seen:.3})")
             }
-            (Some(seen), false) => format!(" (the optimiser saw {seen:.3})"),
+            (Some(seen), false) => format!(" (the optimizer saw {seen:.3})"),
             (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
             (None, _) => String::new(),
         };
@@ -447,7 +447,7 @@ impl Found {
             let verb = match limit.cause {
                 Cause::Grid => "lower",
                 Cause::Optics if limit.key == self.pixel_key => "try a lower",
-                Cause::Ends => "let the part end between rows of pixels, or lower",
+                Cause::Ends => "place the part's ends between rows of pixels, or lower",
                 Cause::Exposure => "change",
                 _ => "raise",
             };
@@ -512,7 +512,7 @@ mod tests {
         let limits = found().limits();
         assert_eq!(
             limits.sentence,
-            "Predicted IoU 0.975 (the optimiser saw 1.000): finer grid −0.026, rotation +0.001. To improve, lower `grid.pitch_mm`."
+            "Predicted IoU 0.975 (the optimizer saw 1.000): finer grid −0.026, rotation +0.001. To improve, lower `grid.pitch_mm`."
         );
         assert_eq!(
             losses(&limits),
@@ -525,7 +525,7 @@ mod tests {
         );
         assert_eq!(
             limits.causes[0].advice,
-            "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimiser does not see inside its voxels. \
+            "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimizer resolves nothing below a voxel. \
              Lower `grid.pitch_mm`."
         );
         // Nothing to gain, nothing to change
@@ -534,7 +534,7 @@ mod tests {
             advice(1),
             "Written with 8 bits the patterns have IoU 1.000, as before."
         );
-        assert!(advice(2).ends_with("voxels: nothing is left to gain there."));
+        assert!(advice(2).ends_with("voxels: there is nothing left to improve."));
         assert_eq!(
             advice(3),
             "The vial turns by 2° during each frame, which gives IoU 0.975 instead of 0.974."
@@ -630,7 +630,7 @@ mod tests {
         let limits = gear.limits();
         assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
         assert!(limits.causes[0].advice.starts_with(
-            "The part's flat ends lie at z = −1.5 and 1.5 mm, within rows of pixels, but light ends with a row: at −1.512 and 1.512 mm. Between them lie 0.8 % of the part's volume."
+            "The part ends at z = −1.5 and 1.5 mm, inside rows of pixels, but light ends with a row, at −1.512 and 1.512 mm. 0.8 % of the part's volume lies between."
         ), "{}", limits.causes[0].advice);
         // The light's share is what is left
         assert!(
@@ -740,7 +740,7 @@ mod tests {
         }
         .limits();
         assert!(limits.sentence.starts_with(
-            "Predicted rms error 0.128 (the optimiser saw 0.126): 8 bits +0.004, finer grid −0.002."
+            "Predicted rms error 0.128 (the optimizer saw 0.126): 8 bits +0.004, finer grid −0.002."
         ), "{}", limits.sentence);
         assert_eq!(
             losses(&limits)[..2],

@@ -238,7 +238,7 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
     let convex = |needs: &Needs| needs.convex;
     let linear = |needs: &Needs| needs.linear;
     let tolerant = |needs: &Needs| needs.tolerant;
-    let no_dose = "an objective that wants no dose at all in the void ([objective.osmo] and \
+    let no_dose = "an objective that allows no dose at all in the void ([objective.osmo] and \
                    [objective.threshold] allow some)";
     let cases: [(Reason, bool, &str); 3] = [
         (convex, !is.convex, not_convex),
@@ -249,7 +249,7 @@ fn fit_together(spec: &JobSpec, needs: &Needs, is: Are) -> Result<()> {
         if let Some(reason) = need(needs).filter(|_| is_there) {
             return Err(Error::config(
                 method,
-                format!("does not go with {other}: {reason}"),
+                format!("cannot be combined with {other}: {reason}"),
                 methods_without(need),
             ));
         }
@@ -277,8 +277,8 @@ fn methods_without(need: Reason) -> String {
 /// Refuses goals that count part and void for a target that has none, and the other way round.
 pub(super) fn counted_as(spec: &JobSpec, grey: bool) -> Result<()> {
     let (stop, evaluate) = (&spec.stop, &spec.evaluate);
-    let of_part = "counts part and void, but the values of a grey target are to be reproduced";
-    let of_grey = "counts voxels in the bands of a grey target, but this one has part and void";
+    let of_part = "needs a target of part and void, but this one is gray";
+    let of_grey = "needs a gray target, but this one has part and void";
     for (key, is_there, found, accepted) in [
         (
             "stop.iou",

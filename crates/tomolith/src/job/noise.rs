@@ -1,4 +1,4 @@
-//! What random paths leave uncertain in the dose of a resin that scatters.
+//! Noise that Monte Carlo paths leave in the dose of a resin that scatters.
 //!
 //! Patterns that were optimised on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
 //! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
@@ -14,7 +14,7 @@ use crate::target::label;
 use serde::Serialize;
 use std::fmt;
 
-/// A dose by random paths, on the optimisation's voxels, standing still.
+/// A dose by Monte Carlo paths, on the optimisation's voxels, standing still.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct Noise {
     /// Paths of a pixel in a frame: in the optimisation, and in the judgement.
@@ -100,7 +100,7 @@ impl Noise {
         let (training, independent) = (self.training_iou?, self.independent_iou?);
         (training - independent > WORTH_SAYING).then(|| {
             format!(
-                "the patterns fit the noise of their own {} paths a pixel: IoU {training:.4} on these, {independent:.4} on independent ones; \
+                "the patterns are fitted to the noise of their {} paths a pixel: IoU {training:.4} on these paths, {independent:.4} on independent ones; \
                  raise model.scatter.paths_per_pixel, or use more frames",
                 self.training_paths
             )
@@ -115,10 +115,10 @@ impl Noise {
             let advice = if enough <= MOST_PATHS {
                 format!("about {enough} paths a pixel would bring it to {:.0} %", 100.0 * LOUD)
             } else {
-                format!("even {MOST_PATHS} paths a pixel, the most, would leave more than {:.0} %", 100.0 * LOUD)
+                format!("even {MOST_PATHS} paths a pixel, the largest value, would leave more than {:.0} %", 100.0 * LOUD)
             };
             format!(
-                "random paths leave a noise of {:.1} % of the part's mean response in a voxel: IoU, PW and thresholds of this report are \
+                "Monte Carlo paths leave a noise of {:.1} % of the part's mean response in a voxel: IoU, PW and thresholds of this report are \
                  blurred by it; raise model.scatter.paths_per_pixel (now {}; {advice})",
                 100.0 * noise, self.training_paths
             )
@@ -131,7 +131,7 @@ impl fmt::Display for Noise {
         let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
         write!(
             f,
-            "IoU {}, PW {} on the paths of the optimisation ({} a pixel); {}, {} on independent ones ({} a pixel, noise of a voxel {:.2} % in the part, {:.2} % in the void)",
+            "IoU {}, PW {} on the paths of the optimization ({} a pixel); {}, {} on independent ones ({} a pixel, noise of a voxel {:.2} % in the part, {:.2} % in the void)",
             number(self.training_iou),
             number(self.training_pw),
             self.training_paths,
@@ -225,7 +225,7 @@ mod tests {
             noise(0.77)
                 .warning()
                 .unwrap()
-                .contains("; random paths leave")
+                .contains("; Monte Carlo paths leave")
         );
         let loud = Noise {
             part: 0.9,

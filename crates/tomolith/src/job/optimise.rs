@@ -354,7 +354,7 @@ impl<'a> Stage<'a> {
                 break;
             }
             progress.event(&Event::Note {
-                text: format!("every voxel is within its thresholds after iteration {at}: from here on they are {} further apart", concise(refinement::WIDER * steps as f64)),
+                text: format!("every voxel is within its thresholds after iteration {at}: the thresholds now move {} further apart", concise(refinement::WIDER * steps as f64)),
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;
@@ -471,7 +471,7 @@ fn dark_pixels(
         return Err(Error::config(
             "target.body",
             "every pixel that lights the part lights a keep-dark body too",
-            "a keep-dark body that leaves ways for light to the part",
+            "a keep-dark body that leaves light a path to the part",
         ));
     }
     let share = 100.0 * count as f64 / all as f64;
@@ -575,7 +575,7 @@ fn into_amplitudes(energies: &mut [f32], glimmer: f64) -> Result<()> {
         return Err(Error::config(
             "start",
             "patterns that are dark everywhere",
-            "a start with light: amplitudes of 0 are a stationary point of waves",
+            "a start that is not dark: the gradient of [model.wave] is zero at dark patterns",
         ));
     }
     let least = glimmer * sum / count as f64;
@@ -730,14 +730,14 @@ impl Observer<HostField> for Watch<'_> {
         match room {
             Room::None(error) => {
                 let text = format!(
-                    "no checkpoint can be written ({error}): the run goes on, but what a crash or Ctrl-C ends is lost from here on; \
-                     make room, and the next checkpoint is written again"
+                    "no checkpoint can be written ({error}): the run goes on, but a crash or Ctrl-C would lose its work; \
+                     free some disk space, and checkpoints will be written again"
                 );
                 self.warnings.push(text.clone());
                 self.progress.event(&Event::Warning { text });
             }
             Room::Again => {
-                let text = "there is room again: a checkpoint is written".to_owned();
+                let text = "disk space is free again: a checkpoint was written".to_owned();
                 self.progress.event(&Event::Note { text });
             }
         }

@@ -105,7 +105,7 @@ pub struct Summary {
     pub folder: PathBuf,
     /// Iterations done; None for a simulation.
     pub iterations: Option<usize>,
-    /// Why the optimisation ended; None for a simulation.
+    /// Reason why the optimization ended; None for a simulation.
     pub stopped: Option<StopReason>,
     /// How the loss fell in the end; None for a simulation, and where the loss is not what the method lowers.
     pub fall: Option<Fall>,
@@ -123,9 +123,9 @@ pub struct Summary {
     pub in_time: Vec<TimeSummary>,
     /// What limits the print.
     pub limits: Limits,
-    /// The IoU that was asked for.
+    /// The required IoU.
     pub required_iou: Option<f64>,
-    /// The share of voxels in their bands that was asked for.
+    /// The required share of voxels in their bands.
     pub required_in_band: Option<f64>,
     /// Voxels [x, y, z] of `evaluation` and `standing`.
     pub evaluation_voxels: [usize; 3],
@@ -138,7 +138,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether the asked quality was met.
+    /// Whether the required quality was met.
     #[must_use]
     pub fn is_met(&self) -> bool {
         let in_band = self.evaluation.grey.as_ref().and_then(|grey| grey.in_band);
@@ -188,7 +188,7 @@ impl fmt::Display for Summary {
         row("written, turning", &self.evaluation)?;
         let [x, y, z] = self.evaluation_voxels;
         let finer = match self.refine {
-            1 => "the job's own: nothing finer was looked at (evaluate.refine = 1)".to_owned(),
+            1 => "the job's own (evaluate.refine = 1)".to_owned(),
             refine => format!("{refine}× finer than the job's"),
         };
         writeln!(
@@ -240,7 +240,7 @@ pub struct Plan {
     pub frames: usize,
     /// Pixels of all frames.
     pub pixels: usize,
-    /// Those whose light can meet the target: the unknowns, at most.
+    /// Pixels whose light can reach the target: an upper bound of the unknowns.
     pub active_pixels: usize,
     /// Memory of the largest stage, MB.
     pub memory_mb: u64,
@@ -283,7 +283,7 @@ impl fmt::Display for Plan {
         let active = 100.0 * self.active_pixels as f64 / self.pixels.max(1) as f64;
         writeln!(
             f,
-            "{:>12} {}, {}, {active:.0} % of them at most are used",
+            "{:>12} {}, {}, at most {active:.0} % of them are used",
             "patterns",
             counted(self.frames, "frame"),
             counted(self.pixels, "pixel")
@@ -296,7 +296,7 @@ impl fmt::Display for Plan {
         writeln!(f, "{:>12} {} MB", "disk", self.disk_mb)?;
         writeln!(
             f,
-            "{:>12} at most {} iterations: {}; evaluation and files: {} ({}updates/s as busy as this machine is)",
+            "{:>12} at most {} iterations: {}; evaluation and files: {} ({}updates/s on this machine with its present load)",
             "time",
             self.iterations,
             duration(self.optimisation_s),
@@ -326,8 +326,8 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::ZeroLoss => "the loss is zero",
         StopReason::ProjectedGradient => "the projected gradient is small enough",
         StopReason::Steady => "the loss hardly changes any more",
-        StopReason::NoProgress => "no better patterns within the precision of the numbers",
-        StopReason::Observer => "the loss or IoU that was asked for is reached",
+        StopReason::NoProgress => "no further improvement within rounding errors",
+        StopReason::Observer => "the requested loss or IoU is reached",
         StopReason::WallTime => "the time is over",
         StopReason::Cancelled => "cancelled",
     }

@@ -51,13 +51,13 @@ pub enum Event {
     },
 }
 
-/// Where the events of a run go.
+/// Receiver of the events of a run.
 pub trait Progress {
     /// Called for each event, in order, from the thread that runs the job.
     fn event(&mut self, event: &Event);
 }
 
-/// Tells nobody.
+/// Discards all events.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 

@@ -1,4 +1,4 @@
-//! How fast this machine is with a job, measured: as busy as it is, before any work.
+//! Benchmark of a job on this machine with its present load, before any work.
 //!
 //! The model that the optimiser asks and the one that judges are made for few of the job's frames, and for some more: the line
 //! through both tells what a call costs at any size from what grows with it. The optimiser's adjoint is asked for what
@@ -194,7 +194,7 @@ fn by_optimiser(
     Ok(([few, more], plan))
 }
 
-/// Calls of the model that judges on a grid, with the same pixels lit; random paths as many as the optimiser's.
+/// Calls of the model that judges on a grid, with the same pixels lit; Monte Carlo paths as many as the optimiser's.
 fn by_judge(
     scene: &Scene,
     refine: usize,

@@ -185,12 +185,12 @@ pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
     };
     match levels {
         [first, .., last] => Some(format!(
-            "patterns are optimised on {} up to iteration {}, in the end on {}",
+            "patterns are optimized on {} up to iteration {}, then on {}",
             of(first),
             first.until,
             of(last)
         )),
-        [level] if level.grid != *grid => Some(format!("patterns are optimised on {}", of(level))),
+        [level] if level.grid != *grid => Some(format!("patterns are optimized on {}", of(level))),
         _ => None,
     }
 }
@@ -222,7 +222,7 @@ fn has_free_cells(spec: &JobSpec, refines: Refines) -> Result<bool> {
 }
 
 /// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
-/// light within it (docs/rays.md).
+/// light within it (docs/measured/rays.md).
 fn of_cells(spec: &JobSpec, lights: &[Light], grid: &VolumeGrid) -> VolumeGrid {
     let wanted = across(grid, lights, CELLS_PER_PIXEL);
     (1..=spec.grid.refine.unwrap_or(wanted))

@@ -1,4 +1,4 @@
-//! A job as objects: model, objective, start and judgement, for programs with a loop of their own.
+//! A job as objects: model, objective, start and evaluation, for programs with a loop of their own.
 //!
 //! A [`Job`] says what is wanted; a [`ResolvedJob`] has read its files, built its shape, vial, lights and grid, and refused what does not fit
 //! together. Its [`Task`] is what an optimiser needs, on the finest voxels of the optimisation; what patterns print is

@@ -308,7 +308,7 @@ impl Scene {
             let [voxels_mb, pixels_mb, frames_mb] = parts;
             let (key, accepted) = if frames_mb > voxels_mb.max(pixels_mb) {
                 let accepted =
-                    "fewer pixels or voxels, larger errors asked of the model, fewer --threads";
+                    "fewer pixels or voxels, larger errors allowed in the model, fewer --threads";
                 ("model".to_owned(), accepted)
             } else if voxels_mb >= pixels_mb {
                 let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
@@ -596,7 +596,9 @@ fn at_grid(spec: &JobSpec, error: Error) -> Error {
             grid_key(spec),
             match available_mb {
                 Some(mb) => format!("{what}: {needed_mb} MB needed, {mb} MB available"),
-                None => format!("{what}: {needed_mb} MB needed, which the system does not give"),
+                None => {
+                    format!("{what}: {needed_mb} MB needed, but the system refused to allocate it")
+                }
             },
             advice,
         ),
@@ -740,7 +742,7 @@ fn moved(moved_mm: f64) -> Option<String> {
     let way = if moved_mm > 0.0 { "up" } else { "down" };
     (moved_mm != 0.0).then(|| {
         format!(
-            "the grid is moved {way} by {} mm, so that its slices lie on rows of pixels (grid.on_rows = false leaves it)",
+            "the grid is moved {way} by {} mm, so that its slices lie on rows of pixels (grid.on_rows = false turns this off)",
             concise(moved_mm.abs())
         )
     })
@@ -749,7 +751,7 @@ fn moved(moved_mm: f64) -> Option<String> {
 /// Says that no finer voxels will be looked at.
 fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
     (spec.evaluate.refine == Some(1)).then(|| {
-        "evaluate.refine = 1: the print is judged on the job's own voxels, where an IoU of 1 is easier than on finer ones"
+        "evaluate.refine = 1: the print is evaluated on the job's own voxels, where IoU is higher than on finer ones; leave the key out for finer voxels"
             .to_owned()
     })
 }
@@ -860,7 +862,7 @@ fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
     let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
         let (found, own) = (array.shape, light.pixels.shape());
         (found != own).then(|| {
-            format!("{key}: patterns of {found:?} [angle, row, column] are brought to {own:?} on the same field of view")
+            format!("{key}: patterns of {found:?} [angle, row, column] are resampled to {own:?} over the same field of view")
         })
     });
     Ok(others.collect())

@@ -67,26 +67,26 @@ pub struct JobSpec {
     /// Properties of the printed material, one table `[[property]]` each: maps of what the species respond with.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub property: Vec<PropertySpec>,
-    /// What is minimised: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a grey image, whose
+    /// What is minimized: one kind, `[objective.KIND]`. When there is none: `threshold`, and `l2` for a gray image, whose
     /// values are to be reproduced.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objective: Option<Value>,
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objectives: Option<Vec<Value>>,
-    /// What patterns cost by themselves, `[[penalties]]` with one kind each and `weight`.
+    /// Penalties on the patterns, `[[penalties]]` with one kind each and `weight`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub penalties: Vec<Value>,
-    /// What the material does with the dose, `[response.KIND]`.
+    /// The material's response to the dose, `[response.KIND]`.
     #[serde(default = "identity")]
     pub response: Value,
-    /// How it is minimised, `[optimizer.KIND]`.
+    /// The method that minimizes the objective, `[optimizer.KIND]`.
     #[serde(default = "lbfgs")]
     pub optimizer: Value,
     /// The patterns to start from, `[start.KIND]`.
     #[serde(default = "fbp")]
     pub start: Value,
-    /// A start from coarser levels; none when left out.
+    /// Coarser levels that the optimization starts on; none when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coarse: Option<CoarseSpec>,
     /// Limits of the pattern values.
@@ -95,16 +95,16 @@ pub struct JobSpec {
     /// When the optimisation ends.
     #[serde(default)]
     pub stop: StopSpec,
-    /// What is kept against a crash.
+    /// Checkpoints, from which an interrupted run continues.
     #[serde(default)]
     pub checkpoint: checkpoint::Params,
-    /// How the written patterns are judged.
+    /// How the written patterns are evaluated.
     #[serde(default)]
     pub evaluate: EvaluateSpec,
-    /// The machine that shows the patterns; they are shown as they are without it.
+    /// The machine that shows the patterns; without it they are shown as they are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub printer: Option<PrinterSpec>,
-    /// What the run may use of the computer.
+    /// How much of the computer the run may use.
     #[serde(default, skip_serializing_if = "ResourcesSpec::is_default")]
     pub resources: ResourcesSpec,
     /// What is written, and where.
@@ -140,13 +140,13 @@ pub struct GridSpec {
     /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shape: Option<[usize; 3]>,
-    /// How many times finer across the optimisation's voxels are; along z they are as high as a row of pixels. When left out: with
+    /// How many times finer than the job's the optimization's voxels are, across the axis; along z they are as high as a row of pixels. When left out: with
     /// `surface = "fraction"` and level light up to a quarter of a pixel, with `"cells"` up to half a pixel, as far as the time allows; else 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
     /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
     pub region: Region,
-    /// Goes on where `shape` voxels of `pitch_mm` do not hold the part, and prints what is left of it.
+    /// Accepts a grid (`shape` × `pitch_mm`) that is too small for the part; only what lies in the grid is printed.
     pub clip: bool,
     /// Moves the grid along z, by half a voxel at most, so that its slices lie on rows of pixels of the first light.
     pub on_rows: bool,
@@ -185,7 +185,7 @@ pub struct ResinSpec {
     /// Napierian absorption of the active species, 1/mm, > 0: what makes dose. Required, except with `pure_radon`, which does not use it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub absorption_per_mm: Option<f64>,
-    /// Napierian attenuation by everything, 1/mm; absorption + scattering when nothing else takes light.
+    /// Total Napierian attenuation, 1/mm; absorption + scattering when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attenuation_per_mm: Option<f64>,
     /// Refractive index that changes with the distance from the axis; from 1 to 4 everywhere in the resin.
@@ -194,13 +194,13 @@ pub struct ResinSpec {
     /// Absorption that changes from place to place.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapSpec>,
-    /// Napierian scattering, 1/mm; part of the attenuation by everything.
+    /// Napierian scattering, 1/mm; a part of the total attenuation.
     pub scattering_per_mm: f64,
-    /// Where scattered light goes, `[resin.phase.KIND]`.
+    /// Phase function of the scattering, `[resin.phase.KIND]`.
     pub phase: Value,
     /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
     pub pure_radon: bool,
-    /// What a dose counts: "energy" (default), absorbed per volume, or "drtvam", (n_surrounding/n_resin)² of it as in Dr.TVAM.
+    /// Definition of dose: "energy" (default), absorbed per volume, or "drtvam", that times (n_surrounding/n_resin)², as in Dr.TVAM.
     pub dose_convention: DoseConvention,
     /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -223,9 +223,9 @@ pub enum DoseConvention {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapSpec {
-    /// What makes dose.
+    /// Absorption of the active species, which makes dose.
     pub absorption: PathBuf,
-    /// Attenuation by everything; absorption + `resin.scattering_per_mm` when nothing else takes light.
+    /// Total attenuation; absorption + `resin.scattering_per_mm` when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub attenuation: Option<PathBuf>,
     /// Edge of a cell.
@@ -238,14 +238,14 @@ pub struct MapSpec {
 pub struct BathSpec {
     /// Napierian absorption, 1/mm.
     pub absorption_per_mm: f64,
-    /// Where it ends, from the axis; beyond the vial.
+    /// Its outer radius, about the axis; larger than the vial's.
     pub radius_mm: Mm,
 }
 
 /// The vial: one kind, `[vial.KIND]`, and what is said of every kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VialSpec {
-    /// What is said of every kind.
+    /// Keys of every kind.
     pub common: VialCommon,
     /// The kind and its parameters, `{cylinder: {…}}`.
     pub kind: Value,
@@ -257,10 +257,10 @@ pub struct VialSpec {
 pub struct VialCommon {
     /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
     pub surrounding_index: f64,
-    /// Where the resin ends below; it goes on for ever when left out.
+    /// The lower end of the resin; without it the resin has no end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bottom: Option<EndSpec>,
-    /// Where it ends above.
+    /// The upper end of the resin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub top: Option<EndSpec>,
 }
@@ -287,20 +287,20 @@ pub struct LightSpec {
     pub wavelength_nm: f64,
     /// Pixels of a pattern, [columns, rows].
     pub pixels: [usize; 2],
-    /// Where the middle of the image stands beside the rotation axis [along the columns, up]; on it when left out.
+    /// Offset of the image's center from the rotation axis [along the columns, up]; 0 when left out.
     #[serde(default, skip_serializing_if = "is_about_axis")]
     pub offset_mm: [Mm; 2],
-    /// From where the patterns come: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
+    /// Azimuths of the frames: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
     pub angles: Angles,
-    /// A frame is exposed while the vial turns through its arc: the optimisation averages it at this many angles. When left out: one for
-    /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is no level beam.
+    /// Angles at which the optimization averages a frame, which is exposed while the vial turns through its arc. When left out: one for
+    /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is not collimated and level.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sub_angles: Option<usize>,
     /// Sense in which the VIAL turns, seen from above.
     #[serde(default)]
     pub rotation: Rotation,
     /// Polarisation before the vial: "s" has its electric field in the plane of ray and vial axis (along the axis where the ray is
-    /// level), "p" across both; where the axis is tilted, so are they.
+    /// level), "p" normal to both; they tilt with the axis.
     #[serde(default)]
     pub polarisation: Polarisation,
     /// What the resin is to this light, where that differs from `[resin]`.
@@ -494,7 +494,7 @@ pub struct SelectionSpec {
     /// Image of all pixels, relative to the job file (.png, .tif or .npy): those that are 0 (black) stay dark.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mask: Option<PathBuf>,
-    /// Pixels whose middle ray meets the vial nearer than this to an edge of its outer wall stay dark (square vials and meshes).
+    /// Pixels whose middle ray meets the vial closer than this to an edge of its outer wall stay dark (square vials and meshes).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<Mm>,
     /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
@@ -555,7 +555,7 @@ pub struct MotionSpec {
     pub offset_mm: [f64; 2],
     /// Largest run-out of the rotation axis along the columns.
     pub axis_runout_mm: f64,
-    /// Azimuth of the light at which it runs out farthest.
+    /// Azimuth of the light at which the run-out is largest.
     pub axis_runout_deg: f64,
 }
 
@@ -577,7 +577,7 @@ pub struct ObstacleSpec {
     /// Millimetres per unit of the file.
     #[serde(default = "unity")]
     pub scale: f64,
-    /// Where the file's origin is put [x, y, z].
+    /// Position of the file's origin [x, y, z].
     #[serde(default)]
     pub offset_mm: [f64; 3],
 }
@@ -637,18 +637,18 @@ pub struct BoundsSpec {
 pub struct StopSpec {
     /// Iterations of the optimiser.
     pub iterations: usize,
-    /// Norm of the projected gradient, relative to the start's.
+    /// Norm of the projected gradient, relative to that of the start, at which it ends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projected_gradient: Option<f64>,
-    /// Mean change of the loss over five steps, relative to the loss (0.001 in the BCLP paper).
+    /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub change: Option<f64>,
-    /// The loss; 0 always ends it.
+    /// Loss at which the optimization ends; it always ends at 0.
     pub loss: f64,
-    /// IoU on the optimisation grid, 0 to 1; not for grey targets.
+    /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub iou: Option<f64>,
-    /// Wall time of the optimisation, s.
+    /// Wall time after which it ends, s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_s: Option<f64>,
     /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
@@ -660,26 +660,26 @@ pub struct StopSpec {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct EvaluateSpec {
-    /// Bits to which patterns are quantised, 1 to 16.
+    /// Bits to which patterns are quantized, 1 to 16.
     pub bit_depth: u32,
-    /// How patterns come to the levels of 5 bits or fewer: "optimised" on them after the optimisation, or "rounded". With more bits they
+    /// How patterns are put on the levels of 5 bits or fewer: "optimised" on these levels after the optimization, or "rounded". With more bits they
     /// are rounded.
     pub levels: Levelling,
     /// Angles at which the arc of a frame is averaged.
     pub sub_angles: usize,
-    /// How many times finer than the job's the voxels are; lowered, and said so, when memory is short. When left out: as fine as the
-    /// optimisation's, as far as 3·10⁷ voxels do, and at least 2.
+    /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
+    /// optimization's, up to 3·10⁷ voxels, and at least 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
     /// Dose at which the resin turns solid; the one with the best IoU when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<f64>,
-    /// Per cent of the voxels that trimmed numbers leave out at each end of part and of void, 0 to below 50.
+    /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
     pub trim_percent: f64,
     /// IoU that the evaluation must reach: below it the command ends with exit code 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_iou: Option<f64>,
-    /// Grey targets: share of the voxels that must be in their bands, 0 to 1; else as `require_iou`.
+    /// Gray targets: share of the voxels that must be in their bands, 0 to 1; below it the command ends with exit code 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_in_band: Option<f64>,
 }
@@ -1142,7 +1142,7 @@ impl JobSpec {
             (None, Some(_)) => Err(Error::config(
                 "objectives",
                 "an empty list",
-                "at least one entry, or no such key",
+                "at least one entry, or leave the key out",
             )),
             (None, None) => Ok(vec![Section::new("objective", default_objective(self))]),
         }

@@ -1,4 +1,4 @@
-//! What becomes of the light of single pixels: numbers, and a picture of their dose.
+//! The light of single pixels: where its power goes, and a picture of its dose.
 
 use super::read::Job;
 use super::scene::Scene;
@@ -61,7 +61,7 @@ fn rays(scene: &Scene) -> Result<Rays> {
     let none = || {
         Err(Error::config(
             format!("model.{}", family.name()),
-            "`tomolith trace` follows rays, and this light is none",
+            "`tomolith trace` follows rays, but this model has none",
             "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
         ))
     };

@@ -1,6 +1,6 @@
-//! Whether scattered light may go order by order, tried before any work.
+//! A test, before any work, of whether successive orders are accurate enough for a job.
 //!
-//! A job that names no model takes [`orders`](crate::models::orders) where it covers vial and lights. How near it comes to random paths is known for some scenes
+//! A job that names no model takes [`orders`](crate::models::orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
 //! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
 //! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, random
 //! paths are taken instead, and that is said. The trial knows nothing of patterns, so a run, its `check` and a later `simulate` decide
@@ -20,7 +20,7 @@ const VOXELS: usize = 32;
 /// Paths of each of its two estimates, about: half a second of a core.
 const PATHS: usize = 100_000;
 
-/// Takes random paths for a scene that names no model and whose trial by orders is far off; says so.
+/// Takes Monte Carlo paths for a scene that names no model and whose trial by orders is far off; says so.
 ///
 /// # Errors
 /// What the models and the target refuse; [`Error::Cancelled`].
@@ -34,13 +34,15 @@ pub(crate) fn try_orders(
     }
     let text = match trial(scene, cancel) {
         Err(Error::Config { key, found, .. }) if key == "model.orders.cell_mm" => {
-            scene.optics.trial_failed = Some("light by orders would need too many cells");
-            format!("scattered light by random paths: by orders it would take {found}")
+            scene.optics.trial_failed = Some("successive orders would need too many cells");
+            format!("scattered light by Monte Carlo paths: successive orders would take {found}")
         }
         Err(error) => return Err(error),
         Ok(Some(found)) if found.is_far_off() => {
-            scene.optics.trial_failed = Some("a trial of light by orders was too far off");
-            format!("scattered light by random paths: tried by orders, it was {found}")
+            scene.optics.trial_failed = Some("a test of successive orders was too far off");
+            format!(
+                "scattered light by Monte Carlo paths: in a test of successive orders it was {found}"
+            )
         }
         Ok(_) => return Ok(()),
     };
@@ -76,7 +78,7 @@ mod tests {
     use super::*;
     use crate::job::Job;
 
-    /// What is said of a sphere in a resin that scatters so much per mm, and whether random paths are taken.
+    /// What is said of a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
     fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");

@@ -90,7 +90,7 @@ fn printer(spec: &JobSpec) -> Result<()> {
         return Err(Error::config(
             "printer.time_s",
             "a time without the dose that the resin needs",
-            "resin.critical_dose_mj_per_mm3 beside it, or no such key",
+            "also resin.critical_dose_mj_per_mm3, or leave this key out",
         ));
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! Every optimiser and objective on six targets, and the claims of Pellizzon et al.: the tables of `docs/optimisers.md`.
+//! Every optimiser and objective on six targets, and the claims of Pellizzon et al.: the tables of `docs/measured/optimizers.md`.
 //!
 //! ```text
 //! cargo run --release -p tomolith-studies --bin optimisers -- WHAT …
