@@ -419,7 +419,8 @@ fn draw_cell(
             hex(colour)
         ),
     );
-    if width >= WRITTEN && height >= 18.0 {
+    let text = significant(value, 3);
+    if width >= WRITTEN.max(7.0 * text.chars().count() as f64) && height >= 18.0 {
         let light: u32 = colour[..3]
             .iter()
             .zip([3, 6, 1])
@@ -432,7 +433,7 @@ fn draw_cell(
                 "<text class=\"small\" style=\"fill:{ink}\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
                 left + 0.5 * width,
                 top + 0.5 * height + 4.0,
-                significant(value, 3)
+                text
             ),
         );
     }
@@ -504,6 +505,7 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &Curve, values: &Axis) {
             ),
         );
     }
+    frame.axes(body, [&curve.name, ""], &ticks, &heights);
     let at = |(place, cell): &(f64, Cell)| {
         Some([
             frame.x(across.place(*place)),
@@ -549,7 +551,6 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &Curve, values: &Axis) {
             );
         }
     }
-    frame.axes(body, [&curve.name, ""], &ticks, &heights);
 }
 
 /// Ticks as parts of an edge.
