@@ -297,7 +297,10 @@ fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan, 
         let seconds = significant(pw * plan.time_s, 3);
         answer.line(
             "process window",
-            format!("{} of the gel dose, {seconds} s (min in − max out)", percent(pw)),
+            format!(
+                "{} of the gel dose, {seconds} s (min in − max out)",
+                percent(pw)
+            ),
         );
         answer.set("pw_percent", 100.0 * pw);
         answer.set("pw_s", pw * plan.time_s);

@@ -420,7 +420,11 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     let evaluation = &report["evaluation"];
     let pw = evaluation["pw"].as_f64().unwrap() / evaluation["gel_threshold"].as_f64().unwrap();
     near(&found["pw_percent"], 100.0 * pw, 1e-3);
-    near(&found["pw_s"], pw * found["plan"]["time_s"].as_f64().unwrap(), 1e-3);
+    near(
+        &found["pw_s"],
+        pw * found["plan"]["time_s"].as_f64().unwrap(),
+        1e-3,
+    );
     let said = bench.expect(0, "expose b");
     assert!(
         said.contains("nearly as good") && said.contains("delivered light"),
@@ -497,7 +501,7 @@ fn designs_are_analysed() {
     let found = bench.json(&format!(
         "{line} --dose-time-s 10 --seconds 50 --output buildup"
     ));
-    near(&found["points"][2]["dose_s"], 18.57, 0.005);
+    near(&found["points"][2]["dose_s"], 18.575, 5e-4);
     near(&found["points"][2]["mean_rate"], 0.51596, 5e-6);
     near(&found["wall_over_axis"], 11_365.0, 1.0);
     assert_eq!(
