@@ -76,7 +76,10 @@ impl Bench {
         for part in parts {
             assert!(said.contains(part), "{line}: `{part}` is not in: {said}");
         }
-        assert_eq!(said.matches('×').count(), 1, "{line}: {said}");
+        assert!(
+            said.contains('×') && said.matches("accepted:").count() <= 1,
+            "{line}: {said}"
+        );
     }
 }
 
@@ -411,7 +414,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     // Units, power over the whole canvas (3.2 mm × 1.6 mm), and turns in place of a speed
     let units = &bench.json("expose a --irradiance 250~W/m² --critical-dose 0.8~J/cm3")["plan"];
     near(&units["time_s"], a["time_s"].as_f64().unwrap(), 1e-9);
-    let power = &bench.json("expose a --power 12.8~mW --critical-dose 0.8")["plan"];
+    let power = &bench.json("expose a --power 1.28~mW --critical-dose 0.8")["plan"];
     near(&power["continuous_s"], time, 2e-3 * time);
     let turns = &bench.json("expose a --irradiance 25 --critical-dose 0.8 --turns 3")["plan"];
     near(&turns["duty"], 1.0, 1e-9);
@@ -501,7 +504,7 @@ fn designs_are_analysed() {
     let found = bench.json(&format!(
         "{line} --dose-time-s 10 --seconds 50 --output buildup"
     ));
-    near(&found["points"][2]["dose_s"], 18.57, 0.005);
+    near(&found["points"][2]["dose_s"], 18.575, 5e-4);
     near(&found["points"][2]["mean_rate"], 0.51596, 5e-6);
     near(&found["wall_over_axis"], 11_365.0, 1.0);
     assert_eq!(
@@ -521,6 +524,6 @@ fn designs_are_analysed() {
     near(&row[5], 5.0, 0.6);
     assert!(bench.path("impulse/profile_0.svg").is_file());
     bench.refuse("analyze impulse --width 0", &["--width"]);
-    bench.refuse("analyze impulse --radius 0.99", &["--radius", "whole post"]);
+    bench.refuse("analyze impulse --radius 1.2", &["--radius", "whole post"]);
     bench.refuse("analyze impulse --pixels 4", &["--pixels"]);
 }

@@ -34,7 +34,7 @@ fn printed_grey_fits_are_the_least_squares_of_the_table() {
         panic!()
     };
     near(c2, -1.98883e-4, 5e-10);
-    near(c1, 0.095_088_8, 5e-8);
+    near(c1, 0.095_088_72, 5e-9);
     near(c0, -6.71576, 5e-6);
     let line = Polynomial::fit(&uv, 1).unwrap();
     near(line.coefficients[1], 0.128_668, 5e-7);
@@ -316,9 +316,9 @@ fn the_wall_has_a_plateau_from_20_to_50_s() {
         penetration_mm: 0.1,
         turn_deg_per_s: 5.0,
     };
-    near(vial.dose(1.0, 0.0, 20.0), 18.55, 0.005);
-    near(vial.dose(1.0, 0.0, 50.0), 18.57, 0.005);
-    near(vial.dose(1.0, 0.0, 72.0), 37.15, 0.005);
+    near(vial.dose(1.0, 0.0, 20.0), 18.556, 5e-4);
+    near(vial.dose(1.0, 0.0, 50.0), 18.575, 5e-4);
+    near(vial.dose(1.0, 0.0, 72.0), 37.149, 5e-4);
     near(vial.dose(1.0, 0.0, 72.0), 72.0 * vial.mean_rate(1.0), 1e-9);
     near(
         vial.dose(1.0, 0.0, 720.0),
@@ -395,9 +395,10 @@ fn pixel_and_step_cross_at_the_closed_form() {
 
 #[test]
 fn plain_posts_are_wider_than_they_should_be() {
-    for step_deg in [0.25, 1.0, 2.0, 4.0] {
-        for radius in [0.0, 0.5, 0.9] {
-            let width = |width: f64| {
+    for (width, low, high) in [(1.0, 1.95, 2.45), (5.0, 1.23, 1.32)] {
+        let mut ratios = Vec::new();
+        for step_deg in [0.25, 1.0, 2.0, 4.0] {
+            for radius in [0.0, 0.5, 0.9] {
                 let post = Post {
                     pixels: 200,
                     width,
@@ -405,21 +406,12 @@ fn plain_posts_are_wider_than_they_should_be() {
                     step_deg,
                 };
                 post.check().unwrap();
-                post.plain().fwhm().map(|fwhm| fwhm / width)
-            };
-            for ratio in width(5.0) {
-                assert!(
-                    (1.22..1.33).contains(&ratio),
-                    "5 voxels, {step_deg}°, {radius}: {ratio}"
-                );
-            }
-            for ratio in width(1.0) {
-                assert!(
-                    (1.8..2.5).contains(&ratio),
-                    "1 voxel, {step_deg}°, {radius}: {ratio}"
-                );
+                ratios.extend(post.plain().fwhm().map(|fwhm| fwhm / width));
             }
         }
+        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = ratios.iter().copied().fold(0.0, f64::max);
+        assert!(least > low && most < high, "{width}: {least} to {most}");
     }
 }
 
