@@ -119,7 +119,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     else {
         return Err(Error::config(
             "RUN",
-            "frames that do not say what white is worth",
+            "frames that do not say which pattern value white stands for",
             "frames of a run",
         ));
     };

@@ -6,6 +6,7 @@ use clap::Args;
 use serde_json::json;
 use tomolith::grid::{Volume, VolumeGrid};
 use tomolith::io::array::read_any;
+use tomolith::io::npy::place_of;
 use tomolith::metrics::print::Print;
 use tomolith::metrics::published::unit_systems::{Converted, UnitSystem};
 use tomolith::metrics::published::{Options, of_print, value_of};
@@ -185,17 +186,10 @@ fn show_system(row: &Converted) {
 /// An array without NaN and infinity, which no metric could make sense of.
 fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let (shape, values) = read_any(source)?;
-    let [_, ny, nx] = shape;
     match values.iter().position(|value| !value.is_finite()) {
         Some(i) => Err(Error::Format {
             path: source.into(),
-            found: format!(
-                "{} at [{}, {}, {}], as [z, y, x]",
-                values[i],
-                i / (ny * nx),
-                i / nx % ny,
-                i % nx
-            ),
+            found: format!("{} at {}, as [z, y, x]", values[i], place_of(i, &shape)),
             accepted: "finite numbers".to_owned(),
         }),
         None => Ok((shape, values)),

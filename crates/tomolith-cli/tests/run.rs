@@ -758,6 +758,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
         assert_eq!(output.status.code(), Some(0), "{settings}: {message}");
         assert!(message.contains(part), "{settings}: {message}");
         let report = json(&bench.path(&format!("w{i}/report.json")));
+        if settings.contains("angles") {
+            // The vial stands while the only frame is shown, or those of a list are
+            assert_eq!(report["evaluation"]["sub_angles"], 1, "{settings}");
+        }
         let warnings = report["warnings"].as_array().unwrap();
         let told = warnings
             .iter()

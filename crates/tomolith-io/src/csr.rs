@@ -232,8 +232,12 @@ impl Csr {
                 values.len()
             )));
         }
-        if let Some(value) = values.iter().find(|v| !v.is_finite()) {
-            return Err(bad(format!("an entry {value}")));
+        if let Some(i) = values.iter().position(|v| !v.is_finite()) {
+            let row = starts.partition_point(|&start| start <= i) - 1;
+            return Err(bad(format!(
+                "an entry {} in row {row}, column {}",
+                values[i], indices[i]
+            )));
         }
         let mut matrix = Csr {
             columns,
@@ -354,6 +358,9 @@ mod tests {
             matrix.write(&path).unwrap();
             assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));
         }
+        // The last of them
+        let text = Csr::read(&path).unwrap_err().to_string();
+        assert!(text.contains("an entry NaN in row 1, column 0"), "{text}");
         assert_eq!(text_of_npy(&npy_of_text("csc")), "csc");
         std::fs::write(&path, b"no zip at all").unwrap();
         assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));

@@ -124,8 +124,7 @@ fn own(file: &[u8], path: &Path, [frames, rows, columns]: [usize; 3]) -> Result<
             }
             let read = h264::luma(&track, &stream, [rows, columns]);
             if let Ok((_, Some(frame))) = read {
-                let found = format!("a coloured picture in frame {frame}, where patterns are grey");
-                return Err(damaged(path, found));
+                return Err(damaged(path, coloured(frame)));
             }
             let values = read.map(|(values, _)| values);
             Ok(values.map_or_else(
@@ -152,6 +151,15 @@ fn must_fit([width, height]: [usize; 2], [rows, columns]: [usize; 2]) -> Result<
     Err(format!(
         "frames of {width} × {height} pixels instead of {columns} × {rows}"
     ))
+}
+
+/// Chroma of a grey picture is 128, give or take what coding leaves.
+const GREY: u8 = 128;
+const CODING: u8 = 16;
+
+/// What is wrong with a movie whose frame is coloured.
+fn coloured(frame: usize) -> String {
+    format!("a coloured picture in frame {frame}, where patterns are grey")
 }
 
 /// A codec by its four letters (mp4ra.org).

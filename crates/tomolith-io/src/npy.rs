@@ -287,13 +287,38 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     Ok(lights)
 }
 
+/// Where the element with this number lies in a C-ordered array, `[2, 0, 7]`.
+///
+/// ```
+/// assert_eq!(tomolith_io::npy::place_of(23, &[2, 3, 4]), "[1, 2, 3]");
+/// ```
+#[must_use]
+pub fn place_of(element: usize, shape: &[usize]) -> String {
+    let mut rest = element;
+    let mut place: Vec<String> = shape
+        .iter()
+        .rev()
+        .map(|&length| {
+            let at = rest % length.max(1);
+            rest /= length.max(1);
+            at.to_string()
+        })
+        .collect();
+    place.reverse();
+    format!("[{}]", place.join(", "))
+}
+
 /// The values of patterns, which must be finite and 0 or above.
 fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], Vec<f32>)> {
     let (shape, values) = numbers
         .of_dimensions()
         .map_err(|found| bad(path, format!("{name}: {found}"), PATTERNS))?;
-    if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
-        let found = format!("{name} holds {value}");
+    if let Some(i) = values.iter().position(|v| !(v.is_finite() && *v >= 0.0)) {
+        let at = place_of(i, &shape);
+        let found = format!(
+            "{name} holds {} at {at}, as [angle, row, column]",
+            values[i]
+        );
         return Err(bad(path, found, "finite values ≥ 0"));
     }
     Ok((shape, values))
@@ -497,10 +522,12 @@ mod tests {
         let text = read_patterns(&path).unwrap_err().to_string();
         assert!(text.contains("the arrays dose"), "{text}");
         let mut npz = NpzWriter::new(File::create(&path).unwrap());
-        npz.add_array("patterns", &Array3::from_elem((1, 1, 1), f32::NAN))
-            .unwrap();
+        let mut values = Array3::<f32>::zeros((1, 2, 2));
+        values[[0, 1, 0]] = f32::NAN;
+        npz.add_array("patterns", &values).unwrap();
         npz.finish().unwrap();
         let text = read_patterns(&path).unwrap_err().to_string();
-        assert!(text.contains("patterns holds NaN"), "{text}");
+        let said = "patterns holds NaN at [0, 1, 0], as [angle, row, column]";
+        assert!(text.contains(said), "{text}");
     }
 }

@@ -40,7 +40,7 @@ use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::Section;
 use tomolith_core::target::{Target, label};
 use tomolith_core::units::{Mm, exact};
-use tomolith_io::npy::read_volume;
+use tomolith_io::npy::{place_of, read_volume};
 
 /// Weight and tolerance per element of the dose field's species; either may be empty for none.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -494,10 +494,15 @@ fn read(key: &str, path: &Path, grid: &VolumeGrid) -> Result<Vec<f32>> {
             format!("the shape of the grid, {:?} [z, y, x]", grid.shape),
         ));
     }
-    if let Some(bad) = values.iter().find(|v| !(**v >= 0.0 && v.is_finite())) {
+    if let Some(i) = values.iter().position(|v| !(*v >= 0.0 && v.is_finite())) {
+        let at = place_of(i, &shape);
         return Err(Error::config(
             key,
-            format!("{}: holds {bad}", path.display()),
+            format!(
+                "{}: holds {} at {at}, as [z, y, x]",
+                path.display(),
+                values[i]
+            ),
             "finite numbers, 0 or above",
         ));
     }
@@ -833,7 +838,7 @@ mod tests {
         for (file, says) in [
             ("good.npy", None),
             ("long.npy", Some("shape [1, 1, 3]")),
-            ("bad.npy", Some("holds -2")),
+            ("bad.npy", Some("holds -2 at [")),
             ("text.npy", Some("a 3D .npy array")),
             ("none.npy", Some("a file that can be read")),
         ] {

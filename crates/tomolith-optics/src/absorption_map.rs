@@ -8,6 +8,7 @@ use super::resin::Uptake;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid, sample};
 use tomolith_core::units::Mm;
+use tomolith_io::npy::place_of;
 
 /// Absorption on a grid of cells about the axis, row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,10 +53,11 @@ impl AbsorptionMap {
         let bad = active
             .iter()
             .zip(&total)
-            .find(|(a, t)| !(**a >= 0.0 && t.is_finite() && *t >= *a));
-        if let Some((a, t)) = bad {
+            .position(|(a, t)| !(*a >= 0.0 && t.is_finite() && t >= a));
+        if let Some(i) = bad {
+            let (a, t, at) = (active[i], total[i], place_of(i, &shape));
             return refused(
-                format!("a cell with absorption {a} and attenuation {t} per mm"),
+                format!("absorption {a} and attenuation {t} per mm in the cell {at}, as [z, y, x]"),
                 "0 ≤ absorption ≤ attenuation, finite",
             );
         }
@@ -92,18 +94,20 @@ impl AbsorptionMap {
     /// [`Error::Config`] at `resin.map.attenuation`.
     pub fn must_hold(&self, scattering_per_mm: f64) -> Result<()> {
         let mut cells = self.active.iter().zip(&self.total);
-        let is_short = |(active, total): &(&f32, &f32)| {
-            let (active, total) = (f64::from(**active), f64::from(**total));
+        let is_short = |(active, total): (&f32, &f32)| {
+            let (active, total) = (f64::from(*active), f64::from(*total));
             // Sums in single precision are as good as that
             active + scattering_per_mm > total * (1.0 + 1e-6)
         };
-        let Some((active, total)) = cells.find(is_short) else {
+        let Some(i) = cells.position(is_short) else {
             return Ok(());
         };
+        let (active, total) = (self.active[i], self.total[i]);
+        let at = place_of(i, &self.shape);
         Err(Error::config(
             "resin.map.attenuation",
             format!(
-                "a cell with absorption {active} and attenuation {total} per mm, where {scattering_per_mm} per mm are scattered"
+                "absorption {active} and attenuation {total} per mm in the cell {at}, as [z, y, x], where {scattering_per_mm} per mm are scattered"
             ),
             "an attenuation of at least absorption + resin.scattering_per_mm in every cell",
         ))

@@ -373,6 +373,9 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
         ),
         _ => String::new(),
     };
+    if turning.sub_angles == 1 {
+        return String::new();
+    }
     format!(
         "<section><h2>Turning and standing still</h2><p>The vial keeps turning while a frame is shown, which blurs the frame over its arc. The large numbers include this \
          ({} positions per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.{window} \

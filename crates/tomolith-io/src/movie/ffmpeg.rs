@@ -2,9 +2,10 @@
 //!
 //! A PGM image states its size and largest value, so nothing need be known of the movie before; `ffmpeg` picks 8 or 16 bits by
 //! what the movie holds. Every frame is taken once, whatever its time. Whatever `ffmpeg` reports as an error is one here: a
-//! frame that it patched would be a wrong pattern.
+//! frame that it patched would be a wrong pattern. Its filter `signalstats` says whether a picture is coloured, of which grey
+//! images would show the luma alone; an `ffmpeg` without that filter does not say.
 
-use super::must_fit;
+use super::{CODING, GREY, must_fit};
 use crate::frames::Frames;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
@@ -63,19 +64,59 @@ pub(super) fn read(path: &Path, shape: [usize; 3]) -> Result<Frames, Trouble> {
             shape[0]
         )));
     }
-    Ok(frames)
+    match coloured(path) {
+        Some(frame) => Err(Trouble::Said(super::coloured(frame))),
+        None => Ok(frames),
+    }
+}
+
+/// `ffmpeg` before what it is to do with a movie.
+fn command(path: &Path) -> Command {
+    let mut input = OsString::from("file:");
+    input.push(path);
+    let mut command = Command::new("ffmpeg");
+    command
+        .args(["-nostdin", "-v", "error", "-i"])
+        .arg(input)
+        .stdin(Stdio::null());
+    command
+}
+
+/// The first coloured frame: its least or largest chroma is far from grey's.
+fn coloured(path: &Path) -> Option<usize> {
+    let stats = "format=yuv444p,signalstats,metadata=print:file=-";
+    let output = command(path)
+        .args(["-map", "0:v:0", "-vf", stats, "-f", "null", "-"])
+        .output()
+        .ok()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let mut frame = 0;
+    for line in text.lines() {
+        // `frame:0    pts:0       pts_time:0`, then a line for each number
+        if let Some(found) = line.strip_prefix("frame:") {
+            frame = found.split_whitespace().next()?.parse().ok()?;
+        }
+        let Some((name, value)) = line.split_once('=') else {
+            continue;
+        };
+        let is_chroma = ["UMIN", "UMAX", "VMIN", "VMAX"]
+            .iter()
+            .any(|end| name.ends_with(end));
+        let off = value
+            .parse()
+            .map_or(0.0, |v: f64| (v - f64::from(GREY)).abs());
+        if is_chroma && off > f64::from(CODING) {
+            return Some(frame);
+        }
+    }
+    None
 }
 
 fn start(path: &Path) -> Result<Child, Trouble> {
-    let mut input = OsString::from("file:");
-    input.push(path);
-    Command::new("ffmpeg")
-        .args(["-nostdin", "-v", "error", "-i"])
-        .arg(input)
+    command(path)
         // Even times, so that no frame is dropped or doubled to keep a rate
         .args(["-map", "0:v:0", "-vf", "settb=1/25,setpts=N", "-r", "25"])
         .args(["-f", "image2pipe", "-c:v", "pgm", "-"])
-        .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

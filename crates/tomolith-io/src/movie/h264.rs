@@ -4,6 +4,7 @@
 //! What a stream holds is read from its sequence parameter set (Rec. ITU-T H.264, 7.3.2.1.1 and E.1.1).
 
 use super::track::{Codec, Track};
+use super::{CODING, GREY};
 use openh264::decoder::{DecodedYUV, Decoder};
 use openh264::formats::YUVSource;
 use rayon::prelude::*;
@@ -63,10 +64,6 @@ pub(crate) fn each_image(
         next - group.start
     ))
 }
-
-/// Chroma of a grey picture is 128, give or take what coding leaves.
-const GREY: u8 = 128;
-const CODING: u8 = 16;
 
 /// The luma of all frames, `[frame, row, column]`, of each the given rows and columns from the top left, black 0 and white 255; and the
 /// first frame that is coloured.

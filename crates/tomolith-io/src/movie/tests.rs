@@ -1,5 +1,6 @@
 //! Movies that FFmpeg 5.1 made of six frames of 32 × 24 pixels (`odd_444`: 31 × 23) with the levels of [`level`], in
-//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`.
+//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`. `coloured.avi`:
+//! mjpeg of the test source, whose frames are coloured.
 
 use super::*;
 use crate::frames::FrameSet;
@@ -99,6 +100,12 @@ fn a_coloured_movie_is_refused() {
         text.contains("a coloured picture in frame 0, where patterns are grey"),
         "{text}"
     );
+    let text = refused(&sample("coloured.avi"), SHAPE);
+    let said = [
+        "a coloured picture in frame 0",
+        "which the program ffmpeg can read",
+    ];
+    assert!(said.iter().any(|said| text.contains(said)), "{text}");
 }
 
 #[test]

@@ -31,8 +31,13 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
     if [columns, rows] != size {
         return Err(bad(format!("{columns} × {rows} pixels")));
     }
-    match values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
-        Some(value) => Err(bad(format!("a value of {value}"))),
+    match values.iter().position(|v| !(v.is_finite() && *v >= 0.0)) {
+        Some(i) => Err(bad(format!(
+            "{} in row {}, column {}",
+            values[i],
+            i / columns,
+            i % columns
+        ))),
         None => Ok(values),
     }
 }

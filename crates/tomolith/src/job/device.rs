@@ -4,7 +4,7 @@ use super::build::Optics;
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
 use super::scene::Scene;
-use super::spec::{Angles, JobSpec, MovieCoding};
+use super::spec::{JobSpec, LightSpec, MovieCoding};
 use crate::error::{Error, Result};
 use crate::exposure::{
     Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise,
@@ -42,7 +42,7 @@ pub(crate) fn printers(
     let Some(printer) = &spec.printer else {
         return Ok(None);
     };
-    let one = |(light, named): (&Light, &super::spec::LightSpec)| {
+    let one = |(light, named): (&Light, &LightSpec)| {
         Printer::new(printer, base, &light.pixels, named.rotation)
     };
     lights
@@ -95,11 +95,10 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
 
 /// What is known of the exposure of a light.
 fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
-    let angles = &spec.light[light].angles;
-    let frame_arc = match angles {
-        Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
-        Angles::List(_) => 0.0,
-    };
+    let LightSpec {
+        angles, rotation, ..
+    } = &spec.light[light];
+    let (_, frame_arc) = angles.azimuths(*rotation);
     Exposure {
         peak_mw_per_cm2: spec
             .printer
@@ -184,20 +183,21 @@ pub(crate) fn exposed(
 }
 
 /// Patterns of a file, one set per light of the job: `patterns.npz` or the run folder that holds it; or what a machine
-/// shows: a folder of frames, a `frames.npz`, a movie.
+/// shows: a folder of frames, a `frames.npz`, a movie. And what people should know of them.
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine.
-pub(crate) fn read(scene: &Scene, given: &Path, progress: &mut dyn Progress) -> Result<Written> {
+pub(crate) fn read(scene: &Scene, given: &Path) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));
     let path = within.iter().find(|path| path.exists());
     let path = path.map_or(given, PathBuf::as_path);
-    let mut frames = Vec::new();
+    let (mut frames, mut notes) = (Vec::new(), Vec::new());
     for i in 0..scene.spec.light.len() {
-        let Some(found) = frames_of(scene, i, path, progress)? else {
+        let Some(found) = frames_of(scene, i, path, &mut notes)? else {
             return wanted_of(path, &scene.optics, &names(&scene.spec))
-                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw));
+                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw))
+                .map(|written| (written, notes));
         };
         frames.push(found);
     }
@@ -210,11 +210,12 @@ pub(crate) fn read(scene: &Scene, given: &Path, progress: &mut dyn Progress) -> 
         .enumerate()
         .map(light)
         .collect::<Result<_>>()?;
-    Ok(Written {
+    let written = Written {
         shown,
         raw: None,
         frames: Some(frames),
-    })
+    };
+    Ok((written, notes))
 }
 
 /// Names of the lights for files: none when there is only one.
@@ -293,7 +294,7 @@ fn frames_of(
     scene: &Scene,
     i: usize,
     path: &Path,
-    progress: &mut dyn Progress,
+    notes: &mut Vec<String>,
 ) -> Result<Option<Quantised>> {
     let name = names(&scene.spec)[i];
     let grid = match &scene.printers {
@@ -327,11 +328,10 @@ fn frames_of(
     let full_scale = full_scale
         .or_else(|| white_beside(path))
         .unwrap_or_else(|| {
-            let text = format!(
+            notes.push(format!(
                 "{} does not say which pattern value white stands for: 1 is assumed",
                 path.display()
-            );
-            progress.event(&Event::Note { text });
+            ));
             1.0
         });
     Ok(Some(Quantised {
@@ -436,7 +436,9 @@ impl<'a> Shown<'a> {
             let arc = set.grid.frame_arc * set.grid.frames() as f64;
             let mut movie = None;
             if arc == 0.0 {
-                let text = "a list of angles has no frame rate: no movie is written".to_owned();
+                let text =
+                    "a list of angles, or a single frame, has no frame rate: no movie is written"
+                        .to_owned();
                 progress.event(&Event::Note { text });
             } else {
                 let part = set

@@ -3,6 +3,7 @@
 use super::build::Optics;
 use super::device::{self, Shown};
 use super::document::is_within;
+use super::folder::unusable;
 use super::progress::{Event, Progress};
 use super::read::Job;
 use super::resources::{memory_budget_mb, require};
@@ -306,7 +307,7 @@ pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<
 
 fn make_parent(folder: &Path) -> Result<()> {
     let parent = folder.parent().unwrap_or(Path::new(""));
-    std::fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))
+    std::fs::create_dir_all(parent).map_err(|e| unusable("--output", parent, "cannot be made", e))
 }
 
 /// Refuses a folder that holds anything.

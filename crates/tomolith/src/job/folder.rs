@@ -22,6 +22,8 @@ const JOB: &str = "job.toml";
 const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
+/// What names the folder.
+const KEY: &str = "output.folder";
 
 /// A folder that holds, or will hold, the outputs of one run. Locked while the value lives.
 #[derive(Debug)]
@@ -34,6 +36,17 @@ pub struct RunFolder {
     _lock: fs::File,
 }
 
+/// What is wrong with a folder that outputs should go to, which a key names. A full disk stays one: there may be room later.
+pub(super) fn unusable(key: &str, path: &Path, what: &str, source: std::io::Error) -> Error {
+    let found = format!("`{}` {what} ({source})", path.display());
+    let error = Error::io(path, source);
+    if error.is_full_disk() {
+        return error;
+    }
+    let accepted = "a folder that can be made and written to";
+    Error::config(key, found, accepted)
+}
+
 impl RunFolder {
     /// Whether a run may write here: the folder is missing, empty, or a run folder.
     ///
@@ -42,7 +55,7 @@ impl RunFolder {
     pub fn check(path: &Path) -> Result<()> {
         let refuse = |found: String| {
             Err(Error::config(
-                "output.folder",
+                KEY,
                 found,
                 "a new folder, an empty one, or one that a run of Tomolith made",
             ))
@@ -54,7 +67,8 @@ impl RunFolder {
             return refuse(format!("`{}` is no folder", path.display()));
         }
         let ours = fs::read_to_string(path.join(JOB)).is_ok_and(|text| text.starts_with(MARK));
-        let mut entries = fs::read_dir(path).map_err(|e| Error::io(path, e))?;
+        let mut entries =
+            fs::read_dir(path).map_err(|e| unusable(KEY, path, "cannot be looked into", e))?;
         let is_foreign =
             |entry: fs::DirEntry| entry.file_name() != LOCK && entry.file_name() != NEW;
         if ours || !entries.any(|entry| entry.is_ok_and(is_foreign)) {
@@ -86,9 +100,10 @@ impl RunFolder {
     pub fn open(path: &Path, resolved_job: &str) -> Result<Self> {
         Self::check(path)?;
         let is_made = !path.exists();
-        fs::create_dir_all(path).map_err(|e| Error::io(path, e))?;
+        fs::create_dir_all(path).map_err(|e| unusable(KEY, path, "cannot be made", e))?;
         let lock_path = path.join(LOCK);
-        let lock = fs::File::create(&lock_path).map_err(|e| Error::io(&lock_path, e))?;
+        let not_writable = |e| unusable(KEY, path, "cannot be written to", e);
+        let lock = fs::File::create(&lock_path).map_err(not_writable)?;
         match lock.try_lock() {
             Ok(()) => {}
             Err(fs::TryLockError::WouldBlock) => {
@@ -97,7 +112,14 @@ impl RunFolder {
                     reason: TAKEN.to_owned(),
                 });
             }
-            Err(fs::TryLockError::Error(e)) => return Err(Error::io(&lock_path, e)),
+            Err(fs::TryLockError::Error(e)) => {
+                return Err(unusable(
+                    KEY,
+                    path,
+                    "holds a `.lock` that cannot be locked",
+                    e,
+                ));
+            }
         }
         let mut folder = RunFolder {
             path: path.to_owned(),
@@ -107,7 +129,7 @@ impl RunFolder {
         };
         let new = folder.new_files();
         folder.remove_leftovers()?;
-        fs::create_dir(&new).map_err(|e| Error::io(&new, e))?;
+        fs::create_dir(&new).map_err(not_writable)?;
         folder.write_job(resolved_job)?;
         if !path.join(JOB).exists() {
             folder.is_marked = true;
@@ -302,6 +324,14 @@ mod tests {
             "{message}"
         );
         assert!(RunFolder::check(&file).is_err());
+        let message = RunFolder::open(&file.join("run"), "").unwrap_err();
+        let message = message.to_string();
+        let said = [
+            "output.folder: `",
+            "thesis.tex/run` cannot be made",
+            "can be made and written to",
+        ];
+        assert!(said.iter().all(|said| message.contains(said)), "{message}");
         fs::write(temp.path().join("job.toml"), "[target]\n").unwrap();
         assert!(
             RunFolder::check(temp.path()).is_err(),

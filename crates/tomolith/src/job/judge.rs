@@ -192,12 +192,22 @@ pub(crate) fn judge(
                 .measure(&print_under(scene, voxels, &response, run)?)
         }
     };
-    let sub_angles = scene.spec.evaluate.sub_angles;
+    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
+    let sub_angles = if scene.optics.lights.iter().all(stands) {
+        1
+    } else {
+        scene.spec.evaluate.sub_angles
+    };
     let grid = scene.fine_grid();
     let [nz, ny, nx] = grid.shape;
-    let text = format!(
-        "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
-    );
+    let text = match sub_angles {
+        1 => format!(
+            "evaluating on {nx} × {ny} × {nz} voxels: the vial stands still during each frame"
+        ),
+        _ => format!(
+            "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
+        ),
+    };
     progress.event(&Event::Note { text });
     room = Room::default();
     let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;

@@ -3,7 +3,6 @@
 use super::judge::{Judged, headline};
 use super::optimise::Optimised;
 use super::scene::{Scene, few_angles};
-use super::spec::Angles;
 use crate::grid::PatternGrid;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optimize::{Row, StopReason};
@@ -25,10 +24,8 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
     let light = &spec.light[0];
     let kinds = light.projector.0.as_object();
     let projector = kinds.and_then(|kinds| kinds.keys().next());
-    let arc_deg = match &light.angles {
-        Angles::Even { count, arc_deg, .. } => Some(arc_deg / *count as f64),
-        Angles::List(_) => None,
-    };
+    let (_, arc) = light.angles.azimuths(light.rotation);
+    let arc_deg = (arc > 0.0).then(|| arc.to_degrees());
     let finest = scene.levels.last();
     if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
         let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();

@@ -25,8 +25,8 @@ use crate::models::{OpticalScene, Purpose, planner};
 use crate::objective::emphasis::Common;
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
-use crate::optimize::Optimizer;
 use crate::optimize::start::{STARTS, Start};
+use crate::optimize::{Keep, Optimizer};
 use crate::report;
 use crate::response::{Response, dose_for};
 use crate::target::{
@@ -152,6 +152,7 @@ impl Scene {
         }
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
+        notes.extend(chosen(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         // A file that is missing is told before numbers that do not suit it
@@ -776,6 +777,22 @@ pub(super) fn few_angles(spec: &JobSpec) -> Option<String> {
              use some hundred angles"
         )
     })
+}
+
+/// What a job chooses of its method that no line of the screen shows.
+fn chosen(spec: &JobSpec) -> Vec<String> {
+    let has_edges = spec.optimizer["osmo"]["edges"] == true;
+    let edges = has_edges.then_some(
+        "optimizer.osmo.edges = true: each step ends with two more halves, at the part's surface",
+    );
+    let last = (spec.stop.keep == Keep::Last).then_some(
+        "stop.keep = \"last\": the patterns are those of the last iteration, the best ones or not",
+    );
+    [edges, last]
+        .into_iter()
+        .flatten()
+        .map(str::to_owned)
+        .collect()
 }
 
 /// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.

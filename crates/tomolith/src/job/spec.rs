@@ -290,7 +290,7 @@ pub struct LightSpec {
     /// Offset of the image's center from the rotation axis [along the columns, up]; 0 when left out.
     #[serde(default, skip_serializing_if = "is_about_axis")]
     pub offset_mm: [Mm; 2],
-    /// Azimuths of the frames: a count (full turn), {count, start_deg, arc_deg} or {list_deg}.
+    /// Azimuths of the frames: a count (full turn; for a single frame the vial stands), {count, start_deg, arc_deg} or {list_deg}.
     pub angles: Angles,
     /// Angles at which the optimization averages a frame, which is exposed while the vial turns through its arc. When left out: one for
     /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is not collimated and level.
@@ -982,7 +982,9 @@ impl Angles {
         }
     }
 
-    /// Azimuth from which each frame's light arrives (rad), and the arc of one frame (rad; 0 for a list).
+    /// Azimuth from which each frame's light arrives (rad), and the arc of one frame (rad; 0 for a list, and for one frame on a whole
+    /// turn: it comes from one direction, so the vial stands while it is shown. One pattern on a turning vial is the same frame at
+    /// many angles).
     ///
     /// ```
     /// use tomolith::job::{Angles, Rotation};
@@ -990,6 +992,9 @@ impl Angles {
     /// let (azimuths, arc) = angles.azimuths(Rotation::Clockwise);
     /// assert!((azimuths[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-12); // a quarter turn further
     /// assert!((arc - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    /// // One frame, for which the vial stands
+    /// let one = Angles::Even { count: 1, start_deg: 0.0, arc_deg: 360.0 };
+    /// assert_eq!(one.azimuths(Rotation::Clockwise), (vec![0.0], 0.0));
     /// let (azimuths, _) = angles.azimuths(Rotation::Counterclockwise);
     /// assert!((azimuths[1] + std::f64::consts::FRAC_PI_2).abs() < 1e-12); // the other way round
     /// ```
@@ -1009,6 +1014,9 @@ impl Angles {
                 let azimuths = (0..*count)
                     .map(|k| start + sense * arc * k as f64 / *count as f64)
                     .collect();
+                if *count == 1 && *arc_deg == 360.0 {
+                    return (azimuths, 0.0);
+                }
                 (azimuths, arc / (*count).max(1) as f64)
             }
             Angles::List(list) => (list.iter().map(|a| a.to_radians()).collect(), 0.0),

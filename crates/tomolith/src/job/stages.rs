@@ -139,7 +139,8 @@ fn simulate_stages(
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let mut scene = Scene::new(job)?;
-    let patterns = device::read(&scene, source, clock.progress)?;
+    let (patterns, notes) = device::read(&scene, source)?;
+    scene.notes.extend(notes);
     cancel.check()?;
     let folder = open(job, &scene, clock.progress)?;
     let stage = clock.stage("sampling the target");
