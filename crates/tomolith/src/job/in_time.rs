@@ -126,17 +126,37 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
     schedule(spec)?;
     let mixing = spec.mixing()?;
     let grid = VolumeGrid::centered([1, 1, 1], 0.1);
-    let material = material(spec, mixing.as_deref(), Domain::new(grid))?;
-    if let Some(step_s) = given.step_s
-        && !(step_s > 0.0 && step_s <= material.longest_step_s())
-    {
-        return Err(Error::config(
+    material(spec, mixing.as_deref(), Domain::new(grid))?;
+    match given.step_s {
+        Some(step_s) if !(step_s > 0.0 && step_s.is_finite()) => Err(Error::config(
             "schedule.step_s",
             format!("found {step_s} s"),
             "a time above 0",
-        ));
+        )),
+        _ => Ok(()),
     }
-    Ok(())
+}
+
+/// Refuses a step of time that is not stable on these voxels.
+///
+/// # Errors
+/// [`Error::Config`] with the longest one that is.
+pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
+    let Some(step_s) = spec.schedule.as_ref().and_then(|given| given.step_s) else {
+        return Ok(());
+    };
+    let material = material(spec, spec.mixing()?.as_deref(), Domain::new(grid.clone()))?;
+    let limit = material.longest_step_s();
+    if step_s <= limit {
+        return Ok(());
+    }
+    Err(Error::config(
+        "schedule.step_s",
+        format!(
+            "found {step_s} s, but diffusion through the faces of voxels is stable up to {limit:.4} s only"
+        ),
+        "a shorter step, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"",
+    ))
 }
 
 /// The schedule of a job.
@@ -511,4 +531,129 @@ fn middle_of(labels: &Volume<u8>) -> usize {
     first
         .zip(last)
         .map_or(nz / 2, |(a, b)| usize::midpoint(a, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Document, Job, Silent};
+    use serde_json::Value;
+
+    const DISC: &str = r#"
+        target = { phantom = { sphere = {} }, size_mm = 1.2 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [24, 20], angles = 24, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        stop = { iterations = 12 }
+        evaluate = { refine = 1, sub_angles = 1 }
+        schedule = { seconds_per_turn = 5.0, turns = 8, power = { energy_per_turn_mj_per_mm2 = 0.25 }, snapshots = 2 }
+        [[material.photopolymer.networks]]
+        name = "resin"
+        curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } }
+        inhibitors = [{ capacity_mj_per_mm3 = 0.25, diffusion_mm2_per_s = 1e-4 }]
+    "#;
+
+    fn job(changes: &[&str]) -> Result<Job> {
+        let mut document = Document::toml("a.toml", DISC).unwrap();
+        for change in changes {
+            document.set(change).unwrap();
+        }
+        Job::from_document(document)
+    }
+
+    /// The report of a run, and its folder.
+    fn report(changes: &[&str]) -> (Value, tempfile::TempDir) {
+        let folder = tempfile::tempdir().unwrap();
+        let job = job(changes).unwrap();
+        let job = job.with_folder(&folder.path().join("run"), "--output");
+        crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+        let text = std::fs::read(folder.path().join("run/report.json")).unwrap();
+        (serde_json::from_slice(&text).unwrap(), folder)
+    }
+
+    #[test]
+    fn a_job_with_a_schedule_prints_in_time() {
+        let (report, folder) = report(&[]);
+        let time = &report["time"][0];
+        let number = |key: &str| time[key].as_f64().unwrap();
+        // Nothing is solid before oxygen is used up: 0.75 of the dose that is asked for in all, of 2 that are sent
+        let (begin, best) = (number("induction_end_s"), number("best_s"));
+        assert!(
+            begin > 5.0 && best >= begin && best <= 40.0,
+            "{begin} {best}"
+        );
+        assert!(number("best_jaccard") > 0.7, "{time}");
+        let iou = time["evaluation"]["iou"].as_f64().unwrap();
+        assert!((iou - number("best_jaccard")).abs() < 1e-9);
+        for file in ["time.csv", "cure_time.npy", "print.mp4"] {
+            assert!(folder.path().join("run").join(file).exists(), "{file}");
+        }
+    }
+
+    #[test]
+    fn shaded_light_and_two_networks_print_too() {
+        let (report, folder) = report(&[
+            "species=[{ name = \"soft\" }, { name = \"hard\", driven_by = { light = 0.5 } }]",
+            "material.photopolymer.networks=[{ name = \"soft\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } } }, { name = \"hard\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } } }]",
+            "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.1, 0.5] }]",
+        ]);
+        let begin = |i: usize| report["time"][i]["induction_end_s"].as_f64().unwrap();
+        // Half the drive takes twice as long, and a little more behind what is solid by then
+        let ratio = begin(1) / begin(0);
+        assert!((1.8..2.6).contains(&ratio), "{ratio}");
+        assert!(folder.path().join("run/time_hard.csv").exists());
+    }
+
+    #[test]
+    fn patterns_against_the_degree_of_cure_end_at_the_gel_point() {
+        for against in ["frozen", "exact"] {
+            let change = format!("schedule.optimize=\"{against}\"");
+            let (report, _folder) = report(&[&change, "schedule.turns=4"]);
+            let time = &report["time"][0];
+            let last = time["curves"]["jaccard"]
+                .as_array()
+                .unwrap()
+                .last()
+                .unwrap();
+            let last = last.as_f64().unwrap();
+            let best = time["best_jaccard"].as_f64().unwrap();
+            assert!(last > 0.8 && last > best - 0.05, "{against}: {last} {best}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
+        let refused = |changes: &[&str]| {
+            let found = job(changes).and_then(|job| crate::job::ResolvedJob::new(&job).map(drop));
+            match found.unwrap_err() {
+                Error::Config { key, .. } => key,
+                other => panic!("{other}"),
+            }
+        };
+        for (change, key) in [
+            ("schedule.turns=0", "schedule.turns"),
+            ("schedule.duty=1.5", "schedule.duty"),
+            ("schedule.step_s=0", "schedule.step_s"),
+            // 0.1² / (6·10⁻³) is 1.7 s
+            ("schedule.step_s=100", "schedule.step_s"),
+            (
+                "material.photopolymer.networks=[]",
+                "material.photopolymer.networks",
+            ),
+            (
+                "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = -1 } } }]",
+                "material.photopolymer.networks[0].curing",
+            ),
+        ] {
+            let found = refused(&[change]);
+            assert!(found.starts_with(key), "{change}: {found}");
+        }
+        let without = "schedule={ turns = 2 }";
+        let mut document =
+            Document::toml("a.toml", DISC.split("[[material").next().unwrap()).unwrap();
+        document.set(without).unwrap();
+        let found = Job::from_document(document).map(drop).unwrap_err();
+        assert!(matches!(found, Error::Config { key, .. } if key == "material"));
+    }
 }

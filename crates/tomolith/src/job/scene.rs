@@ -13,7 +13,7 @@ use super::read::Job;
 use super::refinement::{self, Level};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, clip, coarse, light, property, species};
+use super::{cells, clip, coarse, in_time, light, property, species};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -154,6 +154,7 @@ impl Scene {
         notes.extend(moved(moved_mm));
         notes.extend(chosen(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
+        in_time::must_be_stable(&spec, &grid)?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         // A file that is missing is told before numbers that do not suit it
         let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
@@ -549,6 +550,10 @@ impl Voxels {
     }
 }
 
+/// Volumes that a further species, and a print in time, take, as objectives with fields.
+const PER_SPECIES: usize = 2;
+const PER_PRINT: usize = 5;
+
 /// Objectives with numbers of their own for every voxel.
 fn with_fields(spec: &JobSpec, grey: bool) -> Result<usize> {
     let mut count = 0;
@@ -556,7 +561,15 @@ fn with_fields(spec: &JobSpec, grey: bool) -> Result<usize> {
         let (common, _) = Common::split(section)?;
         count += usize::from(grey || common.has_fields());
     }
-    Ok(count)
+    // Dose and target of each further species; state and snapshots of a print in time
+    let further = spec.species.len().saturating_sub(1);
+    Ok(count
+        + PER_SPECIES * further
+        + if spec.schedule.is_some() {
+            PER_PRINT
+        } else {
+            0
+        })
 }
 
 /// Bytes of a canvas pixel in `frames.npz`, 0 when the job asks for none.
