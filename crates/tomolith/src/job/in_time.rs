@@ -635,7 +635,7 @@ mod tests {
             ("schedule.turns=0", "schedule.turns"),
             ("schedule.duty=1.5", "schedule.duty"),
             ("schedule.step_s=0", "schedule.step_s"),
-            // 0.1² / (6·10⁻³) is 1.7 s
+            // 0.1²/(6·10⁻⁴) is 16.7 s
             ("schedule.step_s=100", "schedule.step_s"),
             (
                 "material.photopolymer.networks=[]",
