@@ -201,7 +201,7 @@ pub(super) fn property(map: &MapReport<'_>) -> String {
     };
     let ends = [low, high].map(|v| significant(v, 3));
     format!(
-        "<div class=\"beside\">{row}</div>{}",
+        "<div class=\"pair\">{row}</div>{}",
         bar_svg(viridis, &label, "", ends)
     )
 }
