@@ -94,7 +94,7 @@ impl ModelFamily for Params {
 
     fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
         let is_cut = scene.solid.is_some();
-        is_cut.then_some("a stored matrix knows whole voxels")
+        is_cut.then_some("a stored matrix has whole voxels only")
     }
 
     /// Reads the file, which is read again when it is needed.

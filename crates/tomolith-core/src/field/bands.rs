@@ -450,7 +450,7 @@ impl BandLoss {
         let [lower, upper] = [band.lower, band.upper].map(exact);
         Err(Error::config(
             "",
-            format!("the band from {lower} to {upper} asks for what the response cannot reach"),
+            format!("the band from {lower} to {upper} lies outside the response's range"),
             format!("bands that meet the response's range, {low} to {high}"),
         ))
     }

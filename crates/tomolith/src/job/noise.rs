@@ -207,7 +207,7 @@ mod tests {
             noise(0.77)
                 .warning()
                 .unwrap()
-                .contains("IoU 1.0000 on these, 0.7700")
+                .contains("IoU 1.0000 on these paths, 0.7700")
         );
         // 3 % in the void is too much to judge by, and is said too
         let quiet = |independent: f64| Noise {

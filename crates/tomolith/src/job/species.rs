@@ -402,7 +402,7 @@ mod tests {
         task.model
             .pullback(&task.start, &slope, &mut gradient, &run)
             .unwrap();
-        let step = 0.1 * task.start.max_abs() / gradient.max_abs();
+        let step = 0.01 * task.start.max_abs() / gradient.max_abs();
         task.start.move_along(&gradient, -step, &bounds);
         task.model.dose(&task.start, &mut dose, &run).unwrap();
         assert!(task.objective.value(&dose) < before);
