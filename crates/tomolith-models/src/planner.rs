@@ -253,7 +253,7 @@ mod tests {
             (&None, level, "collimated light"),
             (&None, leaning, ": light is not normal to the axis"),
             (&None, cut, ": the target's surface cuts voxels into cells"),
-            (&rays, level, ": as the job asks ([model.parallel] covers"),
+            (&rays, level, ": as asked; [model.parallel] covers"),
             (&scatter, level, ": as asked; nothing scatters"),
             (&parallel, leaning, "model.parallel"),
             (&wave, level, "wave ("),

@@ -318,8 +318,10 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
             near,
             "loss {other} in place of {own}, {initial} at the start"
         );
+        // Where a loss reaches 0 many patterns do, with windows of their own
+        let is_unique = own > 1e-6 * initial;
         assert!(
-            (cold[5] - warm[5]).abs() < 0.005,
+            !is_unique || (cold[5] - warm[5]).abs() < 0.005,
             "PW {} in place of {}",
             warm[5],
             cold[5]
@@ -483,7 +485,7 @@ fn a_thousand_million_runs_are_refused_with_their_time() {
     let sweep = format!("job = \"job.toml\"\n{}", keys.map(thousand).concat());
     let message = Bench::new(SWEEP).refusal(&sweep);
     assert!(
-        message.starts_with("axes: 1000000000 runs of about ") && message.contains("years"),
+        message.starts_with("axes: 1000000000 runs of about ") && message.contains(" days"),
         "{message}"
     );
 }
