@@ -220,7 +220,7 @@ impl DoseModel for Frozen {
     }
 
     fn renew(&self, iteration: usize) -> bool {
-        if iteration <= 1 || (iteration - 1) % self.every != 0 {
+        if iteration <= 1 || !(iteration - 1).is_multiple_of(self.every) {
             return false;
         }
         let latest = self

@@ -5,7 +5,7 @@
 use super::figures::growth;
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::fmt::Write as _;
 use tomolith_core::grid::Volume;
 use tomolith_metrics::Evaluation;
@@ -104,7 +104,7 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
         "ideal_exposure_s": number(time.ideal_s),
         "requirement_mj": number(time.requirement_mj),
         "largest_share_of_requirement": number(time.reached),
-        "evaluation": evaluation.unwrap_or_else(Map::new),
+        "evaluation": evaluation.unwrap_or_default(),
         "curves": {
             "seconds": column(&|p| p.seconds),
             "imbued_mj": column(&|p| p.imbued_mj),

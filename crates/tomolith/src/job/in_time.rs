@@ -178,7 +178,7 @@ fn schedule(spec: &JobSpec) -> Result<Schedule> {
             )
         })
         .collect();
-    Schedule::of_turns(&turns).map_err(|e| at_schedule(e))
+    Schedule::of_turns(&turns).map_err(at_schedule)
 }
 
 /// Names the key of the job.
