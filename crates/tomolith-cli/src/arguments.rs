@@ -81,7 +81,7 @@ pub(crate) enum Command {
     Trace(TraceArguments),
     /// Translate a job of Dr.TVAM into a Tomolith job
     Import(ImportArguments),
-    /// Draw calibration frames for a machine, or fit what was measured: grey curve, response, kinetics, a print of discs
+    /// Draw calibration frames for a machine, or fit what was measured: gray curve, response, kinetics, a print of discs
     Calibrate(CalibrateArguments),
     /// Plan the exposure of a run: power and critical dose → time, turns, duty, energy
     Expose(ExposeArguments),

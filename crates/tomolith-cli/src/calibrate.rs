@@ -14,7 +14,7 @@ use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 use tomolith_planning::discs::{self, Discs};
-use tomolith_planning::grey::{Form, GreyCurve, Polynomial};
+use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
 use tomolith_planning::measured::{csv, curve, read_pairs};
 use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
 use tomolith_planning::response::{Axes, ResponseFit};
@@ -24,7 +24,7 @@ const CALIBRATE: &str = "\
 Examples:
   tomolith calibrate --canvas 1920 1080 --output calibration
   tomolith calibrate --job examples/09-printer.toml siemens_star axis_lines --output calibration
-  tomolith calibrate grey examples/calibration/grey-visible.csv --output grey
+  tomolith calibrate grey examples/calibration/grey-visible.csv --output gray
   tomolith calibrate response examples/calibration/stiffness.csv --log-response --output stiffness
   tomolith calibrate kinetics examples/calibration/balls-uv.csv --at 20 --output balls
   tomolith calibrate discs --canvas 1920 1080 --pixel-pitch-mm 0.0138 --irradiance 25 --from 20 --to 400 --output discs
@@ -56,8 +56,8 @@ pub(crate) struct CalibrateArguments {
 
 #[derive(Debug, Subcommand)]
 enum Fit {
-    /// Grey curve from a power meter's table: grey value, irradiance
-    Grey(GreyArguments),
+    /// Gray curve from a power meter's table: gray value, irradiance
+    Grey(GrayArguments),
     /// Response from measured pairs: dose, response
     Response(ResponseArguments),
     /// Inhibitor and kinetics from curing times: irradiance (mW/cm²), time (s)
@@ -81,22 +81,22 @@ struct Measured {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum GreyForm {
+enum GrayForm {
     Monotone,
     Line,
     Quadratic,
 }
 
 #[derive(Debug, Args)]
-struct GreyArguments {
+struct GrayArguments {
     #[command(flatten)]
     measured: Measured,
-    /// Grey value of white
+    /// Gray value of white
     #[arg(long, default_value_t = 255.0, allow_negative_numbers = true)]
     top: f64,
     /// The curve that is written; the others are fitted for comparison
     #[arg(long, value_enum, default_value = "monotone")]
-    form: GreyForm,
+    form: GrayForm,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -193,17 +193,17 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
     }
 }
 
-fn grey(given: &GreyArguments) -> Result<()> {
+fn grey(given: &GrayArguments) -> Result<()> {
     voxel::above_zero("--top", Some(given.top))?;
     let path = &given.measured.table;
     let table =
-        curve(&read_pairs(path, "grey value and irradiance")?).map_err(|e| in_file(e, path))?;
+        curve(&read_pairs(path, "gray value and irradiance")?).map_err(|e| in_file(e, path))?;
     let form = match given.form {
-        GreyForm::Monotone => Form::Monotone,
-        GreyForm::Line => Form::Line,
-        GreyForm::Quadratic => Form::Quadratic,
+        GrayForm::Monotone => Form::Monotone,
+        GrayForm::Line => Form::Line,
+        GrayForm::Quadratic => Form::Quadratic,
     };
-    let found = GreyCurve::new(&table, given.top, form).map_err(|e| in_file(e, path))?;
+    let found = GrayCurve::new(&table, given.top, form).map_err(|e| in_file(e, path))?;
     let mut answer = Answer::default();
     answer.line("points", table.doses.len().to_string());
     let mut fits = Vec::new();
@@ -215,7 +215,7 @@ fn grey(given: &GreyArguments) -> Result<()> {
         let worst = residuals.iter().fold(0.0f64, |worst, r| worst.max(r.abs()));
         let usable = fit.usable(given.top);
         let range = match usable {
-            Some([low, high]) => format!("usable from grey {low:.1} to {high:.1}"),
+            Some([low, high]) => format!("usable from gray {low:.1} to {high:.1}"),
             None => "usable nowhere".to_owned(),
         };
         answer.line(

@@ -105,7 +105,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         .find_map(Value::as_f64)
         .filter(|dose| *dose > 0.0)
         .ok_or_else(|| {
-            let found = "its report names no dose at which the part gels: nothing prints, or the target is grey";
+            let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
             Error::config("RUN", found, "a run that prints a part")
         })?;
     let window = &report["exposure"]["percent"];

@@ -49,7 +49,7 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
 /// The JSON Schema of a job, or a page of all its keys.
 pub(crate) fn schema(markdown: bool) -> Result<()> {
     if markdown {
-        say(tomolith::job::page::markdown().trim_end());
+        say(tomolith::job::reference_page::markdown().trim_end());
     } else {
         say(&format!("{:#}", tomolith::job::schema::schema()));
     }

@@ -228,7 +228,7 @@ fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
         if asked.cancel() >= 2 {
             std::process::exit(i32::from(CANCELLED));
         }
-        // An optimisation ends its step first, which may take a while
+        // An optimization ends its step first, which may take a while
         if !manner.quiet && !asked.is_cancelled() {
             screen::mutter("\nstopping after this iteration; Ctrl-C again stops at once");
         }

@@ -27,7 +27,7 @@ Arrays are [z, y, x] or [y, x], of any number type; part is where the target is 
 pub(crate) struct MetricsArguments {
     /// Dose (or response): FILE.npy, or FILE.npz:NAME
     dose: String,
-    /// Target: inside fraction, 0 and 1, or grey values
+    /// Target: inside fraction, 0 and 1, or gray values
     target: String,
     /// Which voxels count: 0 none, 1 void, 2 part, as in dose.vti of a run; in place of the target's half
     #[arg(long, value_name = "ARRAY")]
@@ -41,7 +41,7 @@ pub(crate) struct MetricsArguments {
     /// Dose at which the resin is solid; the one of the best IoU when left out
     #[arg(long, allow_negative_numbers = true)]
     threshold: Option<f64>,
-    /// The target's values are grey and to be reproduced
+    /// The target's values are gray and to be reproduced
     #[arg(long)]
     grey: bool,
     /// Half width of the band of BCLP's norms
@@ -93,8 +93,8 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let labels = labels(given, &target)?;
     let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
     if given.grey {
-        must_be_grey(&given.target, &target)?;
-        print = print.with_grey(&target, given.epsilon)?;
+        must_be_gray(&given.target, &target)?;
+        print = print.with_gray(&target, given.epsilon)?;
     }
     if let Some(threshold) = given.threshold {
         print = print.with_threshold(threshold)?;
@@ -196,12 +196,12 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     }
 }
 
-/// Grey values as the dose should have them: 0 to 1.
-fn must_be_grey(source: &str, target: &Volume<f32>) -> Result<()> {
+/// Gray values as the dose should have them: 0 to 1.
+fn must_be_gray(source: &str, target: &Volume<f32>) -> Result<()> {
     match target.values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
         Some(value) => Err(Error::Format {
             path: source.into(),
-            found: format!("a grey value of {value}"),
+            found: format!("a gray value of {value}"),
             accepted: "with --grey, values from 0 to 1: divide 8-bit values by 255".to_owned(),
         }),
         None => Ok(()),

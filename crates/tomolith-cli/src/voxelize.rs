@@ -15,7 +15,7 @@ use tomolith::kind::Section;
 use tomolith::models::Run;
 use tomolith::target::{
     MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build, default_grid,
-    voxelise,
+    voxelize as voxelize_target,
 };
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -77,7 +77,7 @@ pub(crate) struct VoxelizeArguments {
     /// Unit of the numbers in the file: mm (default), um, cm, m or inch; a .3mf file states its own
     #[arg(long, value_name = "UNIT", value_parser = ["um", "mm", "cm", "m", "inch"])]
     mesh_unit: Option<String>,
-    /// Also save the mesh as it is voxelised, repaired and placed, in mm: a binary .stl
+    /// Also save the mesh as it is voxelized, repaired and placed, in mm: a binary .stl
     #[arg(long, value_name = "FILE")]
     save_mesh: Option<PathBuf>,
     #[command(flatten)]
@@ -147,7 +147,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>) -> Result
     let question =
         question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
     let grid = grid_of(given, shape.bounds_mm()).map_err(|e| asking(e, question.as_deref()))?;
-    let mut target = voxelise(shape.as_ref(), &spec.name(), &grid)?;
+    let mut target = voxelize_target(shape.as_ref(), &spec.name(), &grid)?;
     let volume_mm3 = target
         .inside
         .values

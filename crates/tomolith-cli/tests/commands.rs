@@ -225,7 +225,7 @@ fn anybodys_arrays_are_measured() {
     assert!(
         bench
             .expect(2, "metrics dose.npy bytes.npy --grey")
-            .contains("a grey value of 255")
+            .contains("a gray value of 255")
     );
     assert!(
         bench
@@ -479,7 +479,7 @@ fn light_that_is_scattered_is_traced() {
 #[test]
 fn light_that_is_no_ray_is_not_traced() {
     let bench = Bench::new();
-    for model in ["wave", "spread"] {
+    for model in ["wave", "incoherent_cone"] {
         let line = format!(
             "trace job.toml --pixel 0,16,8 --set vial={{index_matched={{radius_mm=3.0}}}} --set model={{{model}={{}}}}"
         );
@@ -495,12 +495,12 @@ fn waves_have_no_matrix_and_light_that_spreads_says_how_large_its_is() {
     let job = "job.toml --output m.npz --set vial={index_matched={radius_mm=3.0}}";
     let said = bench.expect(2, &format!("export-matrix {job} --set model={{wave={{}}}}"));
     assert!(
-        said.contains("not linear in the patterns") && said.contains("[model.spread]"),
+        said.contains("not linear in the patterns") && said.contains("[model.incoherent_cone]"),
         "{said}"
     );
     assert!(!bench.path("m.npz").exists());
     let small = "--set grid.shape=[4,4,2] --set grid.clip=true --set light.pixels=[32,16] --set light.angles=3";
-    let line = format!("export-matrix {job} {small} --set model={{spread={{}}}}");
+    let line = format!("export-matrix {job} {small} --set model={{incoherent_cone={{}}}}");
     let said = bench.expect(0, &line);
     // 32 voxels, 1536 pixels
     assert!(said.contains("4.92e4 entries"), "{said}");
@@ -509,8 +509,8 @@ fn waves_have_no_matrix_and_light_that_spreads_says_how_large_its_is() {
 #[test]
 fn levels_that_are_too_small_to_be_made_are_told() {
     let bench = Bench::new();
-    let said = bench.expect(0, "check job.toml --set coarse.levels=5");
-    assert!(said.contains("coarse.levels = 5"), "{said}");
+    let said = bench.expect(0, "check job.toml --set multiresolution.levels=5");
+    assert!(said.contains("multiresolution.levels = 5"), "{said}");
 }
 
 #[test]
@@ -553,7 +553,7 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
     assert!(!bench.path("wrong.toml").exists());
 }
 
-/// What an optimisation wants pixels to be, [angle, row, column]: the job with these keys of its light, and further tables.
+/// What an optimization wants pixels to be, [angle, row, column]: the job with these keys of its light, and further tables.
 fn wanted(bench: &Bench, name: &str, light: &str, tables: &str) -> Vec<f32> {
     let job = JOB.replace("pixels = [32, 16]", light) + tables;
     fs::write(bench.path(&format!("{name}.toml")), job).unwrap();
@@ -611,7 +611,7 @@ fn pixels_that_may_not_be_lit_or_cannot_be_or_bring_little_stay_dark() {
     let chosen = wanted(
         &bench,
         "chosen",
-        "pixels = [32, 16]\nselection = { mask = \"mask.npy\", least_contribution = 0.3 }",
+        "pixels = [32, 16]\nselection = { mask = \"mask.npy\", min_contribution = 0.3 }",
         "[printer]\ndead_pixels = \"dead.npy\"\n",
     );
     let lit = |values: &[f32], [row, column]: [usize; 2]| {

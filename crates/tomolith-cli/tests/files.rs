@@ -194,7 +194,7 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
 }
 
 #[test]
-fn grey_frames_may_be_stored_in_colour() {
+fn gray_frames_may_be_stored_in_color() {
     let bench = Bench::new();
     fs::create_dir(bench.path("frames")).unwrap();
     let save = |k: usize, tint: u8| {
@@ -304,12 +304,12 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
         (
             "metres.obj",
             "m",
-            "is its file in metres? set target.mesh_unit = \"m\"",
+            "is its file in meters? set target.mesh_unit = \"m\"",
         ),
         (
             "microns.obj",
             "um",
-            "is its file in micrometres? set target.mesh_unit = \"um\"",
+            "is its file in micrometers? set target.mesh_unit = \"um\"",
         ),
     ] {
         bench.write("mesh.toml", job(name).as_bytes());
@@ -324,7 +324,7 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
         &bench.expect(0, line),
         &[
             "no voxel is at least half inside",
-            "is its file in metres? give --mesh-unit \"m\"",
+            "is its file in meters? give --mesh-unit \"m\"",
         ],
     );
     let found = bench.json(&format!("{line} --mesh-unit m"));

@@ -1,6 +1,6 @@
 //! The light that is projected makes a right-handed part, whichever way the vial turns.
 //!
-//! A chiral part is optimised by the command, its PNG frames are read back, and the light they stand for is laid down
+//! A chiral part is optimized by the command, its PNG frames are read back, and the light they stand for is laid down
 //! again by a back projection written here from `docs/conventions.md` alone: nothing of the library's models is used.
 
 use std::fs::{self, File};
@@ -46,7 +46,7 @@ folder = "run"
     )
 }
 
-/// Pattern values of one frame, `[row, column]`: grey over white, times the full scale that the file states.
+/// Pattern values of one frame, `[row, column]`: gray over white, times the full scale that the file states.
 fn frame(path: &Path) -> Vec<f64> {
     let decoder = png::Decoder::new(BufReader::new(File::open(path).unwrap()));
     let mut reader = decoder.read_info().unwrap();
@@ -68,7 +68,7 @@ fn frame(path: &Path) -> Vec<f64> {
 /// Samples of the test's own volume along x and y, and along z: at the middle of each pixel row.
 const EDGE: usize = 40;
 
-/// Sample i of n, mm from the centre.
+/// Sample i of n, mm from the center.
 fn place(i: usize, n: usize) -> f64 {
     (i as f64 - (n as f64 - 1.0) / 2.0) * PITCH_MM
 }

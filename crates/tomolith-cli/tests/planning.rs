@@ -102,7 +102,7 @@ fn near(value: &Value, expected: f64, tolerance: f64) {
 }
 
 #[test]
-fn a_grey_curve_goes_from_the_power_meter_to_the_job() {
+fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     let bench = Bench::new();
     let found = bench.json(&format!(
         "calibrate grey {} --output curve",
@@ -121,7 +121,7 @@ fn a_grey_curve_goes_from_the_power_meter_to_the_job() {
         0,
         &format!("calibrate grey {}", example("grey-visible.csv")),
     );
-    assert!(said.contains("usable from grey 86.1 to 239.1"), "{said}");
+    assert!(said.contains("usable from gray 86.1 to 239.1"), "{said}");
     bench.refuse(
         &format!(
             "calibrate grey {} --form quadratic",
@@ -129,24 +129,24 @@ fn a_grey_curve_goes_from_the_power_meter_to_the_job() {
         ),
         &[
             "grey-visible.csv",
-            "usable from grey 86.15 to 239.06",
+            "usable from gray 86.15 to 239.06",
             "monotone",
         ],
     );
     bench.write("falls.csv", "0,0\n128,3\n255,2\n");
     bench.refuse(
         "calibrate grey falls.csv",
-        &["falls from 3 to 2", "usable from grey 0.00 to 128.00"],
+        &["falls from 3 to 2", "usable from gray 0.00 to 128.00"],
     );
     bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
     bench.refuse(
         "calibrate grey negative.csv",
-        &["a negative irradiance", "from grey 128.00 to 255.00"],
+        &["a negative irradiance", "from gray 128.00 to 255.00"],
     );
     bench.write("short.csv", "0,0\n200,3\n");
     bench.refuse(
         "calibrate grey short.csv",
-        &["--top", "grey values from 0 to 200"],
+        &["--top", "gray values from 0 to 200"],
     );
     bench.write("words.csv", "grey,irradiance\n0,zero\n");
     bench.refuse("calibrate grey words.csv", &["words.csv", "line 2"]);
@@ -478,7 +478,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
 }
 
 #[test]
-fn designs_are_analysed() {
+fn designs_are_analyzed() {
     let bench = Bench::new();
     let voxel = "analyze voxel --pixels 1024 --fps 60 --penetration-mm 12";
     let found = bench.json(&format!("{voxel} --dose-time-s 4 --output voxel"));

@@ -1,6 +1,6 @@
 //! What a machine shows makes the part that was designed, however the machine stands.
 //!
-//! A chiral part is optimised once and exported for machines with every flip and turn, both senses of rotation and another
+//! A chiral part is optimized once and exported for machines with every flip and turn, both senses of rotation and another
 //! start. The test then plays the movie or the frames on a machine of its own, written from docs/printer.md alone: it cuts
 //! the picture out of the canvas, turns and mirrors it back by moving pixels, and lays the light down by a plain back
 //! projection. Of the library it uses the decoder of movies, nothing else.
@@ -96,7 +96,7 @@ fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
-/// A grey picture, row 0 on top.
+/// A gray picture, row 0 on top.
 #[derive(Clone)]
 struct Picture {
     rows: usize,
@@ -174,7 +174,7 @@ impl Machine {
             "counterclockwise"
         };
         format!(
-            "canvas = {:?}\nquarter_turns = {}\nflip_horizontal = {}\nflip_vertical = {}\noffset_px = {:?}\nsense = \"{sense}\"\nstart_deg = {:?}\n",
+            "canvas = {:?}\nquarter_turns = {}\nflip_horizontal = {}\nflip_vertical = {}\noffset_px = {:?}\nrotation = \"{sense}\"\nstart_deg = {:?}\n",
             self.canvas,
             self.quarter_turns,
             self.flips[0],
@@ -347,7 +347,7 @@ axis_offset_mm = 0.13
 eccentricity_mm = 0.21
 eccentricity_deg = 40.0
 copies_px = [[-70, 0], [70, 0]]
-sense = "counterclockwise"
+rotation = "counterclockwise"
 start_deg = 78.0
 grey_curve = [[0.0, 0.01], [0.3, 0.1], [0.7, 0.5], [1.0, 1.0]]
 flat_field = "flat.npy"

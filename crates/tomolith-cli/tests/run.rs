@@ -277,7 +277,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(number(&gain["loss"]) < number(&gain["rounded_loss"]));
     assert!(number(&gain["calls"]) <= 70.0);
     assert_ne!(report["evaluation"], rounded["evaluation"]);
-    // What the optimisation reached is told apart from what is shown of it
+    // What the optimization reached is told apart from what is shown of it
     assert_eq!(report["optimisation"], rounded["optimisation"]);
     // The default is to improve, and more bits are rounded
     assert_eq!(run("default", "").1["levels"], *gain);
@@ -395,7 +395,7 @@ enum Phase {
     /// Before the first iteration.
     Beginning,
     /// So many iterations after the last checkpoint; a checkpoint is written after nearly each one.
-    Optimising(u64),
+    Optimizing(u64),
     Evaluating,
     /// While files are written, or moved to their names.
     Writing,
@@ -409,12 +409,12 @@ fn killed_in(bench: &Bench, line: &str, phase: Phase, random: &mut Random) -> bo
     command.stdout(Stdio::piped()).stderr(Stdio::null());
     let mut child = command.spawn().unwrap();
     let mut iterations = match phase {
-        Phase::Optimising(iterations) => iterations,
+        Phase::Optimizing(iterations) => iterations,
         _ => 0,
     };
     let mark = match phase {
         Phase::Beginning => "reading the job",
-        Phase::Optimising(_) => "\"iteration\"",
+        Phase::Optimizing(_) => "\"iteration\"",
         Phase::Evaluating => "evaluating the written patterns",
         Phase::Writing => "\"writing\"",
     };
@@ -428,7 +428,7 @@ fn killed_in(bench: &Bench, line: &str, phase: Phase, random: &mut Random) -> bo
         iterations -= 1;
     }
     let longest_us = match phase {
-        Phase::Beginning | Phase::Optimising(_) => 8_000,
+        Phase::Beginning | Phase::Optimizing(_) => 8_000,
         Phase::Evaluating => 30_000,
         Phase::Writing => 60_000,
     };
@@ -455,7 +455,7 @@ fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
 
     let mut random = Random(0x5eed);
     let mut phases = vec![Phase::Beginning; 2];
-    phases.extend((0..16).map(|_| Phase::Optimising(1 + random.below(3))));
+    phases.extend((0..16).map(|_| Phase::Optimizing(1 + random.below(3))));
     phases.extend([Phase::Evaluating; 4]);
     phases.extend([Phase::Writing; 8]);
     assert_eq!(phases.len(), 30);
@@ -643,7 +643,10 @@ fn scattered_light_of_cones_is_held_against_random_paths() {
     bench.expect(0, &line);
     let report = json(&bench.path("cone/report.json"));
     let models = report["run"]["models"].to_string();
-    assert!(models.contains("orders (rays, 4 per pixel"), "{models}");
+    assert!(
+        models.contains("successive_orders (rays, 4 per pixel"),
+        "{models}"
+    );
     let found = &report["published"]["orders"];
     for place in ["part", "void"] {
         let error = found[place].as_f64().unwrap();

@@ -1,6 +1,6 @@
 //! Numbers in the memory where the work happens.
 //!
-//! Optimisers, objectives and models talk about [`Field`]s only: flat vectors of f32 with f64 sums. [`HostField`] is the
+//! Optimizers, objectives and models talk about [`Field`]s only: flat vectors of f32 with f64 sums. [`HostField`] is the
 //! one in this machine's memory; a device has its own. The meaning of an element (which pixel, which voxel) is in the
 //! model's layouts.
 //!
@@ -18,7 +18,7 @@
 //! | [`Field::Costs`] | penalties on patterns ([`CostKernel`]) | [`PatternCost`] |
 //! | [`DoseModel`](crate::dose::DoseModel) | a model whose fields these are | |
 //!
-//! That is all: problems, searches, optimisers, objectives, penalties and starts are generic over the field. A sum may differ from the
+//! That is all: problems, searches, optimizers, objectives, penalties and starts are generic over the field. A sum may differ from the
 //! host's by rounding, but must be the same in every run. Whoever wants the host's bits follows the order of sums that each operation
 //! states; `crates/tomolith-optimize/tests/sealed` is a whole backend that does.
 //!
@@ -61,7 +61,7 @@ pub struct Bounds {
     blocks: Vec<BoundedBlock>,
 }
 
-/// Neighbouring elements with the same bounds, at most [`BLOCK`] of them.
+/// Neighboring elements with the same bounds, at most [`BLOCK`] of them.
 #[derive(Clone, Debug, PartialEq)]
 struct BoundedBlock {
     len: usize,
@@ -239,7 +239,7 @@ pub trait Field: Clone + Send + Sync + 'static {
     ) -> StepSums;
     /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
     /// bound, the largest element takes its place.
-    fn quantise(&mut self, levels: u32, bounds: &Self::Bounds);
+    fn quantize(&mut self, levels: u32, bounds: &Self::Bounds);
     /// Secant sums of the step `self` between two gradients, one element after the other in a block.
     fn secant(&self, before: &Self, after: &Self) -> Secant;
 }
@@ -357,7 +357,7 @@ fn larger(a: f32, b: f32) -> f32 {
     }
 }
 
-/// Σ aᵢ·bᵢ in f64, with eight running sums so that it vectorises.
+/// Σ aᵢ·bᵢ in f64, with eight running sums so that it vectorizes.
 #[must_use]
 pub fn dot_block(a: &[f32], b: &[f32]) -> f64 {
     let mut sums = [0.0f64; 8];
@@ -551,7 +551,7 @@ impl Field for HostField {
     }
 
     #[expect(clippy::cast_precision_loss, reason = "at most 2¹⁶ levels")]
-    fn quantise(&mut self, levels: u32, bounds: &Bounds) {
+    fn quantize(&mut self, levels: u32, bounds: &Bounds) {
         let top = self.max_abs();
         let steps = levels.saturating_sub(1).max(1) as f32;
         bounds
@@ -593,11 +593,11 @@ mod tests {
     fn levels_are_even_between_the_bounds_and_half_goes_up() {
         let mut x = HostField::from_slice(&[-1.0, 0.0, 0.124, 0.125, 0.4, 0.99, 7.0]);
         // Five levels on [0, 1]
-        x.quantise(5, &Bounds::uniform(7, 0.0, 1.0));
+        x.quantize(5, &Bounds::uniform(7, 0.0, 1.0));
         assert_eq!(x.as_slice(), [0.0, 0.0, 0.0, 0.25, 0.5, 1.0, 1.0]);
         // One bit from ¼ to the largest element
         let mut x = HostField::from_slice(&[0.0, 1.0, 2.25, 1.2]);
-        x.quantise(2, &Bounds::uniform(4, 0.25, f32::INFINITY));
+        x.quantize(2, &Bounds::uniform(4, 0.25, f32::INFINITY));
         assert_eq!(x.as_slice(), [0.25, 0.25, 2.25, 0.25]);
     }
 

@@ -1,14 +1,14 @@
 //! What an array index means in mm and rad.
 //!
-//! Frame: right-handed, mm, z = rotation axis, up, origin = centre of the vial. Files and API arrays are in C order:
+//! Frame: right-handed, mm, z = rotation axis, up, origin = center of the vial. Files and API arrays are in C order:
 //! dose `[z, y, x]` with index 0 = most negative coordinate, patterns `[angle, row, column]` with row 0 = top (+z) and
-//! columns growing along (−sin α, cos α, 0). Sample i of n sits at `(i − (n−1)/2)·pitch` from the centre, for even and
+//! columns growing along (−sin α, cos α, 0). Sample i of n sits at `(i − (n−1)/2)·pitch` from the center, for even and
 //! odd n alike. See `docs/conventions.md`.
 //!
 //! ```
 //! use tomolith_core::grid::sample;
-//! assert_eq!(sample(0, 4, 1.0), -1.5); // even: no sample on the centre
-//! assert_eq!(sample(1, 3, 1.0), 0.0); // odd: the middle sample is the centre
+//! assert_eq!(sample(0, 4, 1.0), -1.5); // even: no sample on the center
+//! assert_eq!(sample(1, 3, 1.0), 0.0); // odd: the middle sample is the center
 //! ```
 
 mod mask;
@@ -16,7 +16,7 @@ mod mask;
 pub use mask::PixelMask;
 use std::f64::consts::TAU;
 
-/// Coordinate of sample `i` of `n`, relative to the centre, in the unit of `pitch`.
+/// Coordinate of sample `i` of `n`, relative to the center, in the unit of `pitch`.
 #[must_use]
 pub fn sample(i: usize, n: usize, pitch: f64) -> f64 {
     (i as f64 - (n as f64 - 1.0) / 2.0) * pitch
@@ -24,7 +24,7 @@ pub fn sample(i: usize, n: usize, pitch: f64) -> f64 {
 
 /// A box of voxels: cubes, or square columns that are lower or higher than wide.
 ///
-/// Files, metrics and most models know cubes alone. An optimisation may look at voxels that are as high as a row of pixels and
+/// Files, metrics and most models know cubes alone. An optimization may look at voxels that are as high as a row of pixels and
 /// finer across: collimated light is the same at all heights of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VolumeGrid {
@@ -34,12 +34,12 @@ pub struct VolumeGrid {
     pub pitch_mm: f64,
     /// Edge of a voxel along z, mm.
     pub height_mm: f64,
-    /// Centre of the box `[x, y, z]` in the resin frame, mm.
+    /// Center of the box `[x, y, z]` in the resin frame, mm.
     pub center_mm: [f64; 3],
 }
 
 impl VolumeGrid {
-    /// A box centred on the origin, `shape = [nz, ny, nx]`.
+    /// A box centered on the origin, `shape = [nz, ny, nx]`.
     #[must_use]
     pub fn centered(shape: [usize; 3], pitch_mm: f64) -> Self {
         VolumeGrid {
@@ -62,19 +62,19 @@ impl VolumeGrid {
         self.len() == 0
     }
 
-    /// x of the centres of column `ix`, mm.
+    /// x of the centers of column `ix`, mm.
     #[must_use]
     pub fn x(&self, ix: usize) -> f64 {
         self.center_mm[0] + sample(ix, self.shape[2], self.pitch_mm)
     }
 
-    /// y of the centres of row `iy`, mm.
+    /// y of the centers of row `iy`, mm.
     #[must_use]
     pub fn y(&self, iy: usize) -> f64 {
         self.center_mm[1] + sample(iy, self.shape[1], self.pitch_mm)
     }
 
-    /// z of the centres of slice `iz`, mm.
+    /// z of the centers of slice `iz`, mm.
     #[must_use]
     pub fn z(&self, iz: usize) -> f64 {
         self.center_mm[2] + sample(iz, self.shape[0], self.height_mm)
@@ -210,13 +210,13 @@ impl PatternGrid {
         self.len() == 0
     }
 
-    /// z of the centre of row `row`, mm (row 0 is the highest).
+    /// z of the center of row `row`, mm (row 0 is the highest).
     #[must_use]
     pub fn row_z(&self, row: usize) -> f64 {
         self.offset_mm[1] - sample(row, self.rows, self.pitch_mm[1])
     }
 
-    /// Lateral coordinate u of the centre of column `column`, mm.
+    /// Lateral coordinate u of the center of column `column`, mm.
     #[must_use]
     pub fn column_u(&self, column: usize) -> f64 {
         self.offset_mm[0] + sample(column, self.columns, self.pitch_mm[0])

@@ -1,6 +1,6 @@
 //! Rows of the tables of kinds: the row is the registration.
 //!
-//! A family (vials, objectives, optimisers, …) is a trait and a static table of [`Kind`]s. A row enrols its kind in job
+//! A family (vials, objectives, optimizers, …) is a trait and a static table of [`Kind`]s. A row enrols its kind in job
 //! files, in `tomolith kinds`, in the JSON schema and in the family's tests. In a job a kind is an externally tagged
 //! table, `[family.kind]`, so that an error can name the very key.
 
@@ -130,16 +130,22 @@ impl Section {
                 ));
             }
         };
-        let row = table
-            .iter()
-            .find(|k| k.name == name)
-            .ok_or_else(|| Error::Config {
-                key: format!("{}.{name}", self.path),
-                found: format!("unknown kind `{name}`"),
+        let row = table.iter().find(|k| k.name == name).ok_or_else(|| {
+            let key = format!("{}.{name}", self.path);
+            let renamed = renamed(&key);
+            Error::Config {
+                found: renamed.map_or_else(
+                    || format!("unknown kind `{name}`"),
+                    |new| format!("`{name}` is now called `{new}`"),
+                ),
+                key,
                 accepted: accepted(),
-                nearest: nearest_name(name, names()).map(str::to_owned),
+                nearest: renamed
+                    .or_else(|| nearest_name(name, names()))
+                    .map(str::to_owned),
                 place: None,
-            })?;
+            }
+        })?;
         let mut inner = Section::new(format!("{}.{name}", self.path), value).based(&self.base);
         inner.example = row.example;
         Ok((row, inner))
@@ -185,13 +191,33 @@ fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path)
 /// What is found where a key is missing.
 pub const MISSING: &str = "the key is missing";
 
-/// Keys that had another name, and the name that they have now.
-const RENAMED: [(&str, &str); 4] = [
+/// Keys and kinds that had another name, and the name that they have now.
+const RENAMED: [(&str, &str); 11] = [
+    ("coarse", "multiresolution"),
+    ("light.selection.least_contribution", "min_contribution"),
+    ("model.orders", "successive_orders"),
+    ("model.scatter", "monte_carlo"),
+    ("model.spread", "incoherent_cone"),
     ("motion.wobble_mm", "axis_runout_mm"),
     ("motion.wobble_phase_deg", "axis_runout_deg"),
-    ("printer.wobble_mm", "eccentricity_mm"),
+    ("printer.sense", "rotation"),
     ("printer.wobble_deg", "eccentricity_deg"),
+    ("printer.wobble_mm", "eccentricity_mm"),
+    ("resin.map", "absorption_map"),
 ];
+
+/// The name that a key or kind has now, if it had another one; places in lists do not matter.
+fn renamed(key: &str) -> Option<&'static str> {
+    let mut key = key.to_owned();
+    while let (Some(from), Some(to)) = (key.find('['), key.find(']')) {
+        if from > to {
+            return None;
+        }
+        key.replace_range(from..=to, "");
+    }
+    let row = RENAMED.iter().find(|(old, _)| *old == key);
+    row.map(|(_, name)| *name)
+}
 
 /// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
 ///
@@ -217,8 +243,7 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
             [] => "nothing: this table has no keys".to_owned(),
             names => names.join(", "),
         };
-        let renamed = RENAMED.iter().find(|(old, _)| *old == key);
-        let renamed = renamed.map(|(_, name)| *name);
+        let renamed = renamed(&key);
         return Error::Config {
             found: renamed.map_or_else(
                 || format!("unknown name `{word}`"),
@@ -353,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn a_misspelt_key_is_named_with_its_neighbour() {
+    fn a_misspelt_key_is_named_with_its_neighbor() {
         let section = Section::new("stop", serde_json::json!({ "iteratons": 3 }));
         let Err(Error::Config {
             key,
@@ -448,6 +473,30 @@ mod tests {
             "motion.wobble_mm: `wobble_mm` is now called `axis_runout_mm`; accepted: axis_runout_mm; \
              did you mean `axis_runout_mm`?"
         );
+    }
+
+    #[test]
+    fn old_kinds_and_old_keys_in_lists_are_refused_with_the_new_name() {
+        static ROWS: &[Kind<()>] = &[Kind {
+            name: "successive_orders",
+            summary: "",
+            example: "",
+            schema: || schemars::schema_for!(bool),
+            build: (),
+        }];
+        let section = Section::new("model", serde_json::json!({ "orders": {} }));
+        let Err(error) = section.kind(ROWS) else {
+            panic!("the old kind was accepted")
+        };
+        assert_eq!(
+            error.to_string(),
+            "model.orders: `orders` is now called `successive_orders`; accepted: successive_orders; \
+             did you mean `successive_orders`?"
+        );
+        let in_list = renamed("light[10].selection.least_contribution");
+        assert_eq!(in_list, Some("min_contribution"));
+        assert_eq!(renamed("coarse"), Some("multiresolution"));
+        assert_eq!(renamed("light[0].pixels"), None);
     }
 
     #[test]

@@ -9,10 +9,10 @@
 //! step, 500 steps at most.
 //!
 //! ```
-//! use tomolith_core::least_squares::minimise;
+//! use tomolith_core::least_squares::minimize;
 //! // y = a + b·x through (0, 1), (1, 3), (2, 4): a = 7/6, b = 3/2, Σ r² = 1/6 over one degree of freedom
 //! let y = [1.0, 3.0, 4.0];
-//! let line = minimise(&[0.0, 0.0], y.len(), |theta, i, slopes| {
+//! let line = minimize(&[0.0, 0.0], y.len(), |theta, i, slopes| {
 //!     slopes.copy_from_slice(&[1.0, i as f64]);
 //!     theta[0] + theta[1] * i as f64 - y[i]
 //! });
@@ -51,7 +51,7 @@ impl Minimum {
 
 /// The least Σ of squares of `points` residuals, from `start`. `residual(θ, i, slopes)` is rᵢ and writes its derivatives by θ.
 #[must_use]
-pub fn minimise(
+pub fn minimize(
     start: &[f64],
     points: usize,
     residual: impl Fn(&[f64], usize, &mut [f64]) -> f64,
@@ -158,7 +158,7 @@ mod tests {
             10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02, 44.82, 50.76, 55.05, 61.01, 66.40,
             75.47, 81.78,
         ];
-        let found = minimise(&[500.0, 1e-4], x.len(), |b, i, slopes| {
+        let found = minimize(&[500.0, 1e-4], x.len(), |b, i, slopes| {
             let rest = (-b[1] * x[i]).exp();
             slopes.copy_from_slice(&[1.0 - rest, b[0] * x[i] * rest]);
             b[0] * (1.0 - rest) - y[i]
@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn what_points_do_not_fix_has_no_error() {
         // The second parameter does nothing
-        let found = minimise(&[0.0, 1.0], 3, |t, i, slopes| {
+        let found = minimize(&[0.0, 1.0], 3, |t, i, slopes| {
             slopes.copy_from_slice(&[1.0, 0.0]);
             t[0] - i as f64
         });

@@ -13,7 +13,7 @@ const WHOLE: u64 = 1 << 52;
 /// is not cut further. Parts may run side by side. What a part did not count is done when it is dropped, so the gauge never
 /// falls, and a stage that ends has filled it.
 ///
-/// An optimisation is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
+/// An optimization is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
 /// one breaks into the step.
 ///
 /// ```

@@ -8,9 +8,9 @@ use rayon::prelude::*;
 pub struct Target {
     /// Name of the part, for files and titles.
     pub name: String,
-    /// Inside fraction, or grey values when `grey`.
+    /// Inside fraction, or gray values when `grey`.
     pub inside: Volume<f32>,
-    /// Whether the values are grey values to be reproduced.
+    /// Whether the values are gray values to be reproduced.
     pub grey: bool,
 }
 
@@ -33,7 +33,7 @@ pub mod label {
 }
 
 /// Labels every voxel: part where the inside fraction is at least one half, void elsewhere, [`label::OUTSIDE`] where
-/// `counts([x, y, z])` (mm, voxel centre) is false.
+/// `counts([x, y, z])` (mm, voxel center) is false.
 pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -> Volume<u8> {
     let grid = &target.inside.grid;
     let nx = grid.shape[2];
@@ -86,7 +86,7 @@ mod tests {
     use crate::grid::VolumeGrid;
 
     #[test]
-    fn columns_are_labelled_as_their_voxels_are() {
+    fn columns_are_labeled_as_their_voxels_are() {
         let grid = VolumeGrid::centered([3, 5, 7], 0.1);
         let values = (0..grid.len()).map(|i| (i % 4) as f32 / 3.0).collect();
         let target = Target {

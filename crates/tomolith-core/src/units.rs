@@ -6,7 +6,7 @@
 //! use tomolith_core::units::Mm;
 //! let a: Mm = serde_json::from_str("8.0").unwrap();
 //! let b: Mm = serde_json::from_str("\"0.8 cm\"").unwrap();
-//! assert_eq!(a.0, 8.0); // a number is in millimetres, the unit in the key
+//! assert_eq!(a.0, 8.0); // a number is in millimeters, the unit in the key
 //! assert!((b.0 - a.0).abs() < 1e-12); // 0.8 cm = 8 mm
 //! assert!(serde_json::from_str::<Mm>("\"8 kg\"").is_err());
 //! ```
@@ -26,7 +26,7 @@ pub fn exact(value: impl fmt::LowerExp + fmt::Debug) -> String {
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
-/// A length or volume that was computed, for messages: six significant digits at most, so that a part of micrometres has some
+/// A length or volume that was computed, for messages: six significant digits at most, so that a part of micrometers has some
 /// and one of 10³⁰⁰ mm has not three hundred.
 ///
 /// ```
@@ -40,7 +40,7 @@ pub fn concise(value: f64) -> String {
     exact(format!("{value:.5e}").parse().unwrap_or(value) + 0.0)
 }
 
-/// A length in millimetres: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
+/// A length in millimeters: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default, Serialize)]
 #[serde(transparent)]
 pub struct Mm(pub f64);

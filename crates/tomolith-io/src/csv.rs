@@ -1,4 +1,4 @@
-//! The history of an optimisation as a table: `history.csv`.
+//! The history of an optimization as a table: `history.csv`.
 //!
 //! One line an iteration, with a header; numbers as short as they can be read back exactly, `.` as decimal point.
 //!
@@ -34,9 +34,9 @@ pub struct HistoryRow {
     pub adjoint_calls: usize,
     /// Wall time since the start, s.
     pub seconds: f64,
-    /// Best IoU on the optimisation's own grid, where it was measured.
+    /// Best IoU on the optimization's own grid, where it was measured.
     pub iou: Option<f64>,
-    /// Process window on the optimisation's own grid, where it was measured.
+    /// Process window on the optimization's own grid, where it was measured.
     pub process_window: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Frames as grey PNG files, `frames/frame_0000.png` and so on.
+//! Frames as gray PNG files, `frames/frame_0000.png` and so on.
 //!
 //! Up to 8 bits are stored in 8-bit files, more in 16-bit files. A level q of b bits is stored on the file's own scale,
 //! v = q·(2^c − 1)/(2^b − 1) rounded half up (c = 8 or 16), so that white is the full scale in any viewer; q comes back
@@ -6,7 +6,7 @@
 //! mJ/mm², as the shortest text that reads back exactly), `tomolith:azimuth_rad` and `tomolith:pitch_mm`.
 //! Row 0 of the image is the top (+z), columns grow along (−sin α, cos α, 0).
 //!
-//! Frames of other programs may be stored as RGB or with a palette, where all colours are grey, and with opacity, which does
+//! Frames of other programs may be stored as RGB or with a palette, where all colors are gray, and with opacity, which does
 //! not count.
 //!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
@@ -174,7 +174,7 @@ pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std:
 /// Reads the frames of one light: all `*.png` of a folder, in the order of their names.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no PNG whose pixels are grey, of the same size,
+/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no PNG whose pixels are gray, of the same size,
 /// depth and scale as the first one.
 pub fn read_frames(folder: &Path) -> Result<Frames> {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
@@ -269,10 +269,10 @@ impl From<png::DecodingError> for Trouble {
     }
 }
 
-/// A PNG file as a frame: grey, or stored as colours that are all grey; opacity does not count.
+/// A PNG file as a frame: gray, or stored as colors that are all gray; opacity does not count.
 pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
     let mut decoder = png::Decoder::new(file);
-    // Palettes become colours, and fewer than 8 bits become 8
+    // Palettes become colors, and fewer than 8 bits become 8
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
     let size = reader
@@ -291,13 +291,13 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
     } else {
         (8, bytes.iter().map(|&v| u16::from(v)).collect())
     };
-    let colours = match shape.color_type {
+    let colors = match shape.color_type {
         png::ColorType::Rgb | png::ColorType::Rgba => 3,
         _ => 1,
     };
     let pixels = samples.chunks_exact(shape.color_type.samples());
-    let is_coloured = |pixel: &&[u16]| pixel[..colours].iter().any(|v| *v != pixel[0]);
-    if let Some(at) = pixels.clone().position(|pixel| is_coloured(&pixel)) {
+    let is_colored = |pixel: &&[u16]| pixel[..colors].iter().any(|v| *v != pixel[0]);
+    if let Some(at) = pixels.clone().position(|pixel| is_colored(&pixel)) {
         let (row, column) = (at / shape.width as usize, at % shape.width as usize);
         let found = format!("a colored pixel in row {row}, column {column}");
         return Err(Trouble::Said(found));
@@ -368,16 +368,16 @@ mod tests {
     fn levels_and_scale_come_back_bit_for_bit_at_any_depth() {
         let folder = tempfile::tempdir().unwrap();
         for bits in [1, 4, 8, 10, 12, 16] {
-            let quantised = waves(0.1234, bits);
+            let quantized = waves(0.1234, bits);
             let place = folder.path().join("frames");
-            write_frames(&place, &[quantised.frames(None)], &Run::new()).unwrap();
+            write_frames(&place, &[quantized.frames(None)], &Run::new()).unwrap();
             let read = read_frames(&place).unwrap();
             assert_eq!(read.shape, [11, 7, 9]);
             assert_eq!(
                 (read.bits, read.full_scale),
-                (bits, Some(quantised.full_scale))
+                (bits, Some(quantized.full_scale))
             );
-            assert_eq!(read.values, quantised.values, "{bits} bits");
+            assert_eq!(read.values, quantized.values, "{bits} bits");
             assert!(place.join("frame_0010.png").is_file());
         }
     }

@@ -1,28 +1,28 @@
-//! Grey images: PNG and TIFF as real numbers from 0 (black) to 1 (white).
+//! Gray images: PNG and TIFF as real numbers from 0 (black) to 1 (white).
 //!
 //! | format | what is read |
 //! |---|---|
-//! | PNG | 1, 2, 4, 8 and 16 bit; grey, RGB, palette; alpha is ignored |
-//! | TIFF | first image, or all pages as a stack; 8, 16 and 32 bit integers, 32 and 64 bit floats (taken as they are, 0…1); grey or RGB, alpha is ignored |
+//! | PNG | 1, 2, 4, 8 and 16 bit; gray, RGB, palette; alpha is ignored |
+//! | TIFF | first image, or all pages as a stack; 8, 16 and 32 bit integers, 32 and 64 bit floats (taken as they are, 0…1); gray or RGB, alpha is ignored |
 //!
 //! A stack is a folder of images, a pattern such as `slices/*.png`, or a TIFF of several pages. Files are taken in the order
 //! of their names, numbers in them by value: `slice_2` before `slice_10`.
 //!
-//! Colours become luma, 0.2126·R + 0.7152·G + 0.0722·B (ITU-R BT.709), of the values as stored (no gamma is undone).
+//! Colors become luma, 0.2126·R + 0.7152·G + 0.0722·B (ITU-R BT.709), of the values as stored (no gamma is undone).
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 
-/// What [`read_grey`] reads, for error messages.
+/// What [`read_gray`] reads, for error messages.
 pub const ACCEPTED: &str = "a gray or color image: .png, .tif or .tiff";
 
 /// Most pixels of an image: what is larger is damaged, or no target.
 const MOST_PIXELS: u64 = 1 << 28;
 
-/// A grey image.
+/// A gray image.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GreyPixels {
+pub struct GrayPixels {
     /// Rows, the top one first.
     pub rows: usize,
     /// Columns.
@@ -36,7 +36,7 @@ pub struct GreyPixels {
 /// # Errors
 /// [`Error::Io`] when the file cannot be read; [`Error::Format`] when its extension is unknown, its content is damaged, or
 /// a value is no number from 0 to 1.
-pub fn read_grey(path: impl AsRef<Path>) -> Result<GreyPixels> {
+pub fn read_gray(path: impl AsRef<Path>) -> Result<GrayPixels> {
     let path = path.as_ref();
     let extension = path
         .extension()
@@ -44,7 +44,7 @@ pub fn read_grey(path: impl AsRef<Path>) -> Result<GreyPixels> {
         .unwrap_or_default();
     parser(extension, path)?;
     let bytes = std::fs::read(path).map_err(|e| Error::io(path, e))?;
-    parse_grey(&bytes, extension, path)
+    parse_gray(&bytes, extension, path)
 }
 
 /// Most pixels of a stack: what is larger does not fit into memory.
@@ -55,8 +55,8 @@ const MOST_PIXELS_OF_A_STACK: u64 = 1 << 32;
 ///
 /// # Errors
 /// [`Error::Io`] when a folder or file cannot be read; [`Error::Format`] when there is no image, images differ in size, or
-/// one cannot be used as in [`read_grey`].
-pub fn read_stack(path: impl AsRef<Path>) -> Result<Vec<GreyPixels>> {
+/// one cannot be used as in [`read_gray`].
+pub fn read_stack(path: impl AsRef<Path>) -> Result<Vec<GrayPixels>> {
     let path = path.as_ref();
     let name = path
         .file_name()
@@ -127,20 +127,20 @@ fn natural(name: &str) -> Vec<(String, u64)> {
     key
 }
 
-fn read_all(files: &[PathBuf], stack: &Path) -> Result<Vec<GreyPixels>> {
+fn read_all(files: &[PathBuf], stack: &Path) -> Result<Vec<GrayPixels>> {
     if files.is_empty() {
         return Err(not_a_stack(stack, "no image is there"));
     }
-    let mut slices: Vec<GreyPixels> = Vec::with_capacity(files.len());
+    let mut slices: Vec<GrayPixels> = Vec::with_capacity(files.len());
     for file in files {
-        let slice = read_grey(file)?;
+        let slice = read_gray(file)?;
         push_slice(&mut slices, slice, file, &files[0])?;
     }
     Ok(slices)
 }
 
 /// The pages of a TIFF.
-fn read_pages(path: &Path) -> Result<Vec<GreyPixels>> {
+fn read_pages(path: &Path) -> Result<Vec<GrayPixels>> {
     let extension = path
         .extension()
         .and_then(|e| e.to_str())
@@ -166,8 +166,8 @@ fn read_pages(path: &Path) -> Result<Vec<GreyPixels>> {
 }
 
 fn push_slice(
-    slices: &mut Vec<GreyPixels>,
-    slice: GreyPixels,
+    slices: &mut Vec<GrayPixels>,
+    slice: GrayPixels,
     file: &Path,
     first: &Path,
 ) -> Result<()> {
@@ -208,21 +208,21 @@ fn not_a_stack(path: &Path, found: impl Into<String>) -> Error {
 /// Reads an image from memory; `path` only names it in errors.
 ///
 /// # Errors
-/// [`Error::Format`] as in [`read_grey`].
-pub fn parse_grey(bytes: &[u8], extension: &str, path: &Path) -> Result<GreyPixels> {
+/// [`Error::Format`] as in [`read_gray`].
+pub fn parse_gray(bytes: &[u8], extension: &str, path: &Path) -> Result<GrayPixels> {
     let image = parser(extension, path)?(bytes).map_err(|found| bad(path, found))?;
     check_values(&image, path)?;
     Ok(image)
 }
 
-fn check_values(image: &GreyPixels, path: &Path) -> Result<()> {
+fn check_values(image: &GrayPixels, path: &Path) -> Result<()> {
     match image.values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
         Some(value) => Err(bad(path, format!("a pixel of value {value}"))),
         None => Ok(()),
     }
 }
 
-type Parse = fn(&[u8]) -> Result<GreyPixels, String>;
+type Parse = fn(&[u8]) -> Result<GrayPixels, String>;
 
 fn parser(extension: &str, path: &Path) -> Result<Parse> {
     match extension.to_ascii_lowercase().as_str() {
@@ -249,7 +249,7 @@ fn check_size(columns: u32, rows: u32) -> Result<(), String> {
     Ok(())
 }
 
-fn parse_png(bytes: &[u8]) -> Result<GreyPixels, String> {
+fn parse_png(bytes: &[u8]) -> Result<GrayPixels, String> {
     let damaged = |e: png::DecodingError| format!("damaged PNG: {e}");
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
@@ -279,7 +279,7 @@ fn parse_png(bytes: &[u8]) -> Result<GreyPixels, String> {
     )
 }
 
-fn parse_tiff(bytes: &[u8]) -> Result<GreyPixels, String> {
+fn parse_tiff(bytes: &[u8]) -> Result<GrayPixels, String> {
     tiff_page(&mut open_tiff(bytes)?)
 }
 
@@ -297,7 +297,7 @@ fn open_tiff(bytes: &[u8]) -> Result<Tiff<'_>, String> {
 }
 
 /// The page at which a file stands.
-fn tiff_page(decoder: &mut Tiff<'_>) -> Result<GreyPixels, String> {
+fn tiff_page(decoder: &mut Tiff<'_>) -> Result<GrayPixels, String> {
     use tiff::decoder::DecodingResult;
     let damaged = damaged_tiff;
     let (columns, rows) = decoder.dimensions().map_err(damaged)?;
@@ -309,7 +309,7 @@ fn tiff_page(decoder: &mut Tiff<'_>) -> Result<GreyPixels, String> {
         tiff::ColorType::RGB(_) => 3,
         tiff::ColorType::RGBA(_) => 4,
         tiff::ColorType::Multiband { num_samples, .. } => usize::from(num_samples),
-        other => return Err(format!("a TIFF with colours {other:?}")),
+        other => return Err(format!("a TIFF with colors {other:?}")),
     };
     let values: Vec<f32> = match decoder.read_image().map_err(damaged)? {
         DecodingResult::U8(v) => v.iter().map(|&v| f32::from(v) / 255.0).collect(),
@@ -325,8 +325,8 @@ fn tiff_page(decoder: &mut Tiff<'_>) -> Result<GreyPixels, String> {
     grey(&values, samples, columns as usize, rows as usize)
 }
 
-/// Luma of interleaved samples: grey, grey and alpha, RGB, or RGB and alpha.
-fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<GreyPixels, String> {
+/// Luma of interleaved samples: gray, gray and alpha, RGB, or RGB and alpha.
+fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<GrayPixels, String> {
     if samples == 0 || values.len() != samples * rows * columns {
         return Err(format!(
             "{} samples for {columns} × {rows} pixels of {samples}",
@@ -341,7 +341,7 @@ fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<G
         [grey, ..] => grey,
         [] => 0.0,
     };
-    Ok(GreyPixels {
+    Ok(GrayPixels {
         rows,
         columns,
         values: values.chunks_exact(samples).map(luma).collect(),
@@ -366,7 +366,7 @@ mod tests {
     }
 
     fn parse(bytes: &[u8], extension: &str) -> Vec<f32> {
-        parse_grey(bytes, extension, Path::new("image"))
+        parse_gray(bytes, extension, Path::new("image"))
             .unwrap()
             .values
     }
@@ -415,7 +415,7 @@ mod tests {
             .unwrap()
             .write_image::<colortype::Gray32Float>(2, 1, &[0.25, 1.5])
             .unwrap();
-        let text = parse_grey(bytes.get_ref(), "tiff", Path::new("a.tiff"))
+        let text = parse_gray(bytes.get_ref(), "tiff", Path::new("a.tiff"))
             .unwrap_err()
             .to_string();
         assert!(
@@ -452,7 +452,7 @@ mod tests {
             write(name, 2, grey);
         }
         std::fs::write(folder.path().join("notes.txt"), "no image").unwrap();
-        let first = |stack: &[GreyPixels]| stack.iter().map(|s| s.values[0]).collect::<Vec<_>>();
+        let first = |stack: &[GrayPixels]| stack.iter().map(|s| s.values[0]).collect::<Vec<_>>();
         assert_eq!(
             first(&read_stack(folder.path()).unwrap()),
             [0.0, 0.2, 0.4, 1.0]
@@ -518,21 +518,21 @@ mod tests {
             &[0, 51, 255],
         );
         for cut in [0, 5, 20, 40, whole.len() / 2] {
-            let text = parse_grey(&whole[..cut], "png", Path::new("a.png"))
+            let text = parse_gray(&whole[..cut], "png", Path::new("a.png"))
                 .unwrap_err()
                 .to_string();
             assert!(text.starts_with("a.png: damaged PNG"), "{text}");
         }
         let mut huge = whole.clone();
         huge[16..20].copy_from_slice(&0x7fff_ffffu32.to_be_bytes());
-        assert!(parse_grey(&huge, "png", Path::new("a.png")).is_err());
+        assert!(parse_gray(&huge, "png", Path::new("a.png")).is_err());
         assert!(
-            parse_grey(&whole, "bmp", Path::new("a.bmp"))
+            parse_gray(&whole, "bmp", Path::new("a.bmp"))
                 .unwrap_err()
                 .to_string()
                 .contains("`.bmp`")
         );
-        assert!(parse_grey(b"II*\0\x08\0\0\0", "tif", Path::new("a.tif")).is_err());
+        assert!(parse_gray(b"II*\0\x08\0\0\0", "tif", Path::new("a.tif")).is_err());
     }
 
     #[test]
@@ -557,7 +557,7 @@ mod tests {
             let mut bytes = whole.clone();
             mutate(&mut bytes, &mut random);
             let result =
-                std::panic::catch_unwind(|| parse_grey(&bytes, extension, Path::new("image")));
+                std::panic::catch_unwind(|| parse_gray(&bytes, extension, Path::new("image")));
             match result {
                 Ok(image) => read += u64::from(image.is_ok()),
                 Err(_) => panic!("{extension}, round {round}: the reader panicked"),

@@ -6,8 +6,8 @@
 //! | QuickTime with PNG frames ([`write_lossless`]) | the reader of PNG frames |
 //! | any other MP4, QuickTime, Matroska, WebM or AVI: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
 //!
-//! What a file is follows from its content, not from its name. Grey is the luma: full range 0…255, or 16…235 stretched to
-//! it where the stream says nothing else; colours do not count. A movie has as many frames as the job, each of the job's
+//! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
+//! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
 //! size or padded as H.264 needs it ([`padded`]); padding is cut off.
 //!
 //! ```
@@ -124,7 +124,7 @@ fn own(file: &[u8], path: &Path, [frames, rows, columns]: [usize; 3]) -> Result<
             }
             let read = h264::luma(&track, &stream, [rows, columns]);
             if let Ok((_, Some(frame))) = read {
-                return Err(damaged(path, coloured(frame)));
+                return Err(damaged(path, colored(frame)));
             }
             let values = read.map(|(values, _)| values);
             Ok(values.map_or_else(
@@ -153,13 +153,13 @@ fn must_fit([width, height]: [usize; 2], [rows, columns]: [usize; 2]) -> Result<
     ))
 }
 
-/// Chroma of a grey picture is 128, give or take what coding leaves.
-const GREY: u8 = 128;
+/// Chroma of a gray picture is 128, give or take what coding leaves.
+const GRAY: u8 = 128;
 const CODING: u8 = 16;
 
-/// What is wrong with a movie whose frame is coloured.
-fn coloured(frame: usize) -> String {
-    format!("a coloured picture in frame {frame}, where patterns are grey")
+/// What is wrong with a movie whose frame is colored.
+fn colored(frame: usize) -> String {
+    format!("a colored picture in frame {frame}, where patterns are gray")
 }
 
 /// A codec by its four letters (mp4ra.org).

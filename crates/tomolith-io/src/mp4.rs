@@ -3,11 +3,11 @@
 //! # What is written
 //! MP4 with one H.264 track (OpenH264 through the crate `openh264`, put together by `muxide`). Every frame of the
 //! sequence appears once, as a key frame of its own: nothing depends on the frame before, so a player may start, seek
-//! and loop anywhere, and errors do not add up. The quantiser is 12, the lowest that OpenH264 accepts. All parts of one
+//! and loop anywhere, and errors do not add up. The quantizer is 12, the lowest that OpenH264 accepts. All parts of one
 //! movie are encoded independently in fixed groups, so the file does not depend on the number of threads.
 //!
-//! # Grey values
-//! Levels are brought to 8 bits (0…255, rounded half up). The luma *is* the grey value: full range 0…255, and the
+//! # Gray values
+//! Levels are brought to 8 bits (0…255, rounded half up). The luma *is* the gray value: full range 0…255, and the
 //! stream says so (`video_full_range_flag` = 1, BT.709); chroma is 128 everywhere. Squeezing into the limited range
 //! 16…235 would merge 36 of 256 levels, that is errors up to half a level before any coding. A player that ignores
 //! the flag shows everything below 16 as black and above 235 as white; the PNG frames are the reference then.
@@ -17,7 +17,7 @@
 //! in black where needed ([`padded`]). Larger than 3840 × 2160 (or 2160 × 3840) is refused.
 //!
 //! # How good it is
-//! [`check_movie`] reads the file back, decodes it and compares every pixel with the frames: largest and rms grey error, in levels of 0…255. Smooth patterns come out within ±2, full-contrast noise
+//! [`check_movie`] reads the file back, decodes it and compares every pixel with the frames: largest and rms gray error, in levels of 0…255. Smooth patterns come out within ±2, full-contrast noise
 //! within about ±6, rms 0.6.
 //!
 //! # Timing
@@ -56,8 +56,8 @@ use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::{Run, Steps};
 
-/// The lowest quantiser of OpenH264 (0 would be lossless, 51 is the coarsest).
-const QUANTISER: u8 = 12;
+/// The lowest quantizer of OpenH264 (0 would be lossless, 51 is the coarsest).
+const QUANTIZER: u8 = 12;
 
 /// What a decoder makes of a movie.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -155,11 +155,11 @@ fn encode(
     frame_rate: f64,
     steps: &Steps<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
-    // The quantiser is fixed, so the bit rate decides nothing but the level that the stream claims to need
+    // The quantizer is fixed, so the bit rate decides nothing but the level that the stream claims to need
     let bits_a_second = (4.0 * (width * height) as f64 * frame_rate).clamp(1e5, 2e8);
     let config = EncoderConfig::new()
         .rate_control_mode(RateControlMode::Bufferbased)
-        .qp(QpRange::new(QUANTISER, QUANTISER))
+        .qp(QpRange::new(QUANTIZER, QUANTIZER))
         .bitrate(BitRate::from_bps(bits_a_second as u32))
         .max_frame_rate(FrameRate::from_hz(frame_rate.clamp(1.0, 60.0) as f32))
         .intra_frame_period(IntraFramePeriod::from_num_frames(1))
@@ -192,7 +192,7 @@ fn encode(
         .collect()
 }
 
-/// The three planes of a grey image in 4:2:0.
+/// The three planes of a gray image in 4:2:0.
 struct YUVPlanes {
     width: usize,
     height: usize,
@@ -328,7 +328,7 @@ mod tests {
 
     #[test]
     fn every_frame_comes_back_once_with_a_small_error() {
-        // A blob that turns round, like a pattern; the whole range of grey is used
+        // A blob that turns round, like a pattern; the whole range of gray is used
         let (grid, values) = movie(37, 61, 83, 12, |k, r, c| {
             let (x, y) = ((c as f64 - 41.0) / 20.0, (r as f64 - 30.0) / 20.0);
             let turn = k as f64 / 37.0 * std::f64::consts::TAU;

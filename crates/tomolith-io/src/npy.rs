@@ -1,7 +1,7 @@
 //! NumPy arrays: `.npy` volumes and the `.npz` of patterns.
 //!
 //! Volumes are f32 `[z, y, x]`, patterns f32 `[angle, row, column]`, C order, little endian. `patterns.npz` holds, for
-//! one light, `patterns` (what the projector shows, dequantised) and `patterns_raw` (before quantisation); for several
+//! one light, `patterns` (what the projector shows, dequantized) and `patterns_raw` (before quantization); for several
 //! lights `patterns_<light>` and `patterns_raw_<light>`. The arrays are stored, not compressed.
 //!
 //! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
@@ -36,9 +36,9 @@ use tomolith_core::run::Run;
 pub struct PatternPair<'a> {
     /// Name of the light, when there are several.
     pub light: Option<&'a str>,
-    /// What the projector shows: quantised, as pattern values.
+    /// What the projector shows: quantized, as pattern values.
     pub shown: &'a Patterns,
-    /// Before quantisation.
+    /// Before quantization.
     pub raw: Option<&'a Patterns>,
 }
 
@@ -51,7 +51,7 @@ pub struct PatternArrays {
     pub shape: [usize; 3],
     /// What the projector shows.
     pub shown: Vec<f32>,
-    /// Before quantisation, when the file holds it.
+    /// Before quantization, when the file holds it.
     pub raw: Option<Vec<f32>>,
 }
 
@@ -254,7 +254,7 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     for name in &names {
         let light = match name.strip_prefix("patterns") {
             Some("") => None,
-            // A light named `raw` would be mistaken for the values before quantisation
+            // A light named `raw` would be mistaken for the values before quantization
             Some(rest) if rest != "_raw" && !rest.starts_with("_raw_") => rest.strip_prefix('_'),
             _ => continue,
         };

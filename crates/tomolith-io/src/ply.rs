@@ -1,7 +1,7 @@
-//! Triangle surfaces with one number and one colour per corner, as binary PLY, in mm.
+//! Triangle surfaces with one number and one color per corner, as binary PLY, in mm.
 //!
 //! An ASCII header, then for each corner x, y, z and the number as f32 and red, green, blue as bytes; for each triangle a 3 as
-//! a byte and three corner numbers as i32; little endian. Viewers of meshes show the colours; those that know scalar fields
+//! a byte and three corner numbers as i32; little endian. Viewers of meshes show the colors; those that know scalar fields
 //! (CloudCompare, MeshLab, PyVista) read the number too.
 //!
 //! ```
@@ -12,9 +12,9 @@
 //!     places: &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //!     name: "deviation_um",
 //!     numbers: &[-5.0, 0.0, 2.5],
-//!     colours: &[[0, 0, 255], [200, 200, 200], [255, 0, 0]],
+//!     colors: &[[0, 0, 255], [200, 200, 200], [255, 0, 0]],
 //! };
-//! write_ply(&path, "millimetres", &corners, &[[0, 1, 2]]).unwrap();
+//! write_ply(&path, "millimeters", &corners, &[[0, 1, 2]]).unwrap();
 //! let bytes = std::fs::read(&path).unwrap();
 //! let header = b"end_header\n";
 //! let end = bytes.windows(header.len()).position(|w| w == header).unwrap() + header.len();
@@ -44,13 +44,13 @@ pub struct PlyCorners<'a> {
     /// One number per corner.
     pub numbers: &'a [f32],
     /// Red, green, blue per corner.
-    pub colours: &'a [[u8; 3]],
+    pub colors: &'a [[u8; 3]],
 }
 
 /// Writes triangles (indices of corners, counter-clockwise seen from outside) under a comment of one line.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Shape`] when numbers or colours are not as many as corners; [`Error::Unsupported`] for more than
+/// [`Error::Io`]; [`Error::Shape`] when numbers or colors are not as many as corners; [`Error::Unsupported`] for more than
 /// 2³¹ − 1 corners.
 pub fn write_ply(
     path: &Path,
@@ -59,10 +59,10 @@ pub fn write_ply(
     triangles: &[[u32; 3]],
 ) -> Result<()> {
     let count = corners.places.len();
-    for found in [corners.numbers.len(), corners.colours.len()] {
+    for found in [corners.numbers.len(), corners.colors.len()] {
         if found != count {
             return Err(Error::Shape {
-                what: format!("numbers and colours of the corners for {}", path.display()),
+                what: format!("numbers and colors of the corners for {}", path.display()),
                 expected: vec![count],
                 found: vec![found],
             });
@@ -90,7 +90,7 @@ pub fn write_ply(
             for (slot, number) in out.chunks_exact_mut(4).zip([x, y, z, corners.numbers[i]]) {
                 slot.copy_from_slice(&number.to_le_bytes());
             }
-            out[16..].copy_from_slice(&corners.colours[i]);
+            out[16..].copy_from_slice(&corners.colors[i]);
         })?;
         write_records::<TRIANGLE>(file, triangles.len(), |i, out| {
             out[0] = 3;
@@ -140,7 +140,7 @@ mod tests {
             places: &places,
             name: "deviation_um",
             numbers: &[1.0; 4],
-            colours: &[[1, 2, 3]; 4],
+            colors: &[[1, 2, 3]; 4],
         };
         write_ply(&path, "two\nlines", &corners, &triangles).unwrap();
         let mesh = read_mesh(&path).unwrap();
@@ -157,7 +157,7 @@ mod tests {
             places: &[[0.0; 3]],
             name: "a",
             numbers: &[],
-            colours: &[[0; 3]],
+            colors: &[[0; 3]],
         };
         let error = write_ply(Path::new("a.ply"), "", &corners, &[]);
         assert!(matches!(error, Err(Error::Shape { .. })));

@@ -1,7 +1,7 @@
 //! VTK image data, `.vti`: volumes for ParaView, in mm.
 //!
-//! One piece, *point* data at the voxel centres (so that ParaView draws contours and volumes without a conversion),
-//! raw appended little-endian arrays with 64-bit sizes. VTK's order is x fastest, as ours; `Origin` is the centre of
+//! One piece, *point* data at the voxel centers (so that ParaView draws contours and volumes without a conversion),
+//! raw appended little-endian arrays with 64-bit sizes. VTK's order is x fastest, as ours; `Origin` is the center of
 //! voxel [0, 0, 0], `Spacing` the pitch.
 //!
 //! ```

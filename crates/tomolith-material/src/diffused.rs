@@ -53,7 +53,7 @@ pub fn left_of(rate: f64, spans: &[Span]) -> f64 {
     spans.iter().map(of_span).sum()
 }
 
-/// Neighbouring frames with one multiplier.
+/// Neighboring frames with one multiplier.
 struct Arc {
     frames: Range<usize>,
     /// One per output.
@@ -128,7 +128,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         Self::of_spans(model, diffusion, &spans)
     }
 
-    /// Any spans of time for arcs of neighbouring frames, which cover all frames.
+    /// Any spans of time for arcs of neighboring frames, which cover all frames.
     ///
     /// # Errors
     /// As [`even`](Self::even); [`Error::Config`] at `arcs` where frames are left out.
@@ -155,7 +155,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
                     "frames {:?}",
                     arcs.iter().map(|(f, _)| f).collect::<Vec<_>>()
                 ),
-                format!("neighbours that cover frames 0 to {}", frames_of(&*model)),
+                format!("neighbors that cover frames 0 to {}", frames_of(&*model)),
             ));
         }
         if model.outputs().iter().any(|output| output.cells.is_some()) {

@@ -11,7 +11,7 @@ pub(crate) fn frames_of<M: tomolith_core::dose::DoseModel + ?Sized>(model: &M) -
     model.patterns().iter().map(|p| p.grid.frames()).sum()
 }
 
-/// Elements of the pattern field that belong to neighbouring frames, light by light, and what a value there means.
+/// Elements of the pattern field that belong to neighboring frames, light by light, and what a value there means.
 pub(crate) fn elements_of<M: tomolith_core::dose::DoseModel + ?Sized>(
     model: &M,
     frames: Range<usize>,
@@ -80,8 +80,8 @@ impl Illumination {
         }
         self.light(model, x, lit);
         self.absorbed.fill(0.0);
-        for neighbours in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
-            let frames = neighbours[0].0..neighbours[neighbours.len() - 1].0 + 1;
+        for neighbors in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
+            let frames = neighbors[0].0..neighbors[neighbors.len() - 1].0 + 1;
             model.dose_of(frames, &self.lit, &mut self.absorbed, &run.aside())?;
         }
         Ok(())

@@ -5,7 +5,7 @@
 //! rate law. Inhibitors (and the dose, where asked) diffuse. Equations, units and sources: `docs/material.md`; Wang et al. 2022, Note 4 and Fig. S12.
 //!
 //! # Parameters
-//! See [`Params`]. **Limits** Heat, shrinkage and sedimentation are not modelled. An antagonist
+//! See [`Params`]. **Limits** Heat, shrinkage and sedimentation are not modeled. An antagonist
 //! (negative drive) makes inhibitor, of the network's first; without one it does nothing.
 //!
 //! # Cost

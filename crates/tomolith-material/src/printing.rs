@@ -5,7 +5,7 @@
 //!
 //! **Linear?** No, and `along` is None and `dose_of` refused, unless the material has no memory: then it is the dose model itself, with the same bits.
 //!
-//! **Limits** Absorption stays as the models have it: shading is renewed between optimisations (see [`print`](crate::print)).
+//! **Limits** Absorption stays as the models have it: shading is renewed between optimizations (see [`print`](crate::print)).
 //!
 //! **Cost** `dose`: one turn through the schedule. `pullback`: two of them, and one *full* pullback of the light per block, since dose models do not offer
 //! that of a few frames: small cases. Memory of the pullback: about 2√n states and √n volumes of energy per light.

@@ -26,7 +26,7 @@ const CURVE: usize = 401;
 /// Bins of the dose histogram.
 const BINS: usize = 120;
 
-/// The numbers of [`METRICS`], in its order. Serialises to a map; what is not defined becomes null.
+/// The numbers of [`METRICS`], in its order. Serializes to a map; what is not defined becomes null.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Measures(pub Vec<(&'static str, Measure)>);
 
@@ -71,7 +71,7 @@ pub struct Evaluation {
     pub latitude: Option<Latitude>,
     /// Where the print's surface and the target's are farthest apart.
     pub farthest: Option<Farthest>,
-    /// Half width of the band round the grey values, for a grey target.
+    /// Half width of the band round the gray values, for a gray target.
     pub half_width: Measure,
     /// Pairs of a threshold and the exact IoU there, ascending.
     pub curve: Vec<[f64; 2]>,

@@ -1,6 +1,6 @@
-//! How well a grey target is reproduced: the share of voxels in the band, and errors of the response.
+//! How well a gray target is reproduced: the share of voxels in the band, and errors of the response.
 //!
-//! With the grey value f asked for and the response m of each voxel that counts, and the half width ε of the band (that of
+//! With the gray value f asked for and the response m of each voxel that counts, and the half width ε of the band (that of
 //! the objective: Li et al., Additive Manufacturing 94 (2024) 104447, eq. 1, ask for |m − f| ≤ ε):
 //!
 //! ```text
@@ -18,7 +18,7 @@
 //! let volume = |values: [f32; 4]| Volume { grid: grid.clone(), values: values.to_vec() };
 //! let (wanted, response) = (volume([0.0, 0.25, 0.5, 1.0]), volume([0.0, 0.5, 0.53, 0.9]));
 //! let labels = Volume { grid: grid.clone(), values: vec![VOID, VOID, PART, PART] };
-//! let print = Print::new(&labels, &response).unwrap().with_grey(&wanted, 0.05).unwrap();
+//! let print = Print::new(&labels, &response).unwrap().with_gray(&wanted, 0.05).unwrap();
 //! let measures = evaluate(&print).measures;
 //! // Errors 0, 0.25, 0.03 and −0.1: two of four are within 0.05
 //! assert_eq!(measures.get("in_band"), Some(0.5));
@@ -36,9 +36,9 @@ use tomolith_core::target::label;
 /// Parts of the half width by which a voxel may leave the band through rounding to f32.
 const ROUNDING: f64 = 1e-5;
 
-/// Errors of a grey print, in units of the response.
+/// Errors of a gray print, in units of the response.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GreyErrors {
+pub struct GrayErrors {
     /// Share of the voxels in the band.
     pub in_band: f64,
     /// Root of the mean square error.
@@ -49,7 +49,7 @@ pub struct GreyErrors {
     moments: [f64; 3],
 }
 
-impl GreyErrors {
+impl GrayErrors {
     /// The least rms error over all exposures, and the exposures [low, best, high] over which it is at most `tolerance` larger, 1
     /// being the exposure as it is. For a response that is proportional to the dose: m becomes s·m at an exposure s, and with
     /// A = Σ m²/#, B = Σ m·f/#, C = Σ f²/# the error is √(A·s² − 2·B·s + C). `None` when all is dark.
@@ -106,12 +106,12 @@ impl Sums {
 }
 
 /// The errors of voxels that count, `None` when there are none.
-pub(super) fn grey_errors(
+pub(super) fn gray_errors(
     labels: &[u8],
     response: &[f32],
     wanted: &[f32],
     half_width: f64,
-) -> Option<GreyErrors> {
+) -> Option<GrayErrors> {
     let blocks: Vec<Sums> = labels
         .par_chunks(BLOCK)
         .zip(response.par_chunks(BLOCK))
@@ -120,7 +120,7 @@ pub(super) fn grey_errors(
         .collect();
     let sums = blocks.iter().fold(Sums::default(), Sums::join);
     let count = (sums.counts[0] + sums.counts[1]) as f64;
-    (count > 0.0).then(|| GreyErrors {
+    (count > 0.0).then(|| GrayErrors {
         in_band: sums.in_band as f64 / count,
         rms: (sums.squares / count).sqrt(),
         largest: [0, 1].map(|c| (sums.counts[c] > 0).then_some(sums.largest[c])),
@@ -129,11 +129,11 @@ pub(super) fn grey_errors(
 }
 
 /// One of the numbers; see the [module page](self).
-pub struct GreyError(fn(&GreyErrors) -> Measure);
+pub struct GrayError(fn(&GrayErrors) -> Measure);
 
-impl Metric for GreyError {
+impl Metric for GrayError {
     fn measure(&self, print: &Print<'_>) -> Measure {
-        print.grey_errors().and_then(|errors| (self.0)(&errors))
+        print.gray_errors().and_then(|errors| (self.0)(&errors))
     }
 }
 
@@ -144,14 +144,14 @@ pub const IN_BAND: MetricKind = MetricKind {
     summary: "Share of the voxels whose response lies within the objective's band around their gray value.",
     unit: "",
     better: Better::Higher,
-    metric: &GreyError(|errors| Some(errors.in_band)),
+    metric: &GrayError(|errors| Some(errors.in_band)),
 };
 
 const fn error(
     name: &'static str,
     title: &'static str,
     summary: &'static str,
-    metric: &'static GreyError,
+    metric: &'static GrayError,
 ) -> MetricKind {
     MetricKind {
         name,
@@ -168,7 +168,7 @@ pub const RMS: MetricKind = error(
     "rms_error",
     "Rms error",
     "Root mean square difference between response and gray value.",
-    &GreyError(|errors| Some(errors.rms)),
+    &GrayError(|errors| Some(errors.rms)),
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of bright voxels.
@@ -176,7 +176,7 @@ pub const MAX_PART: MetricKind = error(
     "max_error_part",
     "Largest error, bright",
     "Largest error where the target's gray value is at least ½.",
-    &GreyError(|errors| errors.largest[0]),
+    &GrayError(|errors| errors.largest[0]),
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of dark voxels.
@@ -184,7 +184,7 @@ pub const MAX_VOID: MetricKind = error(
     "max_error_void",
     "Largest error, dark",
     "Largest error where the target's gray value is below ½.",
-    &GreyError(|errors| errors.largest[1]),
+    &GrayError(|errors| errors.largest[1]),
 );
 
 #[cfg(test)]
@@ -197,12 +197,12 @@ mod tests {
         let n = 2 * BLOCK + 5;
         let labels: Vec<u8> = (0..n).map(|i| [OUTSIDE, VOID, PART][i % 3]).collect();
         let response: Vec<f32> = (0..n).map(|i| [9.0, 0.25, 0.5][i % 3]).collect();
-        let errors = grey_errors(&labels, &response, &vec![0.5; n], 0.1).unwrap();
+        let errors = gray_errors(&labels, &response, &vec![0.5; n], 0.1).unwrap();
         let [void, part] = [VOID, PART].map(|l| labels.iter().filter(|x| **x == l).count() as f64);
         assert!((errors.in_band - part / (void + part)).abs() < 1e-12);
         assert!((errors.rms - (void * 0.0625 / (void + part)).sqrt()).abs() < 1e-12);
         assert_eq!(errors.largest, [Some(0.0), Some(0.25)]);
-        assert_eq!(grey_errors(&[OUTSIDE], &[1.0], &[0.0], 0.1), None);
+        assert_eq!(gray_errors(&[OUTSIDE], &[1.0], &[0.0], 0.1), None);
     }
 
     #[test]
@@ -211,22 +211,22 @@ mod tests {
         let response = [0.1f32, 0.25, 0.4, 0.8];
         let rms = |s: f64| {
             let scaled = response.map(|m| (f64::from(m) * s) as f32);
-            grey_errors(&[PART; 4], &scaled, &wanted, 0.1).unwrap().rms
+            gray_errors(&[PART; 4], &scaled, &wanted, 0.1).unwrap().rms
         };
-        let errors = grey_errors(&[PART; 4], &response, &wanted, 0.1).unwrap();
+        let errors = gray_errors(&[PART; 4], &response, &wanted, 0.1).unwrap();
         let (least, [low, best, high]) = errors.exposures(0.01).unwrap();
         assert!(best > 1.1 && (rms(best) - least).abs() < 1e-7);
         assert!(rms(best - 0.01) > least && rms(best + 0.01) > least);
         for end in [low, high] {
             assert!((rms(end) - least - 0.01).abs() < 1e-7, "{end}");
         }
-        let dark = grey_errors(&[PART; 4], &[0.0; 4], &wanted, 0.1).unwrap();
+        let dark = gray_errors(&[PART; 4], &[0.0; 4], &wanted, 0.1).unwrap();
         assert_eq!(dark.exposures(0.01), None);
     }
 
     #[test]
     fn the_edge_of_the_band_belongs_to_it() {
-        let errors = |m: f32| grey_errors(&[PART], &[m], &[0.9], 0.05).unwrap();
+        let errors = |m: f32| gray_errors(&[PART], &[m], &[0.9], 0.05).unwrap();
         assert_eq!((errors(0.95).in_band, errors(0.8501).in_band), (1.0, 1.0));
         assert_eq!((errors(0.9501).in_band, errors(0.8499).in_band), (0.0, 0.0));
         assert_eq!(errors(0.95).largest[1], None);

@@ -1,7 +1,7 @@
 //! The surface of what gels: marching cubes on a volume, as a closed triangle surface in mm.
 //!
 //! # What it models
-//! The part where a volume's value, interpolated linearly between voxel centres, is above a level. Beyond the grid the
+//! The part where a volume's value, interpolated linearly between voxel centers, is above a level. Beyond the grid the
 //! value counts as not gelled, so the surface is closed at the grid's border too.
 //!
 //! # Method
@@ -23,7 +23,7 @@
 //! use tomolith_metrics::isosurface::isosurface;
 //! let volume = Volume { grid: VolumeGrid::centered([1, 1, 1], 2.0), values: vec![1.0] };
 //! let surface = isosurface(&volume, 0.5);
-//! // One voxel that falls to 0 at its neighbours' centres, 2 mm away: an octahedron with corners 1 mm away
+//! // One voxel that falls to 0 at its neighbors' centers, 2 mm away: an octahedron with corners 1 mm away
 //! assert_eq!((surface.corners.len(), surface.triangles.len()), (6, 8));
 //! assert!((surface.volume_mm3() - 4.0 / 3.0).abs() < 1e-6);
 //! ```
@@ -218,7 +218,7 @@ fn slabs(grid: &VolumeGrid) -> Vec<std::ops::Range<usize>> {
         .collect()
 }
 
-/// One plane of voxel centres with a frame of padding, and the numbers of the corners on its edges.
+/// One plane of voxel centers with a frame of padding, and the numbers of the corners on its edges.
 #[derive(Clone, Default)]
 struct Plane {
     values: Vec<f32>,
@@ -467,7 +467,7 @@ const FACES: [[u8; 4]; 6] = [
     [4, 5, 7, 6],
 ];
 
-/// The edge between two neighbouring corners.
+/// The edge between two neighboring corners.
 fn edge_between(a: u8, b: u8) -> u8 {
     match (a ^ b, a & b) {
         (1, rest) => rest >> 1,

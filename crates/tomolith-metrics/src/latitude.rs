@@ -4,7 +4,7 @@
 //! target of part and void the exposures are the gel thresholds, turned round: all thresholds next to the best one over which IoU
 //! is at least its best − 0.01, exact ([`Scan::round_best`](super::scan::Scan::round_best)).
 //!
-//! A grey target has no threshold. There it is the rms error that stays within 0.01 of its least, over factors s of the exposure;
+//! A gray target has no threshold. There it is the rms error that stays within 0.01 of its least, over factors s of the exposure;
 //! exact, from three sums, where the response is proportional to the dose. The share of voxels in the band would need a
 //! sorted list of all voxels' doses, and may rise and fall several times.
 //!
@@ -37,7 +37,7 @@ pub enum Latitude {
         /// Gel thresholds, in units of the response: the lowest, the best, and the first that is too high (infinite where none is).
         at: [f64; 3],
     },
-    /// Grey values.
+    /// Gray values.
     Exposures {
         /// The least rms error.
         rms: f64,
@@ -48,7 +48,7 @@ pub enum Latitude {
 
 /// The latitude of a print; `None` where nothing of the part prints.
 pub(super) fn latitude(print: &Print<'_>) -> Option<Latitude> {
-    if let Some(errors) = print.grey_errors() {
+    if let Some(errors) = print.gray_errors() {
         let (rms, at) = errors.exposures(TOLERANCE)?;
         return Some(Latitude::Exposures { rms, at });
     }

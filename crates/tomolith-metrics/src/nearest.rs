@@ -2,7 +2,7 @@
 //!
 //! A tree of boxes over the triangles, split at the median along the longest edge of the box of their centroids; the
 //! nodes of a complete binary tree lie in one array. A query walks the nearer child first and leaves out boxes that
-//! are farther than the best triangle so far. A bound from a neighbouring point makes it start well. Exact up to f32.
+//! are farther than the best triangle so far. A bound from a neighboring point makes it start well. Exact up to f32.
 //!
 //! ```
 //! use tomolith_metrics::isosurface::Surface;

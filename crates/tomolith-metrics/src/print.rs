@@ -16,7 +16,7 @@
 //! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
 //! ```
 
-use super::grey::{GreyErrors, grey_errors};
+use super::grey::{GrayErrors, gray_errors};
 use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
@@ -78,7 +78,7 @@ pub struct Print<'a> {
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
     distance: OnceLock<Option<SurfaceDistance>>,
-    errors: OnceLock<Option<GreyErrors>>,
+    errors: OnceLock<Option<GrayErrors>>,
     run: Run,
 }
 
@@ -149,14 +149,14 @@ impl<'a> Print<'a> {
         Ok(self)
     }
 
-    /// Says that the target is grey: the values asked for, and the half width of the band around them, in units of the
+    /// Says that the target is gray: the values asked for, and the half width of the band around them, in units of the
     /// response.
     ///
     /// # Errors
     /// [`Error::Shape`] when the values do not fit; [`Error::Config`] for a half width that is negative or not finite.
-    pub fn with_grey(mut self, wanted: &'a Volume<f32>, half_width: f64) -> Result<Self> {
+    pub fn with_gray(mut self, wanted: &'a Volume<f32>, half_width: f64) -> Result<Self> {
         same_shape(
-            "grey values",
+            "gray values",
             &self.labels.grid,
             &wanted.grid,
             wanted.values.len(),
@@ -224,19 +224,19 @@ impl<'a> Print<'a> {
         self.patterns
     }
 
-    /// Half width of the band round the grey values, `None` for a target of part and void.
+    /// Half width of the band round the gray values, `None` for a target of part and void.
     #[must_use]
     pub fn half_width(&self) -> Option<f64> {
         self.grey.map(|(_, half_width)| half_width)
     }
 
-    /// Errors against the grey values, `None` for a target of part and void.
+    /// Errors against the gray values, `None` for a target of part and void.
     #[must_use]
-    pub fn grey_errors(&self) -> Option<GreyErrors> {
+    pub fn gray_errors(&self) -> Option<GrayErrors> {
         let (wanted, half_width) = self.grey?;
         *self.errors.get_or_init(|| {
             let (labels, response) = (&self.labels.values, &self.response.values);
-            grey_errors(labels, response, &wanted.values, half_width)
+            gray_errors(labels, response, &wanted.values, half_width)
         })
     }
 

@@ -1,4 +1,4 @@
-//! IoU and process window of a dose in two passes, for the history of an optimisation.
+//! IoU and process window of a dose in two passes, for the history of an optimization.
 //!
 //! The IoU is the best over 1024 thresholds, evenly spread from the smallest to the largest response: never more than the
 //! best over all thresholds ([`scan`](super::scan)), and attained by a threshold. The process window is exact.

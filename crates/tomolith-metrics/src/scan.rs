@@ -502,7 +502,7 @@ impl<'a> Scan<'a> {
         })
     }
 
-    /// Runs [from, to) of thresholds whose IoU is near the best one. Neighbouring pieces are joined, so that rounding does not
+    /// Runs [from, to) of thresholds whose IoU is near the best one. Neighboring pieces are joined, so that rounding does not
     /// add up.
     fn runs(
         &self,

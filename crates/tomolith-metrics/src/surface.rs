@@ -249,14 +249,14 @@ fn largest(samples: &[(f32, f64)]) -> Option<usize> {
 /// A field at a place: linear between the middles of voxels, beyond the outermost as there.
 fn value_at(grid: &VolumeGrid, place_mm: [f64; 3], fill: impl Fn(usize, &mut [f32])) -> f64 {
     let first = [grid.x(0), grid.y(0), grid.z(0)];
-    let neighbours = |axis: usize| {
+    let neighbors = |axis: usize| {
         let last = grid.shape[2 - axis] - 1;
         let at = ((place_mm[axis] - first[axis]) / grid.pitch_mm).clamp(0.0, last as f64);
         let share = at.fract();
         let low = at as usize;
         [(low, 1.0 - share), ((low + 1).min(last), share)]
     };
-    let [xs, ys, zs] = [0, 1, 2].map(neighbours);
+    let [xs, ys, zs] = [0, 1, 2].map(neighbors);
     let mut sum = 0.0;
     for (iz, z) in zs {
         for (iy, y) in ys {
@@ -516,7 +516,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mean_of_a_linear_field_over_blocks_is_the_field_at_their_centres() {
+    fn the_mean_of_a_linear_field_over_blocks_is_the_field_at_their_centers() {
         let mut grid = VolumeGrid::centered([4, 6, 8], 0.5);
         grid.center_mm = [1.0, 2.0, 3.0];
         let at = |g: &VolumeGrid, i: usize| {

@@ -5,7 +5,7 @@
 
 use super::parallel::Light;
 use super::rays::Rays;
-use super::rays::kept::Walks;
+use super::rays::matrix_cache::CachedEntries;
 use super::rays::solid::Solid;
 use super::scene::OpticalScene;
 use super::{DoseModel, Run};
@@ -38,12 +38,12 @@ pub type ModelKind = Kind<MakeFamily>;
 pub enum Purpose {
     /// Doses are asked for again and again: what is worth keeping between calls is kept.
     Optimize,
-    /// One dose that judges patterns, on voxels so many times as fine as the job's: sharper than the optimisation's.
+    /// One dose that judges patterns, on voxels so many times as fine as the job's: sharper than the optimization's.
     Evaluate {
         /// How many times as fine.
         refine: usize,
     },
-    /// One dose like those of the optimisation.
+    /// One dose like those of the optimization.
     Probe,
 }
 
@@ -54,7 +54,7 @@ pub struct Capabilities {
     pub linear_instead: Option<&'static str>,
     /// Whether its light has a linear relative without spread, [`ModelFamily::unscattered`], that starts and shadows are found with.
     pub has_surrogate: bool,
-    /// Whether its kernel takes neighbouring frames together, so that timing a few frames does not predict the time of many.
+    /// Whether its kernel takes neighboring frames together, so that timing a few frames does not predict the time of many.
     pub joins_frames: bool,
     /// Whether every pixel lights every voxel.
     pub fills: bool,
@@ -105,8 +105,8 @@ impl Capabilities {
 /// What a model takes beside patterns and doses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// What is kept of rays where they are few ([`Rays::keeping`]); None where nothing ever is.
-    pub walks: Option<Walks>,
+    /// What is kept of rays where they are few ([`Rays::cached`]); None where nothing ever is.
+    pub cached_entries: Option<CachedEntries>,
     /// Memory of frames at work, bytes; 0 where that is little.
     pub working_bytes: usize,
     /// Whether the kernel runs along the rows of pixels where these are fewer than slices of voxels.
@@ -115,7 +115,7 @@ pub struct Cost {
 
 /// Random paths of a family.
 pub struct RandomPaths {
-    /// Of a pixel in a frame, in the optimisation.
+    /// Of a pixel in a frame, in the optimization.
     pub optimizing: usize,
     /// The same in what is reported.
     pub evaluating: usize,

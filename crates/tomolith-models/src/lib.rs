@@ -6,19 +6,19 @@
 //! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
 //! back-projection).
 
+mod cell_blur;
 mod coarse;
-pub mod dimmed;
 mod family;
+pub mod masked;
 pub mod matrix;
-pub mod orders;
+pub mod monte_carlo;
 pub mod parallel;
 pub mod planner;
 pub mod rays;
-pub mod scatter;
 mod scene;
 pub mod selection;
-mod smear;
 pub mod spectral;
+pub mod successive_orders;
 pub mod wave;
 
 pub use family::{
@@ -35,9 +35,9 @@ pub use tomolith_core::dose::{
 pub static MODELS: &[ModelKind] = &[
     parallel::KIND,
     rays::KIND,
-    orders::KIND,
-    scatter::KIND,
+    successive_orders::KIND,
+    monte_carlo::KIND,
     wave::KIND,
-    wave::spread::KIND,
+    wave::incoherent_cone::KIND,
     matrix::KIND,
 ];

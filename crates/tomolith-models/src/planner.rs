@@ -3,7 +3,7 @@
 //! Like the planner of a Fourier-transform library: the rows of [`MODELS`] are tried in the order of what they cost, and the first one
 //! that covers the optics is taken. A job may name a family instead; what it does not cover is refused with the reason.
 
-use super::dimmed::Dimmed;
+use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
     Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Quantity, Run,
@@ -113,8 +113,8 @@ pub fn plan(
     let surrogate = (family.capabilities().has_surrogate && scene.purpose == Purpose::Optimize)
         .then(|| family.unscattered(&input))
         .transpose()?
-        .map(|model| dimmed(model, &dark, factor));
-    let model = dimmed(family.build(&input)?, &dark, factor);
+        .map(|model| masked(model, &dark, factor));
+    let model = masked(family.build(&input)?, &dark, factor);
     Ok(Plan {
         reason: format!(
             "{}: {}",
@@ -128,7 +128,7 @@ pub fn plan(
 }
 
 /// A model some of whose pixels stay dark, and all of whose doses have a factor, if there are such.
-fn dimmed(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
+fn masked(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
     if factor != 1.0 {
         // A factor of energies: of amplitudes its root
         let is_amplitude = model
@@ -136,10 +136,10 @@ fn dimmed(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
             .iter()
             .any(|p| p.quantity == Quantity::Amplitude);
         let factor = if is_amplitude { factor.sqrt() } else { factor };
-        model = Box::new(Dimmed::by(model, factor as f32));
+        model = Box::new(MaskedModel::by(model, factor as f32));
     }
     if !dark.is_empty() {
-        model = Box::new(Dimmed::new(model, dark));
+        model = Box::new(MaskedModel::new(model, dark));
     }
     model
 }
@@ -163,7 +163,7 @@ fn stored(
             .map(|chosen| !chosen)
             .collect();
     }
-    let model = dimmed(model, &dark, input.scene.dose_factor);
+    let model = masked(model, &dark, input.scene.dose_factor);
     Ok(Plan {
         reason: format!("{} {}", model.describe(), family.merit()),
         model,
@@ -175,10 +175,10 @@ fn stored(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::monte_carlo;
     use crate::parallel::{self, Light};
     use crate::rays::{self, Optics};
-    use crate::scatter;
-    use crate::wave::{self, spread};
+    use crate::wave::{self, incoherent_cone};
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
     use tomolith_optics::motion::Motion;
@@ -197,7 +197,7 @@ mod tests {
         Light::new(pixels, Resin::absorbing(1.48, 0.2))
     }
 
-    /// Optics around the vial of these tests, without lights, for an optimisation.
+    /// Optics around the vial of these tests, without lights, for an optimization.
     fn around<'a>(optics: &'a [Optics], solid: Option<&'a Arc<dyn Shape>>) -> OpticalScene<'a> {
         OpticalScene {
             vial: &VIAL,
@@ -242,8 +242,8 @@ mod tests {
         let parallel: Option<Family> = Some(Arc::new(parallel::Params::default()));
         let rays: Option<Family> = Some(Arc::new(rays::Params::default()));
         let wave: Option<Family> = Some(Arc::new(wave::Params::default()));
-        let spread: Option<Family> = Some(Arc::new(spread::Params::default()));
-        let scatter: Option<Family> = Some(Arc::new(scatter::Params::default()));
+        let spread: Option<Family> = Some(Arc::new(incoherent_cone::Params::default()));
+        let scatter: Option<Family> = Some(Arc::new(monte_carlo::Params::default()));
         let (level, leaning) = (around(&level, None), around(&leaning, None));
         let cut = OpticalScene {
             solid: Some(&ball),
@@ -259,8 +259,8 @@ mod tests {
             (&wave, level, "wave ("),
             (&wave, level, ": as asked"),
             (&wave, leaning, "model.wave"),
-            (&spread, level, "spread ("),
-            (&spread, leaning, "model.spread"),
+            (&spread, level, "incoherent_cone ("),
+            (&spread, leaning, "model.incoherent_cone"),
             (&wave, cut, "model.wave"),
             (&parallel, cut, "model.parallel"),
         ] {
@@ -278,9 +278,9 @@ mod tests {
             ..around(&optics, None)
         };
         let wave: Family = Arc::new(wave::Params::default());
-        let spread: Family = Arc::new(spread::Params {
+        let spread: Family = Arc::new(incoherent_cone::Params {
             half_angle_deg: 5.0,
-            ..spread::Params::default()
+            ..incoherent_cone::Params::default()
         });
         for family in [wave, spread] {
             let plan = plan(Some(&family), scene, &grid, None, &Run::new());
@@ -326,13 +326,13 @@ mod tests {
         let (level, _) = pixels(None, false);
         let (orders, reason) = pixels(rayleigh(), false);
         assert!(
-            orders == level && reason.starts_with("orders"),
+            orders == level && reason.starts_with("successive_orders"),
             "{orders} {level} {reason}"
         );
         let (leaning, _) = pixels(None, true);
         let (orders, reason) = pixels(rayleigh(), true);
         assert!(
-            orders == leaning && reason.starts_with("orders (rays, 4"),
+            orders == leaning && reason.starts_with("successive_orders (rays, 4"),
             "{orders} {leaning} {reason}"
         );
         let peaked = Some(Arc::new(HenyeyGreenstein { g: 0.8 }) as Arc<dyn Phase>);
@@ -375,7 +375,7 @@ mod tests {
             "{reason}"
         );
         // 0.2 absorbed and 0.3 scattered per mm are more than 0.4
-        assert_eq!(mapped(0.4), "resin.map.attenuation");
+        assert_eq!(mapped(0.4), "resin.absorption_map.attenuation");
         let mut bent = milk.clone();
         bent.resin.gradient = Some(Gradient {
             quadratic_per_mm2: -0.01,
@@ -402,7 +402,7 @@ mod tests {
     }
 
     #[test]
-    fn what_judges_patterns_is_sharper_than_what_optimises_them() {
+    fn what_judges_patterns_is_sharper_than_what_optimizes_them() {
         let mut light = light();
         light.resin.attenuation_per_mm = 0.5;
         let mut milk = Optics::collimated(0.1);
@@ -413,11 +413,11 @@ mod tests {
             phase: Arc::new(Rayleigh {}),
         });
         let milk = [milk];
-        let scatter: Family = Arc::new(scatter::Params::default());
+        let scatter: Family = Arc::new(monte_carlo::Params::default());
         // As many rays for each of the finer voxels, and sixteen times as many paths
         for (asked, optics, sharp) in [
             (None, &clear, "rays, 16 per pixel"),
-            (None, &milk, "orders (rays, 16 per pixel"),
+            (None, &milk, "successive_orders (rays, 16 per pixel"),
             (Some(&scatter), &milk, "rays, 64 per pixel"),
         ] {
             let of = |purpose| {

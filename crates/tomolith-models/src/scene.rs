@@ -1,9 +1,9 @@
 //! What light passes from the projectors to the resin, as families of models see it.
 
 use super::family::Purpose;
+use super::monte_carlo;
 use super::parallel::{self, Light};
 use super::rays::{self, Optics, Rays};
-use super::scatter;
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
@@ -78,11 +78,11 @@ impl OpticalScene<'_> {
     pub(crate) fn rays(&self, grid: &VolumeGrid) -> Result<Rays> {
         let (vial, lights, optics) = (self.vial, self.lights, self.optics);
         if self.scatters() {
-            scatter::model(
+            monte_carlo::model(
                 vial,
                 lights,
                 optics,
-                &scatter::Params::default(),
+                &monte_carlo::Params::default(),
                 grid.clone(),
             )
         } else {

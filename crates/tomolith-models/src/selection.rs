@@ -2,12 +2,12 @@
 //!
 //! *Can help.* The adjoint of an indicator is positive exactly for the pixels that bring light to a voxel that is to be printed,
 //! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
-//! `least_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
+//! `min_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
 //!
 //! *May be lit.* [`PixelMask`]s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
 //!
 //! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
-//! them that are not are held dark ([`Dimmed`](super::dimmed::Dimmed)): they have no effect and no derivative.
+//! them that are not are held dark ([`MaskedModel`](super::masked::MaskedModel)): they have no effect and no derivative.
 
 use super::layout::{PatternLayout, PixelRun};
 use super::parallel::Light;
@@ -24,14 +24,14 @@ pub struct Selection {
     /// A pixel may be lit where all of them allow it.
     pub masks: Vec<Arc<PixelMask>>,
     /// Share of the best pixel's light that a pixel must bring to the part, 0 to below 1.
-    pub least_contribution: f64,
+    pub min_contribution: f64,
 }
 
 impl Selection {
     /// Whether it leaves anything dark.
     #[must_use]
     pub fn is_any(&self) -> bool {
-        !self.masks.is_empty() || self.least_contribution > 0.0
+        !self.masks.is_empty() || self.min_contribution > 0.0
     }
 
     /// Whether a pixel `[frame, row, column]` may be lit.
@@ -121,7 +121,7 @@ pub fn chosen(
         let best = light
             .map(|(&chosen, i)| if chosen { brought(i) } else { 0.0 })
             .reduce(|| 0.0, f32::max);
-        let least = (f64::from(best) * selection.least_contribution) as f32;
+        let least = (f64::from(best) * selection.min_contribution) as f32;
         if least > 0.0 {
             let light = chosen[own.clone()].par_iter_mut().zip(own);
             light.for_each(|(chosen, i)| *chosen &= brought(i) >= least);
@@ -191,7 +191,7 @@ mod tests {
     use crate::matrix;
     use crate::parallel::Parallel;
     use crate::rays::{self, Optics};
-    use crate::{Family, OpticalScene, Purpose, orders, planner, scatter};
+    use crate::{Family, OpticalScene, Purpose, monte_carlo, planner, successive_orders};
     use tomolith_core::grid::VolumeGrid;
     use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     use tomolith_optics::resin::Resin;
@@ -239,8 +239,8 @@ mod tests {
         let families: [(Family, bool); 4] = [
             (Arc::new(crate::parallel::Params::default()), false),
             (Arc::new(rays::Params::default()), false),
-            (Arc::new(scatter::Params::default()), true),
-            (Arc::new(orders::Params::default()), true),
+            (Arc::new(monte_carlo::Params::default()), true),
+            (Arc::new(successive_orders::Params::default()), true),
         ];
         for (family, scatters) in families {
             let mut optics = [Optics::collimated(0.1)];
@@ -291,7 +291,7 @@ mod tests {
             x.fill(1.0);
             assert_eq!(masked.dark.len(), x.len());
             let mut kept = x.clone();
-            super::super::dimmed::darken(&mut kept, &masked.dark);
+            super::super::masked::darken(&mut kept, &masked.dark);
             assert_ne!(kept.as_slice(), x.as_slice());
             let dose = |x: &HostField| {
                 let mut dose = masked.model.new_dose().unwrap();
@@ -340,7 +340,7 @@ mod tests {
         let mut lit = Vec::new();
         for least in [0.0, 0.3, 0.999] {
             let mut light = light();
-            light.selection.least_contribution = least;
+            light.selection.min_contribution = least;
             let selections = [light.selection.clone()];
             let chosen = chosen(all.patterns(), &selections, Some(brought.as_slice()));
             for (&chosen, &brought) in chosen.iter().zip(brought.as_slice()) {

@@ -32,7 +32,7 @@
 //!
 //! [`DoseLayout`]: tomolith_core::dose::DoseLayout
 
-use super::{Emphasis, Objective};
+use super::{Objective, VoxelWeights};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use tomolith_core::error::Result;
@@ -95,9 +95,10 @@ impl<F: Field> Objective<F> for BandObjective<F> {
         self.loss.is_convex()
     }
 
-    fn emphasise(&mut self, emphasis: &Emphasis) -> Result<()> {
+    fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {
         self.kernel = OnceLock::new();
-        Arc::make_mut(&mut self.loss).emphasise(&emphasis.weight, &emphasis.tolerance)
+        Arc::make_mut(&mut self.loss)
+            .set_voxel_weights(&voxel_weights.weight, &voxel_weights.tolerance)
     }
 
     fn must_be_reached(&self) -> Result<()> {

@@ -1,6 +1,6 @@
 //! The buffer at a target's surface: which voxels lie near a voxel of the other kind.
 //!
-//! Exact Euclidean distances between voxel centres, by one pass of lower envelopes of parabolas per axis (Felzenszwalb and
+//! Exact Euclidean distances between voxel centers, by one pass of lower envelopes of parabolas per axis (Felzenszwalb and
 //! Huttenlocher, Theory of Computing 8 (2012) 415). **Cost** two transforms, about 20 ns per voxel each and 4 bytes.
 //!
 //! ```
@@ -10,14 +10,14 @@
 //! let grid = VolumeGrid::centered([1, 1, 6], 0.5);
 //! let inside = Volume { grid, values: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0] };
 //! let target = Target { name: "wall".into(), inside, grey: false };
-//! // centres of the 2nd and 4th voxel are 1 mm apart, of the 1st and 4th 1.5 mm
+//! // centers of the 2nd and 4th voxel are 1 mm apart, of the 1st and 4th 1.5 mm
 //! assert_eq!(near_the_other_kind(&target, 1.0), [false, true, true, true, true, false]);
 //! ```
 
 use rayon::prelude::*;
 use tomolith_core::target::Target;
 
-/// Whether each voxel (array order) has a voxel of the other kind, part or void, within `distance_mm` of its centre.
+/// Whether each voxel (array order) has a voxel of the other kind, part or void, within `distance_mm` of its center.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "distances are f32")]
 pub fn near_the_other_kind(target: &Target, distance_mm: f64) -> Vec<bool> {

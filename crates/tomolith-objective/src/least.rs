@@ -1,4 +1,4 @@
-//! Least squares (`l2`) and least absolute deviation (`l1`): part to 1, void to 0, or grey values as they are.
+//! Least squares (`l2`) and least absolute deviation (`l1`): part to 1, void to 0, or gray values as they are.
 //!
 //! **Equation** L = Σ_v w_v·|m_v − f_v|^p with p = q = 2 or 1: the band [f, f].
 //!
@@ -6,7 +6,7 @@
 //!
 //! **Parameters** see [`Params`]. **Limits** a dose cannot be 1 in the part and 0 beside it: the optimum of either is a
 //! compromise that a threshold objective does not need to make. The gradient of `l1` jumps at 0, which quasi-Newton steps
-//! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a grey target.
+//! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a gray target.
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
 use super::preset::{AroundTarget, Surface, not_negative};
@@ -75,7 +75,7 @@ const fn kind<F: Field>(
 pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
     kind(
         "l2",
-        "least squares: part to 1, void to 0, or grey values as they are",
+        "least squares: part to 1, void to 0, or gray values as they are",
         "[objective.l2]",
         |section, input: &ObjectiveInput| {
             let params: Params = section.parse()?;
@@ -92,7 +92,7 @@ pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
 pub const fn l1<F: Field>() -> Kind<BuildObjective<F>> {
     kind(
         "l1",
-        "least absolute deviation: part to 1, void to 0, or grey values as they are",
+        "least absolute deviation: part to 1, void to 0, or gray values as they are",
         "[objective.l1]",
         |section, input: &ObjectiveInput| {
             let params: Params = section.parse()?;

@@ -8,7 +8,6 @@ pub mod bclp;
 pub mod buffer;
 pub mod check;
 pub mod dose_matching;
-pub mod emphasis;
 pub mod least;
 pub mod osmo;
 pub mod penalty;
@@ -17,10 +16,10 @@ pub mod preset;
 pub mod species;
 pub mod sum;
 pub mod threshold;
+pub mod voxel_weights;
 pub mod window;
 
 pub use band::{Band, BandObjective, Bands};
-pub use emphasis::Emphasis;
 pub use species::PerSpecies;
 use std::sync::Arc;
 pub use sum::Sum;
@@ -31,6 +30,7 @@ use tomolith_core::grid::Volume;
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::response::Response;
 use tomolith_core::target::Target;
+pub use voxel_weights::VoxelWeights;
 
 /// A real-valued function of a dose field. It knows no optics.
 pub trait Objective<F: Field>: Send + Sync {
@@ -56,7 +56,7 @@ pub trait Objective<F: Field>: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for an objective without bands, [`Error::Shape`].
-    fn emphasise(&mut self, _emphasis: &Emphasis) -> Result<()> {
+    fn set_voxel_weights(&mut self, _weights: &VoxelWeights) -> Result<()> {
         Err(Error::Unsupported {
             what: "a weight or a tolerance per voxel".to_owned(),
             reason: "this objective has no bands".to_owned(),
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn grey_targets_are_reproduced_or_refused() {
+    fn gray_targets_are_reproduced_or_refused() {
         let model = SmallModel::new(10, 2, 5);
         let (mut target, labels) = model.ring();
         target.grey = true;
@@ -226,7 +226,7 @@ mod tests {
             } else {
                 assert!(
                     matches!(built, Err(Error::Unsupported { .. })),
-                    "{} took a grey target",
+                    "{} took a gray target",
                     row.name
                 );
             }
@@ -559,7 +559,7 @@ mod tests {
     }
 
     #[test]
-    fn the_buffer_of_penalty_minimisation_is_free() {
+    fn the_buffer_of_penalty_minimization_is_free() {
         // Six voxels of 0.5 mm, three of them part; within 0.5 mm only the two at the surface
         let grid = VolumeGrid::centered([1, 1, 6], 0.5);
         let layout = DoseLayout::new("dose", grid.clone(), 0);

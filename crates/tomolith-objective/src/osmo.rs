@@ -1,4 +1,4 @@
-//! OSMO's implicit loss: what object-space model optimisation descends, as an objective.
+//! OSMO's implicit loss: what object-space model optimization descends, as an objective.
 //!
 //! **Equation** L = Σ_part max(D_h − m, 0)² + Σ_void max(m − D_l, 0)²: part in [D_h, ∞), void in (−∞, D_l], p = q = 2.
 //!
@@ -6,7 +6,7 @@
 //! shown by Li et al. (2024), section 3.3 and eq. 25. The OSMO *method* iterates in object space and is no objective.
 //!
 //! **Parameters** see [`Params`]; the defaults are those of Pellizzon et al., arXiv 2602.12178. Doses are absolute here: the
-//! method's normalisation by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
+//! method's normalization by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
 use super::preset::{PartAndVoid, Surface, below, finite};

@@ -1,4 +1,4 @@
-//! Penalty minimisation: part above d_h, void below d_l, and nothing asked near the surface.
+//! Penalty minimization: part above d_h, void below d_l, and nothing asked near the surface.
 //!
 //! **Equation** part in [d_h, ∞) with weight ρ₁, void in (−∞, d_l] with weight ρ₂, p = q; voxels within `buffer_mm` of a voxel
 //! of the other kind have weight 0
@@ -26,7 +26,7 @@ use tomolith_core::kind::Kind;
 use tomolith_core::target::label;
 use tomolith_core::units::Mm;
 
-/// The parameters of penalty minimisation.
+/// The parameters of penalty minimization.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {

@@ -73,12 +73,12 @@ impl PartAndVoid {
     /// The objective of a target of part and void.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a grey target, [`Error::Config`] for bands out of range.
+    /// [`Error::Unsupported`] for a gray target, [`Error::Config`] for bands out of range.
     pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
         if input.target.grey {
             return Err(Error::Unsupported {
                 what: "an objective of part and void".to_owned(),
-                reason: "the target is grey; l2, l1, dose_matching and bclp reproduce grey values"
+                reason: "the target is gray; l2, l1, dose_matching and bclp reproduce gray values"
                     .to_owned(),
             });
         }
@@ -164,10 +164,10 @@ pub struct AroundTarget {
 }
 
 impl AroundTarget {
-    /// The objective: f is 1 in the part and 0 in the void, or the grey values of a grey target.
+    /// The objective: f is 1 in the part and 0 in the void, or the gray values of a gray target.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a grey target with a surface fraction, [`Error::Config`] for bands out of range.
+    /// [`Error::Unsupported`] for a gray target with a surface fraction, [`Error::Config`] for bands out of range.
     pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
         let around = |value: f32, weight: f32| {
             Band::new(value - self.half_width, value + self.half_width, weight)

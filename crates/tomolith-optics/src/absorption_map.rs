@@ -32,8 +32,9 @@ impl AbsorptionMap {
         total: Vec<f32>,
     ) -> Result<Self> {
         let cells = shape.iter().product::<usize>();
-        let refused =
-            |found: String, accepted: &str| Err(Error::config("resin.map", found, accepted));
+        let refused = |found: String, accepted: &str| {
+            Err(Error::config("resin.absorption_map", found, accepted))
+        };
         if active.len() != cells || total.len() != cells || cells == 0 {
             return refused(
                 format!(
@@ -91,7 +92,7 @@ impl AbsorptionMap {
     /// Refuses a map whose attenuation leaves no room for so much scattering beside the absorption.
     ///
     /// # Errors
-    /// [`Error::Config`] at `resin.map.attenuation`.
+    /// [`Error::Config`] at `resin.absorption_map.attenuation`.
     pub fn must_hold(&self, scattering_per_mm: f64) -> Result<()> {
         let mut cells = self.active.iter().zip(&self.total);
         let is_short = |(active, total): (&f32, &f32)| {
@@ -105,7 +106,7 @@ impl AbsorptionMap {
         let (active, total) = (self.active[i], self.total[i]);
         let at = place_of(i, &self.shape);
         Err(Error::config(
-            "resin.map.attenuation",
+            "resin.absorption_map.attenuation",
             format!(
                 "absorption {active} and attenuation {total} per mm in the cell {at}, as [z, y, x], where {scattering_per_mm} per mm are scattered"
             ),
@@ -407,7 +408,7 @@ mod tests {
             panic!("accepted");
         };
         assert!(
-            key == "resin.map.attenuation" && found.contains("0.1"),
+            key == "resin.absorption_map.attenuation" && found.contains("0.1"),
             "{found}"
         );
     }

@@ -23,7 +23,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Power transmittance of each polarisation.
+/// Power transmittance of each polarization.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmittance {
     /// Electric field normal to the plane of incidence.
@@ -32,7 +32,7 @@ pub struct Transmittance {
     pub p: f64,
 }
 
-/// Polarisation of a light.
+/// Polarization of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Polarisation {

@@ -1,7 +1,6 @@
 //! Optics: what stands between a projector's pixel and the resin.
 
 pub mod absorption_map;
-pub mod account;
 pub mod edges;
 pub mod exposure;
 pub mod gradient;
@@ -9,6 +8,7 @@ pub mod interface;
 pub mod motion;
 pub mod obstacle;
 pub mod phase;
+pub mod power_balance;
 pub mod projector;
 pub mod random;
 pub mod resin;

@@ -6,7 +6,7 @@
 //! | black | ends it |
 //! | dielectric (index) | refracts it, in and out; nothing absorbs inside |
 //! | mirror | reflects it without loss |
-//! | diffuse (reflectance) | sends that share back by Lambert's law, in random directions (`scatter` only) |
+//! | diffuse (reflectance) | sends that share back by Lambert's law, in random directions (`monte_carlo` only) |
 //!
 //! A body lies wholly in one medium, in the resin or outside of the vial.
 

@@ -46,8 +46,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neighbouring_streams_are_uniform_and_do_not_know_of_each_other() {
-        // First draws of 20000 neighbouring paths: mean ½, variance 1/12, no correlation from one to the next
+    fn neighboring_streams_are_uniform_and_do_not_know_of_each_other() {
+        // First draws of 20000 neighboring paths: mean ½, variance 1/12, no correlation from one to the next
         let draws: Vec<f64> = (0..20_000)
             .map(|i| Stream::new([7, 0, i, 0]).uniform() - 0.5)
             .collect();

@@ -2,9 +2,9 @@
 //!
 //! # Model
 //! A vial is a nest of closed surfaces, from outside to inside. At each the ray is bent (Snell) and split (Fresnel); in
-//! the resin it leaves [`Leg`]s along which Beer–Lambert holds. Rays that are not normal to the axis meet walls whose
-//! planes of incidence differ, so polarisation is followed as a field vector: at an interface its component along
-//! ŝ = d×n and the one along p̂ = d×ŝ pass with √T_s and √T_p. Unpolarised light is two such fields of half the power.
+//! the resin it leaves [`PathSegment`]s along which Beer–Lambert holds. Rays that are not normal to the axis meet walls whose
+//! planes of incidence differ, so polarization is followed as a field vector: at an interface its component along
+//! ŝ = d×n and the one along p̂ = d×ŝ pass with √T_s and √T_p. Unpolarized light is two such fields of half the power.
 //!
 //! With [`Limits::reflections`] the reflected part is followed too, through all orders down to `Limits::least_power` of
 //! what was emitted; else it is lost. Total reflection keeps all power; the phase between s and p that it adds is not followed.
@@ -16,7 +16,7 @@
 //! the sum, the piece is drawn by its part of it, the distance in it from the free paths below L, the direction from the phase function:
 //! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the unscattered light
 //! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
-//! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarised; in a gradient it runs along curves.
+//! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarized; in a gradient it runs along curves.
 //!
 //! # Resin that differs from place to place
 //! Where absorption is a map ([`AbsorptionMap`]) a leg ends at every cell that takes another part; where the index changes
@@ -40,14 +40,14 @@
 //! let tracer = SpaceTracer::new(&vial, Resin::absorbing(1.5, 0.1), 1.0, Polarisation::Unpolarised, Limits::default());
 //! let path = tracer.trace(Ray { from: [0.0; 3], direction: [-1.0, 0.0, 0.0] });
 //! let expected = 0.96 * (1.0 - (-1.6f64).exp()); // 4 % is lost at the first wall, nothing where the indices are equal
-//! assert!((path.account.absorbed - expected).abs() < 1e-12);
+//! assert!((path.balance.absorbed - expected).abs() < 1e-12);
 //! ```
 
 use super::absorption_map::AbsorptionMap;
-use super::account::Account;
 use super::interface::Polarisation;
 use super::obstacle::{Material, Obstacle};
 use super::phase::Scattering;
+use super::power_balance::PowerBalance;
 use super::projector::Ray;
 use super::random::Stream;
 use super::resin::{Resin, Uptake};
@@ -59,7 +59,7 @@ use std::sync::Arc;
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Leg {
+pub struct PathSegment {
     /// Where it enters the resin, and its direction, mm.
     pub ray: Ray,
     /// Length, mm.
@@ -101,9 +101,9 @@ impl Default for Limits {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
     /// Pieces in resin.
-    pub legs: Vec<Leg>,
+    pub legs: Vec<PathSegment>,
     /// Power balance.
-    pub account: Account,
+    pub balance: PowerBalance,
 }
 
 /// Traces rays in space through one vial.
@@ -326,7 +326,7 @@ impl SpaceTracer {
 
     /// The pieces in resin alone, with random numbers those of scattered light too: light is not followed where it cannot come back.
     #[must_use]
-    pub fn legs(&self, ray: Ray, random: Option<&mut Stream>) -> Vec<Leg> {
+    pub fn legs(&self, ray: Ray, random: Option<&mut Stream>) -> Vec<PathSegment> {
         self.trace_with(ray, random, Extent::Legs).legs
     }
 
@@ -385,7 +385,7 @@ impl SpaceTracer {
             state.crossed += 1;
             let power = state.fields.power();
             let after = if state.crossed > self.limits.interfaces {
-                path.account.cut += power;
+                path.balance.cut += power;
                 0.0
             } else {
                 self.thinned(power, random.as_deref_mut(), path)
@@ -402,9 +402,9 @@ impl SpaceTracer {
         }
         let left = state.fields.power();
         if state.met_resin {
-            path.account.transmitted += left;
+            path.balance.transmitted += left;
         } else {
-            path.account.missed += left;
+            path.balance.missed += left;
         }
     }
 
@@ -424,7 +424,7 @@ impl SpaceTracer {
         let least = self.limits.least_power;
         let survives = random.is_some_and(|random| random.uniform() * least < power);
         let after = if survives { least } else { 0.0 };
-        path.account.dropped += power - after;
+        path.balance.dropped += power - after;
         after
     }
 
@@ -438,14 +438,14 @@ impl SpaceTracer {
         waiting: &mut Vec<State>,
         path: &mut Path,
     ) {
-        let of_leg = |leg: &Leg| scattered(leg, scattering.per_mm, leg.length);
+        let of_leg = |leg: &PathSegment| scattered(leg, scattering.per_mm, leg.length);
         let whole: f64 = path.legs[first..].iter().map(of_leg).sum();
         if whole == 0.0 {
             return;
         }
-        path.account.absorbed -= whole;
+        path.balance.absorbed -= whole;
         if state.order >= self.limits.orders {
-            path.account.cut += whole;
+            path.balance.cut += whole;
             return;
         }
         let mut power = whole;
@@ -481,7 +481,7 @@ impl SpaceTracer {
             state.met_resin = true;
             let mut left = power;
             let mut leave = |from: f64, to: f64, uptake: Uptake| {
-                path.legs.push(Leg {
+                path.legs.push(PathSegment {
                     ray: Ray {
                         from: state.ray.at(from),
                         ..state.ray
@@ -499,14 +499,14 @@ impl SpaceTracer {
                 None if length > 0.0 => leave(0.0, length, plain),
                 None => {}
             }
-            path.account.absorbed += power - left;
+            path.balance.absorbed += power - left;
             if power > 0.0 {
                 state.fields.scale(left / power);
             }
         } else if let (Some(bath), 0, None) = (self.bath, state.depth, state.within) {
             let way = bath_way(bath, &state.ray, length);
             let loss = -(-bath.absorption_per_mm * way).exp_m1();
-            path.account.bath += loss * power;
+            path.balance.bath += loss * power;
             state.fields.scale(1.0 - loss);
         }
     }
@@ -564,7 +564,7 @@ impl SpaceTracer {
             }
         }
         // Light that the resin guides along the axis
-        path.account.cut += state.fields.power();
+        path.balance.cut += state.fields.power();
         state.fields.scale(0.0);
         None
     }
@@ -612,7 +612,7 @@ impl SpaceTracer {
             }
             Ahead::Obstacle { index, crossing } => match self.obstacles[index].material {
                 Material::Black => {
-                    path.account.blocked += state.fields.power();
+                    path.balance.blocked += state.fields.power();
                     return false;
                 }
                 Material::Diffuse { reflectance } => {
@@ -652,7 +652,7 @@ impl SpaceTracer {
                     });
                 }
             } else {
-                path.account.reflected += reflected_power;
+                path.balance.reflected += reflected_power;
             }
         }
         let Some(transmitted) = split.transmitted else {
@@ -698,9 +698,9 @@ impl SpaceTracer {
     ) {
         let power = state.fields.power();
         let mut sent = reflectance * power;
-        path.account.blocked += power - sent;
+        path.balance.blocked += power - sent;
         let Some(random) = random.filter(|_| state.order < self.limits.orders) else {
-            path.account.cut += sent;
+            path.balance.cut += sent;
             return;
         };
         if sent < self.limits.least_power {
@@ -737,13 +737,13 @@ impl SpaceTracer {
 }
 
 /// What of a leg's power is scattered on the first `length` mm of it, where scattering takes `per_mm`.
-fn scattered(leg: &Leg, per_mm: f64, length: f64) -> f64 {
+fn scattered(leg: &PathSegment, per_mm: f64, length: f64) -> f64 {
     let mu = leg.uptake.attenuation_per_mm;
     -(-mu * length).exp_m1() * leg.power * per_mm / mu
 }
 
 /// Where legs, one after the other, have scattered this much: the leg, and the way along it, mm; None without legs.
-fn point_of(legs: &[Leg], per_mm: f64, mut power: f64) -> Option<(&Leg, f64)> {
+fn point_of(legs: &[PathSegment], per_mm: f64, mut power: f64) -> Option<(&PathSegment, f64)> {
     let mut found = None;
     for leg in legs {
         found = Some((leg, power));

@@ -2,8 +2,8 @@
 //!
 //! # Model
 //! The ray starts outside at lateral coordinate u, travels along −(cos α, sin α) in the resin frame, and is refracted at
-//! every wall (Snell), losing power there (Fresnel, each polarisation for itself). Where it runs through resin it leaves
-//! a [`Leg`]: a straight piece along which Beer–Lambert holds. Reflected light is lost; the [`Account`] says how much.
+//! every wall (Snell), losing power there (Fresnel, each polarization for itself). Where it runs through resin it leaves
+//! a [`PlanarSegment`]: a straight piece along which Beer–Lambert holds. Reflected light is lost; the [`PowerBalance`] says how much.
 //! A [`Bath`] weakens it on the way to the vial.
 //!
 //! # Example
@@ -17,17 +17,17 @@
 //! let path = tracer.trace(0.0, 0.0);
 //! assert_eq!(path.legs[0].from, [6.0, 0.0]); // azimuth 0: light comes from +x
 //! assert!((path.legs[0].length - 12.0).abs() < 1e-12);
-//! assert!((path.account.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
+//! assert!((path.balance.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
 //! ```
 
-use super::account::Account;
 use super::interface::{Polarisation, Transmittance, refract};
+use super::power_balance::PowerBalance;
 use super::resin::Resin;
 use super::vial::{Curve, Medium, Vial, Wall};
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Leg {
+pub struct PlanarSegment {
     /// Where it enters the resin, mm.
     pub from: [f64; 2],
     /// Unit direction of travel.
@@ -60,9 +60,9 @@ impl Bath {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
     /// Pieces in resin, in order of travel.
-    pub legs: Vec<Leg>,
+    pub legs: Vec<PlanarSegment>,
     /// Power balance.
-    pub account: Account,
+    pub balance: PowerBalance,
     /// The walls and faces passed, in order: rays of equal class form one smooth bundle.
     pub class: Vec<u8>,
 }
@@ -134,7 +134,7 @@ impl Tracer {
             if let (true, Some(bath)) = (path.class.is_empty(), self.bath) {
                 let way = bath.way(position, direction, hit.distance);
                 let loss = -(-bath.absorption_per_mm * way).exp_m1();
-                path.account.bath += loss * (power.s + power.p);
+                path.balance.bath += loss * (power.s + power.p);
                 power.s *= 1.0 - loss;
                 power.p *= 1.0 - loss;
             }
@@ -146,12 +146,12 @@ impl Tracer {
             }
             let (n1, n2) = (self.indices[depth], self.indices[hit.depth_after]);
             let Some((bent, passed)) = refract(direction, hit.normal, n1, n2) else {
-                path.account.reflected += power.s + power.p;
+                path.balance.reflected += power.s + power.p;
                 power = Transmittance { s: 0.0, p: 0.0 };
                 path.class.push(u8::MAX);
                 break;
             };
-            path.account.reflected += power.s * (1.0 - passed.s) + power.p * (1.0 - passed.p);
+            path.balance.reflected += power.s * (1.0 - passed.s) + power.p * (1.0 - passed.p);
             power = Transmittance {
                 s: power.s * passed.s,
                 p: power.p * passed.p,
@@ -162,9 +162,9 @@ impl Tracer {
         }
         let left = power.s + power.p;
         if path.legs.is_empty() {
-            path.account.missed += left;
+            path.balance.missed += left;
         } else {
-            path.account.transmitted += left;
+            path.balance.transmitted += left;
         }
         path
     }
@@ -187,14 +187,14 @@ impl Tracer {
         power: &mut Transmittance,
         path: &mut Path,
     ) {
-        path.legs.push(Leg {
+        path.legs.push(PlanarSegment {
             from,
             direction,
             length,
             power: power.s + power.p,
         });
         let loss = -(-self.resin.attenuation_per_mm * length).exp_m1();
-        path.account.absorbed += loss * (power.s + power.p);
+        path.balance.absorbed += loss * (power.s + power.p);
         power.s *= 1.0 - loss;
         power.p *= 1.0 - loss;
     }
@@ -344,12 +344,12 @@ mod tests {
                     polarisation,
                 );
                 for i in 0..400 {
-                    let account = tracer
+                    let balance = tracer
                         .trace(-10.0 + 0.05 * f64::from(i) + 1e-3, 0.3)
-                        .account;
+                        .balance;
                     assert!(
-                        (account.total() - 1.0).abs() < 1e-12,
-                        "{vial:?} {account:?}"
+                        (balance.total() - 1.0).abs() < 1e-12,
+                        "{vial:?} {balance:?}"
                     );
                 }
             }
@@ -368,7 +368,7 @@ mod tests {
             let absorbing = clear.clone().in_bath(Some(bath));
             for u in [-3.0f64, 0.0, 2.5] {
                 let (a, b) = (clear.trace(u, 0.0), absorbing.trace(u, 0.0));
-                assert!((b.account.total() - 1.0).abs() < 1e-12);
+                assert!((b.balance.total() - 1.0).abs() < 1e-12);
                 // Light comes from +x: it enters the bath at √(R² − u²), a round vial at √(r² − u²)
                 let outer = match vial.walls()[0].curve {
                     Curve::Circle(r) => (r * r - u * u).sqrt(),
@@ -481,7 +481,7 @@ mod tests {
             );
             let factor = if vial.walls().len() == 1 { 1.0 } else { n * n };
             for (u, published) in rows {
-                let absorbed = tracer.trace(u, 0.0).account.absorbed;
+                let absorbed = tracer.trace(u, 0.0).balance.absorbed;
                 assert!(
                     (absorbed - published * factor).abs() < 2e-3,
                     "{vial:?} u = {u}: {absorbed} against {}",

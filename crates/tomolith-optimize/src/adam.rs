@@ -25,8 +25,8 @@
 //! ```
 
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -184,7 +184,7 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         let sums = step.project_step(x, gradient, t, problem.bounds(x));
         let mut taken = 0.0;
         if sums.square != 0.0 {
-            problem.take(x, step, at)?;
+            problem.full_step(x, step, at)?;
             taken = length;
         }
         self.fields = Some(fields);
@@ -198,8 +198,8 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs::of("adam")
+    fn requirements(&self) -> Requirements {
+        Requirements::of("adam")
     }
 
     fn memory(&self) -> Memory<'_> {
@@ -213,13 +213,13 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
-        let Kept { adam } = recall_numbers(memory)?;
+    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+        let Kept { adam } = read_saved_numbers(memory)?;
         self.steps = adam;
         if adam > 0 {
             let mut fields = Self::fields(x);
-            recall_field(memory, "mean", &mut fields.mean)?;
-            recall_field(memory, "square", &mut fields.square)?;
+            read_saved_field(memory, "mean", &mut fields.mean)?;
+            read_saved_field(memory, "square", &mut fields.square)?;
             self.fields = Some(fields);
         }
         Ok(())
@@ -229,7 +229,7 @@ impl<F: Field> Optimizer<F> for Adam<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::follow::{Case, assert_near};
+    use crate::reference::{Case, assert_near};
     use tomolith_core::field::HostField;
 
     #[test]

@@ -33,9 +33,10 @@
 //! assert!(refusal.starts_with("optimizer.bclp.step")); // no step fits all units, so it must be given
 //! ```
 
-use super::turns::Turn;
+use super::alternating::AlternatingHalf;
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, Step, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements, Step,
+    read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -111,17 +112,17 @@ impl<F: Field> Bclp<F> {
 
     /// The step that corrects one kind of error, all of it when None; returns its squared norm.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn aim(
+    fn search_direction(
         &self,
-        turn: Option<Turn>,
+        half: Option<AlternatingHalf>,
         problem: &mut Problem<F>,
         x: &F,
         at: &mut Position<F>,
         fields: &mut Fields<F>,
     ) -> Result<f64> {
-        if let Some(turn) = turn {
+        if let Some(half) = half {
             // The cotangent is taken anew after the step
-            turn.keep(&mut at.cotangent);
+            half.keep(&mut at.cotangent);
             if at.cotangent.max_abs() == 0.0 {
                 return Ok(0.0);
             }
@@ -141,15 +142,18 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
             gradient: x.zeros_like(),
             step: x.zeros_like(),
         });
-        let turn = self.params.alternate.then(|| Turn::of(self.steps));
-        let mut square = self.aim(turn, problem, x, at, &mut fields)?;
-        if let (Some(turn), 0.0) = (turn, square) {
+        let half = self
+            .params
+            .alternate
+            .then(|| AlternatingHalf::of(self.steps));
+        let mut square = self.search_direction(half, problem, x, at, &mut fields)?;
+        if let (Some(half), 0.0) = (half, square) {
             at.loss = problem.objective_at(&at.dose, &mut at.cotangent);
-            square = self.aim(Some(turn.other()), problem, x, at, &mut fields)?;
+            square = self.search_direction(Some(half.other()), problem, x, at, &mut fields)?;
         }
         let mut length = 0.0;
         if square > 0.0 || square.is_nan() {
-            problem.take(x, &fields.step, at)?;
+            problem.full_step(x, &fields.step, at)?;
             length = self.params.step;
         }
         self.steps += 1;
@@ -164,8 +168,8 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs::of("bclp")
+    fn requirements(&self) -> Requirements {
+        Requirements::of("bclp")
     }
 
     fn memory(&self) -> Memory<'_> {
@@ -175,8 +179,8 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, _: &F) -> Result<()> {
-        let Kept { bclp } = recall_numbers(memory)?;
+    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, _: &F) -> Result<()> {
+        let Kept { bclp } = read_saved_numbers(memory)?;
         self.steps = bclp;
         Ok(())
     }
@@ -185,7 +189,7 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::follow::{Case, assert_near};
+    use crate::reference::{Case, assert_near};
     use tomolith_core::field::HostField;
 
     /// Eq. 4 with the identity response, p and q, for the ring with ε: cotangent of every voxel.
@@ -298,7 +302,7 @@ mod tests {
             None,
         );
         let (mut x, target) = (case.start(), case.marked_target());
-        let eroded = case.without_neighbours_of_the_other_kind();
+        let eroded = case.without_neighbors_of_the_other_kind();
         assert!(eroded.iter().any(|e| *e) && eroded.iter().any(|e| !e));
         for (k, (found, row)) in found
             .patterns

@@ -30,15 +30,15 @@
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "cal").unwrap();
 //! let build = |value| (row.build)(&Section::new("optimizer.cal", value));
-//! assert!(build(serde_json::json!({"learning_rate": 0.02, "momentum": 0.5})).unwrap().normalises());
+//! assert!(build(serde_json::json!({"learning_rate": 0.02, "momentum": 0.5})).unwrap().normalizes());
 //! assert!(build(serde_json::json!({"sigmoid": 0.0})).is_err()); // σ would be a jump without a width
 //! ```
 
 use super::filter::{Filter, target_projection};
 use super::gradient::momentum;
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -214,7 +214,7 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         x.clamp(0.0, f32::INFINITY);
         if let Some(levels) = problem.levels() {
             let open = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, f32::INFINITY));
-            x.quantise(levels, &open);
+            x.quantize(levels, &open);
         }
         self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
         self.kept.cal += 1;
@@ -230,16 +230,16 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs {
+    fn requirements(&self) -> Requirements {
+        Requirements {
             linear: Some("the error of the object is projected to the patterns by the adjoint"),
-            unpenalised: Some("its step is the object's error, where patterns have no price"),
+            unpenalized: Some("its step is the object's error, where patterns have no price"),
             target: Some("it compares the dose with the target itself"),
-            ..Needs::of("cal")
+            ..Requirements::of("cal")
         }
     }
 
-    fn normalises(&self) -> bool {
+    fn normalizes(&self) -> bool {
         true
     }
 
@@ -254,11 +254,11 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
-        self.kept = recall_numbers(memory)?;
+    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+        self.kept = read_saved_numbers(memory)?;
         if self.kept.cal > 0 {
             let mut fields = Fields::like(x);
-            recall_field(memory, "delta", &mut fields.delta)?;
+            read_saved_field(memory, "delta", &mut fields.delta)?;
             self.fields = Some(fields);
         }
         Ok(())
@@ -268,7 +268,7 @@ impl<F: Field> Optimizer<F> for Cal<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::follow::{Case, assert_near, ramp};
+    use crate::reference::{Case, assert_near, ramp};
     use std::f64::consts::PI;
     use tomolith_core::field::HostField;
 

@@ -1,4 +1,4 @@
-//! What every optimiser must do.
+//! What every optimizer must do.
 
 use crate::checkpoint::Params;
 use crate::{Checkpoints, Limits, Optimizer, Outcome, Problem, StepReport, Stop, run};
@@ -14,13 +14,13 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
 use tomolith_objective::{BandObjective, Bands};
 
-/// Builds the optimiser under test, anew each time.
+/// Builds the optimizer under test, anew each time.
 pub type Build<'a> = &'a (dyn Fn() -> Result<Box<dyn Optimizer<HostField>>, Error> + Sync);
 
-/// Checks an optimiser on a small convex problem whose least loss is known to be 0: least squares against the dose of patterns
+/// Checks an optimizer on a small convex problem whose least loss is known to be 0: least squares against the dose of patterns
 /// most of whose pixels are dark, within bounds.
 ///
-/// - after 100 steps the loss is below a thousandth of its start (not asked of a method that normalises its doses, which follows a
+/// - after 100 steps the loss is below a thousandth of its start (not asked of a method that normalizes its doses, which follows a
 ///   rule of its own; its largest wanted dose is 1);
 /// - no pixel ever leaves the bounds, and the loss never rises when the method says so;
 /// - a run that is cut off and resumed from its checkpoint has the bits of the uninterrupted one;
@@ -29,11 +29,11 @@ pub type Build<'a> = &'a (dyn Fn() -> Result<Box<dyn Optimizer<HostField>>, Erro
 /// # Errors
 /// What is wrong, in one sentence.
 pub fn optimizer(build: Build) -> Result<(), String> {
-    let normalises = build().map_err(text)?.normalises();
-    let trial = Trial::new(normalises)?;
+    let normalizes = build().map_err(text)?.normalizes();
+    let trial = Trial::new(normalizes)?;
     let whole = trial.run(build, 100, None)?;
     let losses: Vec<f64> = whole.1.history.iter().map(|row| row.loss).collect();
-    if !normalises && whole.1.loss > 1e-3 * losses[0] {
+    if !normalizes && whole.1.loss > 1e-3 * losses[0] {
         return Err(format!(
             "the loss fell from {} to {} only",
             losses[0], whole.1.loss
@@ -55,7 +55,7 @@ const LIMITS: Limits = Limits { min: 0.0, max: 1.5 };
 type Done = (HostField, Outcome);
 
 impl Trial {
-    fn new(normalises: bool) -> Result<Self, String> {
+    fn new(normalizes: bool) -> Result<Self, String> {
         let model = SmallModel::new(14, 20, 3);
         let mut patterns = model.new_patterns().map_err(text)?;
         let values = noise(patterns.as_slice().len(), 3);
@@ -66,7 +66,7 @@ impl Trial {
         model
             .add_forward(0..model.frames(), &patterns, &mut dose, &Run::new())
             .map_err(text)?;
-        if normalises {
+        if normalizes {
             dose.scale(1.0 / dose.max_abs());
         }
         let values: Arc<[f32]> = dose.as_slice().into();

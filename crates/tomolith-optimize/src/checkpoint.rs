@@ -3,7 +3,7 @@
 //! One file, `state.safetensors`, holds the arrays and, as JSON under the key `tomolith` of its header, everything else. It is
 //! written aside and renamed, so it is always whole: a kill at any moment leaves the old one or the new one.
 //!
-//! `contents = "all"` holds patterns, dose and the optimiser's memory: the resumed run has the bits of the uninterrupted one.
+//! `contents = "all"` holds patterns, dose and the optimizer's memory: the resumed run has the bits of the uninterrupted one.
 //! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
 //!
 //! Without a stated interval a checkpoint is written when at least fifty times the duration of the last one has passed
@@ -12,7 +12,7 @@
 
 use super::keep::Best;
 use super::run::Row;
-use super::{Counters, Memory, Recall, SavedArray};
+use super::{CheckpointReader, Counters, Memory, SavedArray};
 use safetensors::tensor::{Dtype, Metadata, View};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -99,7 +99,7 @@ pub struct Checkpoints {
     job: Value,
     every: Option<Duration>,
     contents: Contents,
-    /// Of the levels of a job, the one that is optimised.
+    /// Of the levels of a job, the one that is optimized.
     level: usize,
     /// Whether a run goes on from what it finds in the folder.
     resumes: bool,
@@ -534,7 +534,7 @@ impl Checkpoint {
     }
 }
 
-impl Recall for Checkpoint {
+impl CheckpointReader for Checkpoint {
     fn numbers(&self) -> &serde_json::Value {
         &self.header.numbers
     }

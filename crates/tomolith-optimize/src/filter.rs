@@ -200,7 +200,7 @@ pub fn filter_rows(patterns: &mut Patterns, filter: Filter) -> Result<()> {
 struct Ramp {
     forward: Arc<dyn RealToComplex<f32>>,
     inverse: Arc<dyn ComplexToReal<f32>>,
-    /// Factor per frequency, the normalisation of the transforms included.
+    /// Factor per frequency, the normalization of the transforms included.
     response: Vec<f32>,
 }
 
@@ -383,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn hann_is_the_mean_of_neighbours() {
+    fn hann_is_the_mean_of_neighbors() {
         // ½ + ½·cos(2πf) is the kernel (¼, ½, ¼)
         let (bare, hann) = (filtered(Filter::RamLak), filtered(Filter::Hann));
         for i in 1..32 {

@@ -33,12 +33,12 @@
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "fista").unwrap();
 //! let fista = (row.build)(&Section::new("optimizer.fista", serde_json::json!({"restart": "none"}))).unwrap();
 //! assert!(!fista.is_monotone()); // extrapolation overshoots now and then
-//! assert!(fista.needs().convex.is_some()); // L is a bound only there
+//! assert!(fista.requirements().convex.is_some()); // L is a bound only there
 //! ```
 
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -307,11 +307,11 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs {
+    fn requirements(&self) -> Requirements {
+        Requirements {
             linear: Some("the dose of an extrapolated point is a combination of two doses"),
             convex: Some("its step and its momentum rest on a bound of the curvature"),
-            ..Needs::of("fista")
+            ..Requirements::of("fista")
         }
     }
 
@@ -326,12 +326,17 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()> {
-        self.kept = recall_numbers(memory)?;
+    fn restore(
+        &mut self,
+        memory: &mut dyn CheckpointReader,
+        problem: &Problem<F>,
+        x: &F,
+    ) -> Result<()> {
+        self.kept = read_saved_numbers(memory)?;
         if self.kept.lipschitz[0] > 0.0 {
             let mut fields = Self::fields(problem, x)?;
-            recall_field(memory, "before", &mut fields.before)?;
-            recall_field(memory, "dose", &mut fields.dose)?;
+            read_saved_field(memory, "before", &mut fields.before)?;
+            read_saved_field(memory, "dose", &mut fields.dose)?;
             self.fields = Some(fields);
         }
         Ok(())
@@ -342,7 +347,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
 mod tests {
     use super::*;
     use crate::Limits;
-    use crate::follow::{Case, Dense, assert_near};
+    use crate::reference::{Case, Dense, assert_near};
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::Run;
     use tomolith_core::field::HostField;

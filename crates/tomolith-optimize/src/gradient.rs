@@ -23,8 +23,8 @@
 //! ```
 
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -185,7 +185,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let length = if sums.square == 0.0 {
             0.0
         } else if self.params.step.is_some() {
-            problem.take(x, &fields.step, at)?;
+            problem.full_step(x, &fields.step, at)?;
             self.length
         } else {
             self.alpha = f64::from(problem.search(x, &fields.step, sums.slope, at)?.alpha);
@@ -203,12 +203,12 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         self.params.step.is_none()
     }
 
-    fn needs(&self) -> Needs {
-        Needs {
+    fn requirements(&self) -> Requirements {
+        Requirements {
             continuous: self.params.step.is_none().then_some(
                 "the automatic step length comes from a line search, which rounding breaks; give `step`",
             ),
-            ..Needs::of("gradient")
+            ..Requirements::of("gradient")
         }
     }
 
@@ -228,13 +228,13 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
-        let kept: Kept = recall_numbers(memory)?;
+    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+        let kept: Kept = read_saved_numbers(memory)?;
         (self.length, self.alpha, self.steps) = (kept.length, kept.alpha, kept.steps);
         if self.steps > 0 {
             let mut fields = Fields::like(x);
-            recall_field(memory, "gradient", &mut fields.gradient)?;
-            recall_field(memory, "step", &mut fields.step)?;
+            read_saved_field(memory, "gradient", &mut fields.gradient)?;
+            read_saved_field(memory, "step", &mut fields.step)?;
             self.fields = Some(fields);
         }
         Ok(())

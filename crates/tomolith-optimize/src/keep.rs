@@ -4,9 +4,9 @@
 //! measure that the method improves:
 //!
 //! - one that descends the loss: the lowest loss;
-//! - one that [normalises](super::Optimizer::normalises) its doses, and whose loss only watches: the best print on the job's own
+//! - one that [normalises](super::Optimizer::normalizes) its doses, and whose loss only watches: the best print on the job's own
 //!   voxels, as [`quick`] sees it. That is the best IoU over thresholds, and where it is 1 the widest process window. Row 0 of its
-//!   history is the job's `[start]`, at another scale and no iterate of the method, so it is never kept. A grey target has no IoU: its
+//!   history is the job's `[start]`, at another scale and no iterate of the method, so it is never kept. A gray target has no IoU: its
 //!   last iterate is kept.
 //!
 //! Of equal iterates the later one is kept.
@@ -84,7 +84,7 @@ enum Measure {
 
 impl Measure {
     fn of<F: Field>(problem: &Problem<F>, optimizer: &dyn Optimizer<F>, keep: Keep) -> Self {
-        if optimizer.is_monotone() || !optimizer.normalises() && keep == Keep::Best {
+        if optimizer.is_monotone() || !optimizer.normalizes() && keep == Keep::Best {
             return Measure::Loss;
         }
         match keep {
@@ -108,7 +108,7 @@ impl Measure {
     }
 }
 
-/// Part and void as the target of a problem has them; None without a target, and for grey values.
+/// Part and void as the target of a problem has them; None without a target, and for gray values.
 fn labels<F: Field>(problem: &Problem<F>) -> Option<Vec<u8>> {
     let target = problem.target().ok()?.to_host();
     let voxels = problem.model().outputs()[0].voxels();
@@ -236,7 +236,8 @@ mod tests {
     use crate::checkpoint;
     use crate::start::StartInput;
     use crate::{
-        Checkpoints, Limits, Memory, Needs, Outcome, Recall, Step, Stop, recall_numbers, run,
+        CheckpointReader, Checkpoints, Limits, Memory, Outcome, Requirements, Step, Stop,
+        read_saved_numbers, run,
     };
     use std::sync::Arc;
     use tomolith_core::check::small::SmallModel;
@@ -247,7 +248,7 @@ mod tests {
     use tomolith_core::response::Identity;
     use tomolith_objective::{OBJECTIVES, ObjectiveInput};
 
-    /// A method that normalises its doses and follows a script: how much of the target's projection its patterns are (the rest is
+    /// A method that normalizes its doses and follows a script: how much of the target's projection its patterns are (the rest is
     /// even light), and what loss it claims.
     struct Scripted {
         script: Vec<(f32, f64)>,
@@ -279,11 +280,11 @@ mod tests {
             false
         }
 
-        fn needs(&self) -> Needs {
-            Needs::of("scripted")
+        fn requirements(&self) -> Requirements {
+            Requirements::of("scripted")
         }
 
-        fn normalises(&self) -> bool {
+        fn normalizes(&self) -> bool {
             true
         }
 
@@ -296,16 +297,16 @@ mod tests {
 
         fn restore(
             &mut self,
-            memory: &mut dyn Recall,
+            memory: &mut dyn CheckpointReader,
             _: &Problem<HostField>,
             _: &HostField,
         ) -> Result<()> {
-            self.done = recall_numbers(memory)?;
+            self.done = read_saved_numbers(memory)?;
             Ok(())
         }
     }
 
-    /// A run on the ring, whose target may be made grey: patterns, print, and what the run says.
+    /// A run on the ring, whose target may be made gray: patterns, print, and what the run says.
     fn go(
         optimizer: &mut dyn Optimizer<HostField>,
         stop: Stop,

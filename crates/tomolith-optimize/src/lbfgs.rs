@@ -29,8 +29,8 @@
 //! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
 
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -240,7 +240,7 @@ impl<F: Field> Lbfgs<F> {
 
     /// The direction of the next step, its slope, and the norm of the projected gradient.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn aim(
+    fn search_direction(
         &mut self,
         problem: &mut Problem<F>,
         x: &F,
@@ -307,7 +307,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         let Aim {
             slope,
             projected_gradient,
-        } = self.aim(problem, x, at, &mut fields)?;
+        } = self.search_direction(problem, x, at, &mut fields)?;
         let mut alpha = 0.0;
         if slope != 0.0 {
             alpha = problem.search(x, &fields.step, slope, at)?.alpha;
@@ -337,12 +337,12 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         self.curvature = Curvature::new(self.params.memory);
     }
 
-    fn needs(&self) -> Needs {
-        Needs {
+    fn requirements(&self) -> Requirements {
+        Requirements {
             continuous: Some(
                 "it measures curvature along its steps and searches along a line, and rounding changes both",
             ),
-            ..Needs::of(self.name)
+            ..Requirements::of(self.name)
         }
     }
 
@@ -362,18 +362,23 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()> {
-        let curvature: Curvature = recall_numbers(memory)?;
+    fn restore(
+        &mut self,
+        memory: &mut dyn CheckpointReader,
+        problem: &Problem<F>,
+        x: &F,
+    ) -> Result<()> {
+        let curvature: Curvature = read_saved_numbers(memory)?;
         if curvature.s_y.len() != self.params.memory {
             return Err(Error::Unsupported {
                 what: "the checkpoint".to_owned(),
-                reason: format!("its optimiser remembered {} pairs", curvature.s_y.len()),
+                reason: format!("its optimizer remembered {} pairs", curvature.s_y.len()),
             });
         }
         if curvature.alpha.is_some() {
             let mut fields = Fields::like(x, self.params.memory, problem);
-            recall_field(memory, "gradient", &mut fields.gradient)?;
-            recall_field(memory, "step", &mut fields.step)?;
+            read_saved_field(memory, "gradient", &mut fields.gradient)?;
+            read_saved_field(memory, "step", &mut fields.step)?;
             fields
                 .pairs
                 .restore(&mut |name, bytes| memory.array(name, bytes))?;

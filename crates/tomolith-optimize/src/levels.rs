@@ -1,7 +1,7 @@
 //! Patterns at the few levels that a projector shows.
 //!
-//! With b bits a pixel shows one of 2^b levels of the full scale s (`tomolith_optics::exposure::quantise`), and with few bits plain
-//! rounding loses what the optimisation reached. After the optimisation, [`improve`] therefore descends once more, on the patterns
+//! With b bits a pixel shows one of 2^b levels of the full scale s (`tomolith_optics::exposure::quantize`), and with few bits plain
+//! rounding loses what the optimization reached. After the optimization, [`improve`] therefore descends once more, on the patterns
 //! that are *shown*: y is what the machine is asked for, Q(y) what it shows, and the gradient at Q(y) moves y.
 //!
 //! ```text
@@ -13,7 +13,7 @@
 //! the loss and 1.1 of itself after one that did not. Of all steps the patterns with the least loss are taken; those of plain rounding
 //! are one of them, so that the loss is never above theirs.
 //!
-//! **Full scale** The brightest pixels of an optimisation are few, and with few levels they cost all others their steps. Eight
+//! **Full scale** The brightest pixels of an optimization are few, and with few levels they cost all others their steps. Eight
 //! shares of the brightest pixel (of each light), 1 to 0.18, are tried with plain rounding, and three quarters of the one with the least loss are
 //! taken: the steps win back what is cut off at the top. The largest y stays s, so that the levels stay where they are.
 //!
@@ -224,13 +224,13 @@ impl Brightest {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::follow::Case;
     use crate::lbfgs::{self, Lbfgs};
+    use crate::reference::Case;
     use crate::{Limits, Stop, run};
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::{DoseModel, Run};
     use tomolith_objective::Objective;
-    use tomolith_optics::exposure::quantise;
+    use tomolith_optics::exposure::quantize;
 
     /// What a projector of so many bits shows.
     fn projector(
@@ -239,14 +239,14 @@ mod tests {
     ) -> impl FnMut(&HostField) -> Result<HostField> + use<'_> {
         move |asked| {
             let layout = &DoseModel::patterns(model)[0];
-            let levels = quantise(&layout.patterns_of(asked.as_slice()), bits)?;
+            let levels = quantize(&layout.patterns_of(asked.as_slice()), bits)?;
             let mut x = asked.zeros_like();
             layout.fill_field(&levels.patterns(), x.as_mut_slice());
             Ok(x)
         }
     }
 
-    /// Patterns of the ring, optimised without levels, and what becomes of them.
+    /// Patterns of the ring, optimized without levels, and what becomes of them.
     fn improved(case: &Case, bits: u32, limits: Limits) -> (HostField, HostField, Gain) {
         let objective: Box<dyn Objective<HostField>> =
             case.objective("l2", serde_json::json!({ "void_weight": 5.0 }));

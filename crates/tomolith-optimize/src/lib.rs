@@ -1,42 +1,42 @@
-//! Optimisers: from a problem to patterns.
+//! Optimizers: from a problem to patterns.
 //!
 //! *What must it do, and who does it.* An [`Optimizer`] improves patterns step by step; it knows a [`Problem`] (model,
 //! objective, bounds) and [`Field`]s, no optics and no files. The loop around it, with stopping, history and checkpoints, is
 //! [`run()`]; where it begins is [`start`].
 
 pub mod adam;
+mod alternating;
 pub mod bclp;
 pub mod cal;
 pub mod check;
 pub mod checkpoint;
 pub mod filter;
 pub mod fista;
-#[cfg(test)]
-pub(crate) mod follow;
 pub mod gradient;
 pub mod keep;
 pub mod lbfgs;
 pub mod levels;
-pub mod needs;
 pub mod osmo;
 #[cfg(test)]
-mod penalised;
+mod penalized;
 pub mod pm;
 pub mod problem;
 pub mod published;
+#[cfg(test)]
+pub(crate) mod reference;
+pub mod requirements;
 pub mod run;
 pub mod start;
-mod turns;
 
 pub use checkpoint::{Checkpoints, Contents, Room};
 pub use keep::{Keep, Kept, KeptBy};
-pub use needs::Needs;
 pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;
+pub use requirements::Requirements;
 pub use run::{
     Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run, run_after,
 };
-pub use start::{STARTS, Start, StartInput};
+pub use start::{InitialPatterns, STARTS, StartInput};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::kind::{Kind, Section};
@@ -54,10 +54,10 @@ pub trait Optimizer<F: Field>: Send {
     /// Whether no step raises the loss.
     fn is_monotone(&self) -> bool;
     /// What it needs of a problem: [`run()`] refuses another one before any work.
-    fn needs(&self) -> Needs;
+    fn requirements(&self) -> Requirements;
     /// Whether it is published with doses divided by their largest: then its patterns have that scale, it follows a rule of its
     /// own, and the loss only watches.
-    fn normalises(&self) -> bool {
+    fn normalizes(&self) -> bool {
         false
     }
     /// Forgets what it has learned of curvature: the model has become another one, and the patterns stay.
@@ -68,7 +68,12 @@ pub trait Optimizer<F: Field>: Send {
     ///
     /// # Errors
     /// A sentence, when the memory is another method's or of other settings.
-    fn restore(&mut self, memory: &mut dyn Recall, problem: &Problem<F>, x: &F) -> Result<()>;
+    fn restore(
+        &mut self,
+        memory: &mut dyn CheckpointReader,
+        problem: &Problem<F>,
+        x: &F,
+    ) -> Result<()>;
 }
 
 /// What a step did.
@@ -81,7 +86,7 @@ pub struct Step {
     pub length: f64,
 }
 
-/// The saved memory of an optimiser: numbers and arrays.
+/// The saved memory of an optimizer: numbers and arrays.
 #[derive(Default)]
 pub struct Memory<'a> {
     /// Anything small.
@@ -126,7 +131,7 @@ impl<'a> SavedArray<'a> {
 }
 
 /// A saved memory, read back.
-pub trait Recall {
+pub trait CheckpointReader {
     /// The numbers.
     fn numbers(&self) -> &serde_json::Value;
     /// Fills a buffer with the bytes of an array.
@@ -140,9 +145,13 @@ pub trait Recall {
 ///
 /// # Errors
 /// When there is no array of that name and size.
-pub fn recall_field<F: Field>(recall: &mut dyn Recall, name: &str, field: &mut F) -> Result<()> {
+pub fn read_saved_field<F: Field>(
+    reader: &mut dyn CheckpointReader,
+    name: &str,
+    field: &mut F,
+) -> Result<()> {
     let mut values = vec![0.0f32; field.len()];
-    recall.array(name, bytemuck::cast_slice_mut(&mut values))?;
+    reader.array(name, bytemuck::cast_slice_mut(&mut values))?;
     field.copy_from_host(&values);
     Ok(())
 }
@@ -151,20 +160,22 @@ pub fn recall_field<F: Field>(recall: &mut dyn Recall, name: &str, field: &mut F
 ///
 /// # Errors
 /// When they are those of another method.
-pub fn recall_numbers<T: serde::de::DeserializeOwned>(recall: &dyn Recall) -> Result<T> {
-    T::deserialize(recall.numbers()).map_err(|_| Error::Unsupported {
+pub fn read_saved_numbers<T: serde::de::DeserializeOwned>(
+    reader: &dyn CheckpointReader,
+) -> Result<T> {
+    T::deserialize(reader.numbers()).map_err(|_| Error::Unsupported {
         what: "the checkpoint".to_owned(),
-        reason: "its memory is that of another optimiser".to_owned(),
+        reason: "its memory is that of another optimizer".to_owned(),
     })
 }
 
-/// Builds an optimiser from its section.
+/// Builds an optimizer from its section.
 pub type BuildOptimizer<F = HostField> = fn(&Section) -> Result<Box<dyn Optimizer<F>>>;
 
-/// Every optimiser, for patterns in host memory.
+/// Every optimizer, for patterns in host memory.
 pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = optimizers();
 
-/// Every optimiser, wherever patterns live.
+/// Every optimizer, wherever patterns live.
 #[must_use]
 pub const fn optimizers<F: Field>() -> &'static [Kind<BuildOptimizer<F>>] {
     const {

@@ -1,4 +1,4 @@
-//! OSMO: object-space model optimisation, as published.
+//! OSMO: object-space model optimization, as published.
 //!
 //! **Step** a model M of the object is pushed down where void is overdosed and up where part is underdosed; its projection, cut
 //! at 0 and divided by the largest dose it gives, is the pattern. N divides by the maximum.
@@ -10,7 +10,7 @@
 //! ```
 //!
 //! **Edges** `edges = true` (Chen et al. 2023) ends a step with two more halves that correct voxels at the part's surface alone: those of the
-//! part that have a void neighbour by a face are pushed up, those of the void that have a part neighbour down. Only the abstract of that
+//! part that have a void neighbor by a face are pushed up, those of the void that have a part neighbor down. Only the abstract of that
 //! article was at hand: that there are two more halves, one for either side of the edge, is said there; that their corrections are those of
 //! the first two is our reading.
 //!
@@ -28,7 +28,7 @@
 //! and pixels below `inhibition` become it.
 //!
 //! **Scale** the patterns returned give the largest counted dose 1, so the objective's thresholds mean what they mean in the
-//! article, and the loss is that of the normalised dose. [`PublishedScale`](super::PublishedScale) brings them to a common mean.
+//! article, and the loss is that of the normalized dose. [`PublishedScale`](super::PublishedScale) brings them to a common mean.
 //! `bounds.min` and `bounds.max` hold at that scale; where they cut, the largest dose is no longer 1 and a forward call is added.
 //!
 //! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; Li et al. (2024), eqs. 11–20; edges: Chen et al., Micromachines
@@ -43,15 +43,15 @@
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "osmo").unwrap();
 //! let osmo = (row.build)(&Section::new("optimizer.osmo", serde_json::json!({"filter": "hamming"}))).unwrap();
-//! assert!(osmo.normalises() && !osmo.is_monotone()); // doses are relative to the largest
-//! assert!(osmo.needs().linear.is_some()); // projecting a correction is what an adjoint does
+//! assert!(osmo.normalizes() && !osmo.is_monotone()); // doses are relative to the largest
+//! assert!(osmo.requirements().linear.is_some()); // projecting a correction is what an adjoint does
 //! ```
 
+use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
-use super::turns::Turn;
 use super::{
-    BuildOptimizer, Memory, Needs, Optimizer, Position, Problem, Recall, SavedArray, Step,
-    recall_field, recall_numbers,
+    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
+    SavedArray, Step, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -100,7 +100,7 @@ struct Fields<F> {
 }
 
 /// Which errors a half corrects, and whether those at the part's surface alone.
-type Half = (Turn, bool);
+type Half = (AlternatingHalf, bool);
 
 /// The numbers of a checkpoint: steps done, under the method's name.
 #[derive(Deserialize, Serialize)]
@@ -144,7 +144,7 @@ impl<F: Field> Osmo<F> {
         })
     }
 
-    /// The patterns of the model, and their normalised dose.
+    /// The patterns of the model, and their normalized dose.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn show(
         &self,
@@ -161,7 +161,7 @@ impl<F: Field> Osmo<F> {
         }
         if let Some(levels) = problem.levels() {
             let shares = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, 1.0));
-            x.quantise(levels, &shares);
+            x.quantize(levels, &shares);
         }
         x.clamp(self.params.inhibition as f32, f32::INFINITY);
         problem
@@ -171,15 +171,21 @@ impl<F: Field> Osmo<F> {
 
     /// The halves of a step.
     fn halves(&self) -> Vec<Half> {
-        let mut halves = vec![(Turn::Over, false), (Turn::Under, false)];
+        let mut halves = vec![
+            (AlternatingHalf::Over, false),
+            (AlternatingHalf::Under, false),
+        ];
         if self.params.edges {
-            halves.extend([(Turn::Under, true), (Turn::Over, true)]);
+            halves.extend([
+                (AlternatingHalf::Under, true),
+                (AlternatingHalf::Over, true),
+            ]);
         }
         match self.params.count {
             Count::Double => halves,
             Count::Half => {
-                let turn = self.steps % halves.len() as u64;
-                halves.into_iter().skip(turn as usize).take(1).collect()
+                let half = self.steps % halves.len() as u64;
+                halves.into_iter().skip(half as usize).take(1).collect()
             }
         }
     }
@@ -187,13 +193,13 @@ impl<F: Field> Osmo<F> {
     /// One half: the correction, projected and added; returns its squared norm.
     fn half(
         &self,
-        (turn, is_of_edges): Half,
+        (half, is_of_edges): Half,
         fields: &mut Fields<F>,
         problem: &mut Problem<F>,
         x: &mut F,
         at: &mut Position<F>,
     ) -> Result<f64> {
-        turn.keep(&mut at.cotangent);
+        half.keep(&mut at.cotangent);
         at.cotangent.scale(-0.5);
         if is_of_edges {
             at.cotangent.multiply(problem.edges()?);
@@ -236,10 +242,10 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs {
+    fn requirements(&self) -> Requirements {
+        Requirements {
             linear: Some("a correction of the object is projected to the patterns by the adjoint"),
-            unpenalised: Some("it corrects the object, where patterns have no price"),
+            unpenalized: Some("it corrects the object, where patterns have no price"),
             target: Some("it begins with the target's own projection"),
             edges: self
                 .params
@@ -248,11 +254,11 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
             tolerant: Some(
                 "its void half takes away all dose above the void's band, and in the end all light",
             ),
-            ..Needs::of("osmo")
+            ..Requirements::of("osmo")
         }
     }
 
-    fn normalises(&self) -> bool {
+    fn normalizes(&self) -> bool {
         true
     }
 
@@ -267,12 +273,12 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         }
     }
 
-    fn restore(&mut self, memory: &mut dyn Recall, _: &Problem<F>, x: &F) -> Result<()> {
-        let Kept { osmo } = recall_numbers(memory)?;
+    fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
+        let Kept { osmo } = read_saved_numbers(memory)?;
         self.steps = osmo;
         if osmo > 0 {
             let mut model = x.zeros_like();
-            recall_field(memory, "model", &mut model)?;
+            read_saved_field(memory, "model", &mut model)?;
             self.fields = Some(Fields {
                 model,
                 scratch: x.zeros_like(),
@@ -285,7 +291,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::follow::{Case, assert_near, ramp};
+    use crate::reference::{Case, assert_near, ramp};
     use tomolith_core::field::HostField;
 
     const D_H: f64 = 0.9;
@@ -334,7 +340,7 @@ mod tests {
         (floor, levels): (f64, Option<f64>),
         halves: &[(f64, bool)],
     ) -> Vec<Vec<f64>> {
-        let inner = case.without_neighbours_of_the_other_kind();
+        let inner = case.without_neighbors_of_the_other_kind();
         let target = case.dense.target();
         let first = case.dense.adjoint(&target);
         let first = if filtered {

@@ -1,4 +1,4 @@
-//! Penalty minimisation's solver: a quasi-Newton method with ten pairs within bounds.
+//! Penalty minimization's solver: a quasi-Newton method with ten pairs within bounds.
 //!
 //! **Method** [L-BFGS with bounds](super::lbfgs), `memory = 10`. The penalties themselves, ρ₁, ρ₂ and the buffer zone by
 //! erosion, are the objective [`pm`](tomolith_objective::pm); doses are absolute, so `bounds.max` is in their units.
@@ -16,7 +16,7 @@
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "pm").unwrap();
 //! let pm = (row.build)(&Section::new("optimizer.pm", serde_json::json!({}))).unwrap();
-//! assert!(pm.is_monotone() && !pm.normalises()); // it searches, and doses stay absolute
+//! assert!(pm.is_monotone() && !pm.normalizes()); // it searches, and doses stay absolute
 //! ```
 
 use super::BuildOptimizer;
@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
-/// The parameters of penalty minimisation's solver.
+/// The parameters of penalty minimization's solver.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {

@@ -1,4 +1,4 @@
-//! The problem an optimiser solves, and the one line search.
+//! The problem an optimizer solves, and the one line search.
 //!
 //! ```text
 //! min over x   L( F(x) ) + Σ λᵢ·Rᵢ(x)   subject to   min ≤ x ≤ max          (L contains the response)
@@ -66,7 +66,7 @@ pub struct Problem<'a, F: Field> {
     pub counters: Counters,
 }
 
-/// Where the patterns are: their dose, and what an optimiser needs of it.
+/// Where the patterns are: their dose, and what an optimizer needs of it.
 pub struct Position<F> {
     /// F(x)
     pub dose: F,
@@ -78,7 +78,7 @@ pub struct Position<F> {
 
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct LineSearchResult {
     /// Position on the segment, 0 when nothing better was found.
     pub alpha: f32,
     /// Slope at the end of the search relative to that at its beginning; 1 when α = 0.
@@ -143,16 +143,16 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(self)
     }
 
-    /// The same problem with its target as a dose field, for methods that [need](super::Needs::target) one: 1 in the part and 0
-    /// in the void, or grey values; below 0 where a voxel does not count.
+    /// The same problem with its target as a dose field, for methods that [need](super::Requirements::target) one: 1 in the part and 0
+    /// in the void, or gray values; below 0 where a voxel does not count.
     #[must_use]
     pub fn with_target(mut self, target: F) -> Self {
         self.target = Some(target);
         self
     }
 
-    /// The same problem with marks per element of the dose field, for methods that [need](super::Needs::edges) them: 1 where a voxel
-    /// has a neighbour of the other kind, part or void, by a face, else 0.
+    /// The same problem with marks per element of the dose field, for methods that [need](super::Requirements::edges) them: 1 where a voxel
+    /// has a neighbor of the other kind, part or void, by a face, else 0.
     #[must_use]
     pub fn with_edges(mut self, edges: F) -> Self {
         self.edges = Some(edges);
@@ -270,7 +270,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Cancelled`].
     pub fn evaluate(&mut self, x: &mut F, at: &mut Position<F>) -> Result<()> {
-        self.settle(x);
+        self.project_onto_bounds(x);
         self.measure(x, at)
     }
 
@@ -330,7 +330,7 @@ impl<'a, F: Field> Problem<'a, F> {
     }
 
     /// Into the bounds, and to the levels.
-    fn settle(&self, x: &mut F) {
+    fn project_onto_bounds(&self, x: &mut F) {
         let zero = x.zeros_like();
         x.move_along(&zero, 0.0, self.bounds(x));
         self.round(x);
@@ -339,7 +339,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// To the levels, when there are any.
     fn round(&self, x: &mut F) {
         if let Some(levels) = self.levels {
-            x.quantise(levels, self.bounds(x));
+            x.quantize(levels, self.bounds(x));
         }
     }
 
@@ -347,8 +347,8 @@ impl<'a, F: Field> Problem<'a, F> {
     ///
     /// # Errors
     /// [`Error::Cancelled`], or not enough memory.
-    pub fn place(&mut self, x: &mut F) -> Result<Position<F>> {
-        self.settle(x);
+    pub fn evaluate_at(&mut self, x: &mut F) -> Result<Position<F>> {
+        self.project_onto_bounds(x);
         let mut dose = self.model.new_dose()?;
         self.dose(x, &mut dose)?;
         self.place_at(x, dose)
@@ -374,7 +374,7 @@ impl<'a, F: Field> Problem<'a, F> {
     ///
     /// # Errors
     /// [`Error::Cancelled`].
-    pub fn take(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
+    pub fn full_step(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
         x.move_along(step, 1.0, self.bounds(x));
         self.round(x);
         self.measure(x, at)
@@ -391,7 +391,7 @@ impl<'a, F: Field> Problem<'a, F> {
         step: &F,
         slope: f64,
         at: &mut Position<F>,
-    ) -> Result<Found> {
+    ) -> Result<LineSearchResult> {
         if !self.model.is_linear() {
             return match self.along(x, step)? {
                 Some(curve) => Ok(self.search_curve(x, step, slope, (&curve, at))),
@@ -443,7 +443,7 @@ impl<'a, F: Field> Problem<'a, F> {
         step: &F,
         slope: f64,
         (curve, at): (&[F], &mut Position<F>),
-    ) -> Found {
+    ) -> LineSearchResult {
         let Position {
             dose,
             cotangent,
@@ -481,10 +481,10 @@ impl<'a, F: Field> Problem<'a, F> {
         step: &F,
         slope: f64,
         at: &mut Position<F>,
-    ) -> Result<Found> {
+    ) -> Result<LineSearchResult> {
         let before = at.loss;
         let mut alpha = 1.0f64;
-        let mut found = Found {
+        let mut found = LineSearchResult {
             alpha: 0.0,
             slope: 1.0,
         };
@@ -496,7 +496,7 @@ impl<'a, F: Field> Problem<'a, F> {
             let loss = self
                 .timed(|objective, penalties| objective.value(cotangent) + penalties.value(&trial));
             if loss <= before + 1e-4 * alpha * slope {
-                found = Found {
+                found = LineSearchResult {
                     alpha: alpha as f32,
                     slope: 0.0,
                 };
@@ -652,8 +652,12 @@ const CONTENT: f64 = 0.1;
 
 /// Where on [0, 1] a function falls most: the root of its slope for a convex one, some lower place for any other. `at` gives
 /// value and slope; `value` and `slope` (negative) are those at 0.
-fn segment_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) -> Found {
-    let mut best = Found {
+fn segment_minimum(
+    value: f64,
+    slope: f64,
+    mut at: impl FnMut(f32) -> (f64, f64),
+) -> LineSearchResult {
+    let mut best = LineSearchResult {
         alpha: 0.0,
         slope: 1.0,
     };
@@ -665,14 +669,14 @@ fn segment_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)
         let (v, s) = at(alpha);
         if v < lowest {
             lowest = v;
-            best = Found {
+            best = LineSearchResult {
                 alpha,
                 slope: s / slope,
             };
         }
         let content = v < value && (s.abs() <= CONTENT * slope.abs() || (alpha == 1.0 && s <= 0.0));
         if content {
-            return Found {
+            return LineSearchResult {
                 alpha,
                 slope: s / slope,
             };

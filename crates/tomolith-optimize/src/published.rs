@@ -1,6 +1,6 @@
-//! The two scales in which a method that is published with normalised doses is reported.
+//! The two scales in which a method that is published with normalized doses is reported.
 //!
-//! A normalised method divides every dose by the largest, so that its thresholds lie between 0 and 1. Its patterns are returned
+//! A normalized method divides every dose by the largest, so that its thresholds lie between 0 and 1. Its patterns are returned
 //! at that scale: largest dose 1, thresholds as published. A comparison with a method that works with absolute doses is fair
 //! only at a common scale; that of the mean dose in the part is the one used here.
 //!

@@ -1,4 +1,4 @@
-//! The loop around an optimiser: stopping, history, observers, the best patterns, checkpoints.
+//! The loop around an optimizer: stopping, history, observers, the best patterns, checkpoints.
 
 use super::checkpoint::{Checkpoints, Contents, Room, Saved};
 use super::keep::{Keep, Keeper, Kept, KeptBy};
@@ -178,12 +178,12 @@ pub struct Outcome {
     pub counters: Counters,
 }
 
-/// Runs an optimiser from `x` until something stops it; `x` is left at the best patterns found ([`Keep`]), also after an error.
+/// Runs an optimizer from `x` until something stops it; `x` is left at the best patterns found ([`Keep`]), also after an error.
 ///
 /// With checkpoints, a checkpoint of the same job in their folder is resumed first (`x` is then overwritten).
 ///
 /// # Errors
-/// [`Error::Unsupported`] when the optimiser [needs](super::Needs) what the problem lacks;
+/// [`Error::Unsupported`] when the optimizer [needs](super::Requirements) what the problem lacks;
 /// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
 /// A cancelled run is no error; cancelled before its first loss, that is NaN and the history empty.
 pub fn run<F: Field>(
@@ -220,7 +220,7 @@ pub fn run_after<F: Field>(
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<Outcome> {
     stop.validate()?;
-    optimizer.needs().check(problem)?;
+    optimizer.requirements().check(problem)?;
     let Some(mut state) = begin(
         earlier,
         problem,
@@ -346,7 +346,7 @@ fn begin<F: Field>(
             checkpoint.read_field("best", x)?;
         }
     }
-    let at = match problem.place(x) {
+    let at = match problem.evaluate_at(x) {
         Err(Error::Cancelled) => return Ok(None),
         other => other?,
     };
@@ -451,7 +451,7 @@ impl<F: Field> State<F> {
         if problem.model().renew(iteration) {
             // Losses of other paths are no measure of these
             optimizer.forget();
-            self.at = problem.place(x)?;
+            self.at = problem.evaluate_at(x)?;
             self.keeper.begin_anew(problem, &self.at, iteration - 1);
         }
         // A method that may raise the loss could lose its best patterns by the step

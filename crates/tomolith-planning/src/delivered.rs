@@ -6,7 +6,7 @@
 //! S = Σ_frames Σ_x I_x·A_x·Δt        A_x = C_x/C_all·A
 //! ```
 //!
-//! C_x of the C_all pixels of a frame show grey x, at which the machine gives I_x. **Units** mW/cm², cm², s; S in J.
+//! C_x of the C_all pixels of a frame show gray x, at which the machine gives I_x. **Units** mW/cm², cm², s; S in J.
 //!
 //! ```
 //! use tomolith_planning::delivered::delivered_j;
@@ -19,7 +19,7 @@ use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::PatternGrid;
 use tomolith_io::frames::{Frames, read_frames};
-use tomolith_optics::exposure::{Printer, PrinterSpec, Quantised, Rotation};
+use tomolith_optics::exposure::{Printer, PrinterSpec, Quantized, Rotation};
 
 /// Light of irradiances (mW/cm²) that each take a share of an area (cm²) for some time (s), J.
 #[must_use]
@@ -51,7 +51,7 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// The frames of a folder on a machine with this grey curve and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
+    /// The frames of a folder on a machine with this gray curve and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
     ///
     /// # Errors
     /// As [`read_frames`] and [`Printer::new`].
@@ -85,7 +85,7 @@ impl Shown {
         };
         let printer = Printer::new(&spec, base, &grid, Rotation::Clockwise)?;
         let sum = |levels: &[u16]| {
-            printer.emitted(&Quantised {
+            printer.emitted(&Quantized {
                 grid: grid.clone(),
                 bits,
                 full_scale: 1.0,

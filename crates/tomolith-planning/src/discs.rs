@@ -1,7 +1,7 @@
 //! A calibration print: discs at rising doses in a resin that stands still, and what their result says.
 //!
 //! **What it does** [`Discs`] draws one image per disc: all discs are lit at white, and one after another goes dark, so that doses rise by one factor and do not lean
-//! on the grey curve. [`fit`] reads what was measured back.
+//! on the gray curve. [`fit`] reads what was measured back.
 //!
 //! **Equations** (E areal dose, mJ/cm²)
 //!
@@ -27,7 +27,7 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::PatternGrid;
-use tomolith_core::least_squares::minimise;
+use tomolith_core::least_squares::minimize;
 use tomolith_core::run::Run;
 use tomolith_core::units::concise;
 use tomolith_io::frames::{FrameSet, write_frames};
@@ -338,7 +338,7 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
     let n = points.len();
     // A line in ln E: depth = D_p·ln E − D_p·ln E_c
     let middle = points.iter().map(|p| p[0].ln()).sum::<f64>() / n as f64;
-    let found = minimise(&[1.0, middle - 1.0], n, |t, i, slopes| {
+    let found = minimize(&[1.0, middle - 1.0], n, |t, i, slopes| {
         let rise = points[i][0].ln() - t[1];
         slopes.copy_from_slice(&[rise, -t[0]]);
         t[0] * rise - points[i][1]
@@ -357,7 +357,7 @@ pub fn fit_diameter(points: &[[f64; 2]], radius_mm: f64) -> Result<DoseFit> {
     let lowest = points[0][0].ln();
     let starts = [0.02, 0.2, 1.0, 3.0].map(|below: f64| {
         // ln E_c stays below that of the lowest dose: it is e^θ below
-        minimise(&[0.05 * radius_mm, below.ln()], n, |t, i, slopes| {
+        minimize(&[0.05 * radius_mm, below.ln()], n, |t, i, slopes| {
             let below = t[1].exp();
             let ratio = (points[i][0].ln() - lowest + below).exp();
             let log = (ratio - 1.0).ln();

@@ -1,16 +1,16 @@
-//! Grey curve of a machine from a power meter's table.
+//! Gray curve of a machine from a power meter's table.
 //!
-//! **What it models** the irradiance of each grey value: a monotone cubic through the points ([`Table`]), or the line or quadratic of least squares
+//! **What it models** the irradiance of each gray value: a monotone cubic through the points ([`Table`]), or the line or quadratic of least squares
 //! (Wang et al. 2022, Note 1). A curve is usable where it is above 0 and rises.
 //!
-//! **Parameters** grey values 0 … `top`, irradiances in any unit. **Shape** [`GreyCurve::points`] are 256 pairs (value, irradiance), value = grey/top, for
-//! `printer.grey_curve_file`. **Limits** white (`top`) must have been measured; below the lowest grey value the curve goes to 0 at grey 0.
+//! **Parameters** gray values 0 … `top`, irradiances in any unit. **Shape** [`GrayCurve::points`] are 256 pairs (value, irradiance), value = grey/top, for
+//! `printer.grey_curve_file`. **Limits** white (`top`) must have been measured; below the lowest gray value the curve goes to 0 at gray 0.
 //!
 //! ```
-//! use tomolith_planning::grey::{Form, GreyCurve, Polynomial};
+//! use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
 //! use tomolith_core::response::curve::Curve;
 //! let table = Curve::new(&[0.0, 128.0, 255.0], &[0.1, 2.0, 9.0]).unwrap();
-//! let curve = GreyCurve::new(&table, 255.0, Form::Monotone).unwrap();
+//! let curve = GrayCurve::new(&table, 255.0, Form::Monotone).unwrap();
 //! assert!((curve.at(128.0) - 2.0).abs() < 1e-6 && curve.at(60.0) < 2.0);
 //! // 3x − x²/2 is 0 at 0, and falls above 3
 //! let arch = Polynomial { coefficients: vec![0.0, 3.0, -0.5] };
@@ -20,7 +20,7 @@
 use crate::measured::csv;
 use serde::Serialize;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::least_squares::minimise;
+use tomolith_core::least_squares::minimize;
 use tomolith_core::response::curve::Curve;
 use tomolith_core::response::table::Beyond;
 use tomolith_core::response::{Response, Table};
@@ -56,15 +56,15 @@ impl Polynomial {
         let n = table.doses.len();
         if n <= degree {
             return Err(Error::config(
-                "grey value",
-                format!("found {n} grey values"),
+                "gray value",
+                format!("found {n} gray values"),
                 format!("at least {} for this form", degree + 1),
             ));
         }
         // Powers of numbers up to 1 keep the equations apart
         let scale = table.doses.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let scale = if scale > 0.0 { scale } else { 1.0 };
-        let found = minimise(&vec![0.0; degree + 1], n, |c, i, slopes| {
+        let found = minimize(&vec![0.0; degree + 1], n, |c, i, slopes| {
             let x = table.doses[i] / scale;
             let mut power = 1.0;
             let mut value = 0.0;
@@ -163,15 +163,15 @@ enum Through {
 }
 
 /// The curve of a machine.
-pub struct GreyCurve {
+pub struct GrayCurve {
     top: f64,
     through: Through,
     /// What people should know, a sentence each.
     pub notes: Vec<String>,
 }
 
-impl GreyCurve {
-    /// The curve through a table of grey values (0 … top) and irradiances.
+impl GrayCurve {
+    /// The curve through a table of gray values (0 … top) and irradiances.
     ///
     /// # Errors
     /// [`Error::Config`] (key `grey value` or `irradiance`) when the table is negative or falls, when the form does so between 0 and top, with the range that
@@ -180,10 +180,10 @@ impl GreyCurve {
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
         if first < 0.0 || last != top {
             return Err(Error::config(
-                "grey value",
-                format!("grey values from {} to {}", concise(first), concise(last)),
+                "gray value",
+                format!("gray values from {} to {}", concise(first), concise(last)),
                 format!(
-                    "grey values from 0 or more to white, which is {} (--top says another)",
+                    "gray values from 0 or more to white, which is {} (--top says another)",
                     concise(top)
                 ),
             ));
@@ -194,7 +194,7 @@ impl GreyCurve {
             Form::Monotone => {
                 if first > 0.0 {
                     notes.push(format!(
-                        "below grey {} nothing was measured: the curve goes to 0 at grey 0",
+                        "below gray {} nothing was measured: the curve goes to 0 at gray 0",
                         concise(first)
                     ));
                 }
@@ -209,21 +209,21 @@ impl GreyCurve {
                 Some([low, high]) if high == top => {
                     if low > 0.0 {
                         notes.push(format!(
-                            "below grey {low:.2} the fit is negative and taken as 0"
+                            "below gray {low:.2} the fit is negative and taken as 0"
                         ));
                     }
                 }
                 _ => return Err(unusable(&format!("the fit {}", polynomial.text()), usable)),
             }
         }
-        Ok(GreyCurve {
+        Ok(GrayCurve {
             top,
             through,
             notes,
         })
     }
 
-    /// Irradiance of a grey value.
+    /// Irradiance of a gray value.
     #[must_use]
     pub fn at(&self, grey: f64) -> f64 {
         match &self.through {
@@ -232,9 +232,9 @@ impl GreyCurve {
         }
     }
 
-    /// Grey value of an irradiance, between 0 and white.
+    /// Gray value of an irradiance, between 0 and white.
     #[must_use]
-    pub fn grey_of(&self, irradiance: f64) -> f64 {
+    pub fn gray_of(&self, irradiance: f64) -> f64 {
         let (mut low, mut high) = (0.0, self.top);
         for _ in 0..60 {
             let middle = f64::midpoint(low, high);
@@ -276,7 +276,7 @@ impl GreyCurve {
     pub fn plot(&self, table: &Curve, fits: &[(&str, &Polynomial)]) -> String {
         let most = table.responses.iter().copied().fold(0.0, f64::max);
         let mut plot = Plot::new(
-            Axis::linear("grey value", 0.0, self.top),
+            Axis::linear("gray value", 0.0, self.top),
             Axis::linear("irradiance, mW/cm²", 0.0, 1.05 * most),
         );
         let sampled = |f: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
@@ -291,7 +291,7 @@ impl GreyCurve {
         plot.line(&sampled(&|x| self.at(x)), "accent", "curve");
         let measured: Vec<[f64; 2]> = pairs(table);
         plot.dots(&measured, "gel", "measured");
-        plot.file("Irradiance against grey value")
+        plot.file("Irradiance against gray value")
     }
 }
 
@@ -317,12 +317,12 @@ fn check_points(table: &Curve) -> Result<()> {
     let falls = (1..y.len()).find(|&i| y[i] < y[i - 1]);
     let found = match (negative, falls) {
         (Some(i), _) => format!(
-            "a negative irradiance, {} at grey {}",
+            "a negative irradiance, {} at gray {}",
             concise(y[i]),
             concise(x[i])
         ),
         (None, Some(i)) => format!(
-            "the irradiance falls from {} to {} between grey {} and {}",
+            "the irradiance falls from {} to {} between gray {} and {}",
             concise(y[i - 1]),
             concise(y[i]),
             concise(x[i - 1]),
@@ -336,12 +336,12 @@ fn check_points(table: &Curve) -> Result<()> {
 
 fn unusable(what: &str, usable: Option<[f64; 2]>) -> Error {
     let range = match usable {
-        Some([low, high]) => format!("it is usable from grey {low:.2} to {high:.2}"),
+        Some([low, high]) => format!("it is usable from gray {low:.2} to {high:.2}"),
         None => "no range of it is usable".to_owned(),
     };
     Error::config(
         "irradiance",
         format!("{what}: not a rising curve from black to white; {range}"),
-        "irradiances that are not negative and rise with the grey value; the form `monotone` follows every table that does",
+        "irradiances that are not negative and rise with the gray value; the form `monotone` follows every table that does",
     )
 }

@@ -24,7 +24,7 @@
 
 use serde::Serialize;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::least_squares::{Minimum, minimise};
+use tomolith_core::least_squares::{Minimum, minimize};
 use tomolith_core::response::curve::Curve;
 use tomolith_report::plot::{Axis, Plot};
 
@@ -173,7 +173,7 @@ impl Fit<'_> {
                 let supply = -(-y).ln_1p() / (share * shortest);
                 let mut start = vec![logit, supply.ln(), ((1.0 - share) * shortest).ln()];
                 start.extend(order.is_none().then_some(0.5));
-                let found = minimise(&start, self.x.len(), |theta, i, slopes| {
+                let found = minimize(&start, self.x.len(), |theta, i, slopes| {
                     self.residual(theta, order, i, slopes)
                 });
                 if found.cost.is_finite() && best.as_ref().is_none_or(|b| found.cost < b.cost) {
@@ -182,7 +182,7 @@ impl Fit<'_> {
             }
         }
         // A start is finite by construction
-        best.unwrap_or_else(|| minimise(&[0.0; 4], 0, |_, _, _| 0.0))
+        best.unwrap_or_else(|| minimize(&[0.0; 4], 0, |_, _, _| 0.0))
     }
 
     /// ln of time over measured time, and its derivatives.

@@ -1,6 +1,6 @@
 //! Response of a material from measured pairs, ready for a job.
 //!
-//! **What it models** dose → conversion, modulus or index: the generalised logistic or the nearest table that never falls, both by
+//! **What it models** dose → conversion, modulus or index: the generalized logistic or the nearest table that never falls, both by
 //! [`fit`](tomolith_core::response::fit), on linear or logarithmic axes.
 //!
 //! **Shape** `n` pairs in, a TOML table `[response.logistic]` or `[response.table]` out. **Limits** no kind of response has a logarithmic dose: such a

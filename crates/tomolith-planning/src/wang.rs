@@ -2,8 +2,8 @@
 //!
 //! **Source** Wang et al., Nat. Commun. 13 (2022) 367, supplement (open access, CC BY): Notes 1, Tables 1 and 2.
 
-/// Grey value and irradiance of the visible projector (455 nm), mW/cm². Grey 77 and 51 were not measured.
-pub const GREY_VISIBLE: [[f64; 2]; 7] = [
+/// Gray value and irradiance of the visible projector (455 nm), mW/cm². Gray 77 and 51 were not measured.
+pub const GRAY_VISIBLE: [[f64; 2]; 7] = [
     [255.0, 4.62],
     [230.0, 4.53],
     [204.0, 4.43],
@@ -13,8 +13,8 @@ pub const GREY_VISIBLE: [[f64; 2]; 7] = [
     [102.0, 1.04],
 ];
 
-/// Grey value and irradiance of the UV projector (365 nm), mW/cm².
-pub const GREY_UV: [[f64; 2]; 9] = [
+/// Gray value and irradiance of the UV projector (365 nm), mW/cm².
+pub const GRAY_UV: [[f64; 2]; 9] = [
     [255.0, 32.53],
     [230.0, 29.40],
     [204.0, 26.27],
@@ -26,7 +26,7 @@ pub const GREY_UV: [[f64; 2]; 9] = [
     [51.0, 6.51],
 ];
 
-/// Grey value, time until a ball is seen (s), delivered light (J) in UV. The last dose is printed illegibly (0.30, 0.37 or 0.39): the area of the
+/// Gray value, time until a ball is seen (s), delivered light (J) in UV. The last dose is printed illegibly (0.30, 0.37 or 0.39): the area of the
 /// others predicts 0.388.
 pub const BALLS_UV: [[f64; 3]; 6] = [
     [255.0, 360.0, 0.48],
@@ -37,7 +37,7 @@ pub const BALLS_UV: [[f64; 3]; 6] = [
     [128.0, 570.0, 0.39],
 ];
 
-/// The same in visible light; at grey 128 no ball was seen within 30 minutes.
+/// The same in visible light; at gray 128 no ball was seen within 30 minutes.
 pub const BALLS_VISIBLE: [[f64; 3]; 5] = [
     [255.0, 1260.0, 0.24],
     [230.0, 1260.0, 0.24],

@@ -5,13 +5,13 @@ use tomolith_core::Error;
 use tomolith_core::response::curve::Curve;
 use tomolith_planning::buildup::{Vial, bessel_less_struve, wall_rate};
 use tomolith_planning::delivered::{area_cm2, delivered_j};
-use tomolith_planning::grey::{Form, GreyCurve, Polynomial};
+use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::kinetics::{self, Kinetics};
 use tomolith_planning::measured::curve;
 use tomolith_planning::response::{Axes, ResponseFit};
 use tomolith_planning::voxel::Setup;
-use tomolith_planning::wang::{BALLS_UV, BALLS_VISIBLE, GREY_UV, GREY_VISIBLE, STIFFNESS};
+use tomolith_planning::wang::{BALLS_UV, BALLS_VISIBLE, GRAY_UV, GRAY_VISIBLE, STIFFNESS};
 
 fn near(found: f64, expected: f64, tolerance: f64) {
     assert!(
@@ -27,8 +27,8 @@ fn worst(fit: &Polynomial, table: &Curve) -> f64 {
 }
 
 #[test]
-fn printed_grey_fits_are_the_least_squares_of_the_table() {
-    let (visible, uv) = (curve(&GREY_VISIBLE).unwrap(), curve(&GREY_UV).unwrap());
+fn printed_gray_fits_are_the_least_squares_of_the_table() {
+    let (visible, uv) = (curve(&GRAY_VISIBLE).unwrap(), curve(&GRAY_UV).unwrap());
     let quadratic = Polynomial::fit(&visible, 2).unwrap();
     let [c0, c1, c2] = quadratic.coefficients[..] else {
         panic!()
@@ -58,11 +58,11 @@ fn printed_grey_fits_are_the_least_squares_of_the_table() {
 
 #[test]
 fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
-    let table = curve(&GREY_VISIBLE).unwrap();
-    let found = GreyCurve::new(&table, 255.0, Form::Monotone).unwrap();
-    for [grey, irradiance] in GREY_VISIBLE {
+    let table = curve(&GRAY_VISIBLE).unwrap();
+    let found = GrayCurve::new(&table, 255.0, Form::Monotone).unwrap();
+    for [grey, irradiance] in GRAY_VISIBLE {
         near(found.at(grey), irradiance, 1e-6);
-        near(found.grey_of(irradiance), grey, 1e-3);
+        near(found.gray_of(irradiance), grey, 1e-3);
     }
     let points = found.points();
     assert_eq!(
@@ -70,13 +70,13 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
         (256, [0.0, 0.0], 1.0)
     );
     assert!(points.windows(2).all(|w| w[1][1] > w[0][1]));
-    assert_eq!(found.notes.len(), 1, "below grey 102 nothing was measured");
-    let Err(error) = GreyCurve::new(&table, 255.0, Form::Quadratic) else {
+    assert_eq!(found.notes.len(), 1, "below gray 102 nothing was measured");
+    let Err(error) = GrayCurve::new(&table, 255.0, Form::Quadratic) else {
         panic!("a curve that falls was taken")
     };
     let said = error.to_string();
-    assert!(said.contains("usable from grey 86.15 to 239.06"), "{said}");
-    assert!(GreyCurve::new(&curve(&GREY_UV).unwrap(), 255.0, Form::Line).is_ok());
+    assert!(said.contains("usable from gray 86.15 to 239.06"), "{said}");
+    assert!(GrayCurve::new(&curve(&GRAY_UV).unwrap(), 255.0, Form::Line).is_ok());
 }
 
 #[test]
@@ -85,15 +85,15 @@ fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
         (
             &[[0.0, 0.1], [100.0, 2.0], [200.0, 5.0], [255.0, 4.5]][..],
             [
-                "falls from 5 to 4.5 between grey 200 and 255",
-                "from grey 0.00 to 200.00",
+                "falls from 5 to 4.5 between gray 200 and 255",
+                "from gray 0.00 to 200.00",
             ],
         ),
         (
             &[[0.0, -0.2], [100.0, 2.0], [255.0, 4.5]],
             [
-                "a negative irradiance, -0.2 at grey 0",
-                "from grey 100.00 to 255.00",
+                "a negative irradiance, -0.2 at gray 0",
+                "from gray 100.00 to 255.00",
             ],
         ),
         (
@@ -102,10 +102,10 @@ fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
         ),
         (
             &[[0.0, 0.0], [230.0, 1.0]],
-            ["grey values from 0 to 230", "--top"],
+            ["gray values from 0 to 230", "--top"],
         ),
     ] {
-        let Err(error) = GreyCurve::new(&curve(pairs).unwrap(), 255.0, Form::Monotone) else {
+        let Err(error) = GrayCurve::new(&curve(pairs).unwrap(), 255.0, Form::Monotone) else {
             panic!("{pairs:?} was taken")
         };
         let said = error.to_string();
@@ -119,16 +119,16 @@ fn delivered_light_of_both_examples() {
     // UV: 30 600 frames of 0.04 s; 11.3 mm × 20 mm, in the text 2.3 cm²
     let seconds = 30_600.0 * 0.04;
     near(seconds, 1224.0, 1e-9);
-    let table = curve(&GREY_UV).unwrap();
+    let table = curve(&GRAY_UV).unwrap();
     for (form, area, grey) in [
         (Form::Line, 2.26, 147.6),
         (Form::Line, 2.3, 145.1),
         (Form::Monotone, 2.26, 148.6),
         (Form::Monotone, 2.3, 145.7),
     ] {
-        let fit = GreyCurve::new(&table, 255.0, form).unwrap();
+        let fit = GrayCurve::new(&table, 255.0, form).unwrap();
         let irradiance = 52.0 / (1e-3 * area * seconds);
-        near(fit.grey_of(irradiance), grey, 0.8);
+        near(fit.gray_of(irradiance), grey, 0.8);
         near(
             delivered_j(&[(irradiance, 0.4), (irradiance, 0.6)], area, seconds),
             52.0,
@@ -151,8 +151,8 @@ fn balls_have_one_area() {
             .map(|[grey, seconds, dose]| area_cm2(*dose, irradiance(table, *grey), *seconds))
             .collect()
     };
-    let uv = areas(&BALLS_UV, &GREY_UV);
-    let visible = areas(&BALLS_VISIBLE, &GREY_VISIBLE);
+    let uv = areas(&BALLS_UV, &GRAY_UV);
+    let visible = areas(&BALLS_VISIBLE, &GRAY_VISIBLE);
     for area in uv.iter().chain(&visible) {
         near(*area, 0.0415, 0.0009);
     }
@@ -174,8 +174,8 @@ fn balls(series: &[[f64; 3]], table: &[[f64; 2]]) -> Curve {
 #[test]
 fn inhibitor_and_kinetics_fit_the_balls_where_one_dose_misses() {
     for (series, table, spread) in [
-        (&BALLS_UV[..], &GREY_UV[..], 0.35),
-        (&BALLS_VISIBLE, &GREY_VISIBLE, 0.08),
+        (&BALLS_UV[..], &GRAY_UV[..], 0.35),
+        (&BALLS_VISIBLE, &GRAY_VISIBLE, 0.08),
     ] {
         let fit = kinetics::fit(&balls(series, table)).unwrap();
         near(fit.dose_spread, spread, 0.005);

@@ -20,8 +20,8 @@ use tomolith_metrics::{Better, METRICS};
 
 /// Runs on one page, at most: lines of more cannot be told apart.
 const MOST: usize = 12;
-/// Colours; later runs have them again, dashed.
-const COLOURS: usize = 6;
+/// Colors; later runs have them again, dashed.
+const COLORS: usize = 6;
 /// What a folder must hold.
 const ACCEPTED: &str = "the folder of a run of Tomolith, with report.json";
 
@@ -363,12 +363,12 @@ fn head(runs: &[ComparedRun]) -> String {
     )
 }
 
-/// Colour class of a run.
+/// Color class of a run.
 fn class(i: usize) -> String {
     format!(
         "run{}{}",
-        i % COLOURS,
-        if i < COLOURS { "" } else { " again" }
+        i % COLORS,
+        if i < COLORS { "" } else { " again" }
     )
 }
 
@@ -414,7 +414,7 @@ fn warnings(runs: &[ComparedRun]) -> String {
     format!("<section class=\"warn\"><h2>Please note</h2><ul>{items}</ul></section>")
 }
 
-/// The keys of a run that say what is minimised.
+/// The keys of a run that say what is minimized.
 fn objective(run: &ComparedRun) -> String {
     let keys = run
         .job
@@ -494,7 +494,7 @@ fn rows() -> Vec<Row> {
         },
         Row {
             key: "optimisation_s",
-            name: "Time of the optimisation".to_owned(),
+            name: "Time of the optimization".to_owned(),
             unit: "s",
             better: Better::Lower,
             value: Box::new(last("seconds")),
@@ -856,7 +856,7 @@ mod tests {
                 .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         };
         assert!(keys.iter().all(is_snake), "{keys:?}");
-        assert_eq!(row("Time of the optimisation"), json!([0.4, 0.4]));
+        assert_eq!(row("Time of the optimization"), json!([0.4, 0.4]));
         assert_eq!(
             json["differing_keys"],
             json!([{ "key": "optimizer.lbfgs.memory", "values": ["10", "5"] }])

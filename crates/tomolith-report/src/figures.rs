@@ -1,7 +1,7 @@
 //! The pictures of the page: slices, sinogram, frames.
 
 use super::number::{escape, significant};
-use super::picture::{Colour, Picture, hex, inferno, reduction, viridis};
+use super::picture::{Color, Picture, hex, inferno, reduction, viridis};
 use super::{DARK, INSERT, MapReport, ReportData};
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -24,7 +24,7 @@ const OUTLINE: u8 = 254;
 const NOTHING: u8 = 255;
 
 /// What a voxel becomes, against what it should.
-pub(super) const FATES: [(Colour, &str); 5] = [
+pub(super) const FATES: [(Color, &str); 5] = [
     ([0; 4], ""),
     ([140, 150, 162, 34], "liquid, as it should"),
     ([122, 135, 151, 190], "gelled, as it should"),
@@ -111,7 +111,7 @@ fn middle_of_box(grid: &VolumeGrid, is_wanted: impl Fn(usize) -> bool + Sync) ->
     })
 }
 
-/// Voxels that get dose: the part, or what is not black in a grey image.
+/// Voxels that get dose: the part, or what is not black in a gray image.
 fn is_wanted(data: &ReportData<'_>, i: usize) -> bool {
     match (data.labels.values[i], data.inside) {
         (label::PART, _) => true,
@@ -206,7 +206,7 @@ pub(super) fn property(map: &MapReport<'_>) -> String {
     )
 }
 
-/// Shares of the largest dose up to which two doses count as equal, and from which on their difference has its full colour.
+/// Shares of the largest dose up to which two doses count as equal, and from which on their difference has its full color.
 const EQUAL: f64 = 0.05;
 const APART: f64 = DIFFERENCE_REACH * EQUAL;
 
@@ -219,7 +219,7 @@ pub(super) fn doses(runs: &[(&str, &Volume<f32>)]) -> String {
         .map(|(_, dose)| largest(dose))
         .fold(0.0, f32::max);
     let high = f64::from(high).max(f64::MIN_POSITIVE);
-    let differences: Vec<Colour> = (0..=255u8)
+    let differences: Vec<Color> = (0..=255u8)
         .map(|i| difference(f64::from(i) / 254.0))
         .collect();
     let mut out = String::new();
@@ -264,7 +264,7 @@ pub(super) fn doses(runs: &[(&str, &Volume<f32>)]) -> String {
         }
         out.push_str("</div>");
     }
-    out + &colour_bar(viridis, high, "dose", None)
+    out + &color_bar(viridis, high, "dose", None)
 }
 
 fn add_figure(row: &mut String, slice: &Slice<'_>, uri: &str, caption: &str) {
@@ -276,13 +276,13 @@ fn add_figure(row: &mut String, slice: &Slice<'_>, uri: &str, caption: &str) {
     );
 }
 
-/// Bodies that are not printed, in pictures of the target: their mark, colour and name.
-pub(super) const BODIES: [(u8, Colour, &str); 2] = [
+/// Bodies that are not printed, in pictures of the target: their mark, color and name.
+pub(super) const BODIES: [(u8, Color, &str); 2] = [
     (DARK, [38, 44, 54, 255], "to stay dark"),
     (INSERT, [201, 148, 46, 255], "insert"),
 ];
 
-fn target_palette() -> Vec<Colour> {
+fn target_palette() -> Vec<Color> {
     (0..=255u8)
         .map(|i| match i {
             NOTHING => [0; 4],
@@ -326,7 +326,7 @@ fn target_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     })
 }
 
-fn dose_palette() -> Vec<Colour> {
+fn dose_palette() -> Vec<Color> {
     (0..=255u8)
         .map(|i| match i {
             NOTHING => [0; 4],
@@ -336,7 +336,7 @@ fn dose_palette() -> Vec<Colour> {
         .collect()
 }
 
-/// The target; grey values in the colours of the response, so that the two can be compared.
+/// The target; gray values in the colors of the response, so that the two can be compared.
 fn target_uri(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> String {
     match (data.evaluation.half_width, data.inside) {
         (Some(_), Some(wanted)) => {
@@ -392,7 +392,7 @@ fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture 
 fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
     match (data.evaluation.half_width, data.inside) {
         (Some(half_width), Some(wanted)) => {
-            let palette: Vec<Colour> = (0..=255u8)
+            let palette: Vec<Color> = (0..=255u8)
                 .map(|i| match i {
                     NOTHING => [0; 4],
                     i => difference(f64::from(i) / 254.0),
@@ -407,8 +407,8 @@ fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
 /// Differences are drawn up to this many half widths of the band.
 const DIFFERENCE_REACH: f64 = 4.0;
 
-/// From too little (0, blue) over none (½, grey) to too much (1, red); grey in the band.
-fn difference(at: f64) -> Colour {
+/// From too little (0, blue) over none (½, gray) to too much (1, red); gray in the band.
+fn difference(at: f64) -> Color {
     let off = 2.0 * at - 1.0;
     let in_band = 1.0 / DIFFERENCE_REACH;
     let share = ((off.abs() - in_band) / (1.0 - in_band)).clamp(0.0, 1.0);
@@ -464,7 +464,7 @@ fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
 pub(super) fn growth(labels: &Volume<u8>, degree: &Volume<f32>) -> String {
     let grid = &labels.grid;
     let middle = middle_of_box(grid, |i| labels.values[i] == label::PART);
-    let fates: Vec<Colour> = FATES.iter().map(|(colour, _)| *colour).collect();
+    let fates: Vec<Color> = FATES.iter().map(|(color, _)| *color).collect();
     let mut row = String::new();
     for (axis, at) in middle.into_iter().enumerate().take(2) {
         let slice = Slice { grid, axis, at };
@@ -529,9 +529,9 @@ pub(super) fn nice_length(length: f64) -> f64 {
         .unwrap_or(power)
 }
 
-/// A colour bar from 0 to `high`, with marks.
-pub(super) fn colour_bar(
-    map: fn(f64) -> Colour,
+/// A color bar from 0 to `high`, with marks.
+pub(super) fn color_bar(
+    map: fn(f64) -> Color,
     high: f64,
     label: &str,
     mark: Option<(f64, &str)>,
@@ -544,11 +544,11 @@ pub(super) fn colour_bar(
     )
 }
 
-/// The colour bar of the differences.
+/// The color bar of the differences.
 pub(super) fn error_bar(half_width: f64) -> String {
     let reach = significant(DIFFERENCE_REACH * half_width, 3);
     let ends = [format!("−{reach}"), format!("+{reach}")];
-    bar_svg(difference, "response − grey value", "", ends)
+    bar_svg(difference, "response − gray value", "", ends)
 }
 
 fn marked_at(high: f64, mark: Option<(f64, &str)>) -> String {
@@ -563,7 +563,7 @@ fn marked_at(high: f64, mark: Option<(f64, &str)>) -> String {
 }
 
 pub(super) fn bar_svg(
-    map: fn(f64) -> Colour,
+    map: fn(f64) -> Color,
     label: &str,
     marked: &str,
     [low, high]: [String; 2],
@@ -597,7 +597,7 @@ pub(super) fn dose_bar(data: &ReportData<'_>) -> String {
         .gel_threshold
         .filter(|_| data.evaluation.half_width.is_none())
         .map(|t| (t, format!("gel threshold {}", significant(t, 3))));
-    colour_bar(
+    color_bar(
         viridis,
         high,
         "response to the dose",
@@ -605,11 +605,11 @@ pub(super) fn dose_bar(data: &ReportData<'_>) -> String {
     )
 }
 
-fn light_palette() -> Vec<Colour> {
+fn light_palette() -> Vec<Color> {
     (0..=255u8).map(|i| inferno(f64::from(i) / 255.0)).collect()
 }
 
-fn grey_palette() -> Vec<Colour> {
+fn gray_palette() -> Vec<Color> {
     (0..=255u8).map(|i| [i, i, i, 255]).collect()
 }
 
@@ -743,7 +743,7 @@ pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
         let _ = write!(
             out,
             "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"Frame {frame}\"><figcaption>{frame} · {}°</figcaption></figure>",
-            picture.data_uri(&grey_palette()),
+            picture.data_uri(&gray_palette()),
             picture.width,
             picture.height,
             significant((grid.azimuths[frame].to_degrees() * 10.0).round() / 10.0, 4),
@@ -797,7 +797,7 @@ mod tests {
     }
 
     #[test]
-    fn differences_in_the_band_are_grey_and_beyond_it_coloured_by_their_sign() {
+    fn differences_in_the_band_are_gray_and_beyond_it_colored_by_their_sign() {
         let [low, middle, high] = [0.0, 0.5, 1.0].map(difference);
         assert_eq!((low, high), (FATES[3].0, FATES[4].0));
         assert_eq!(difference(0.5 + 0.49 / DIFFERENCE_REACH), middle);

@@ -1,7 +1,7 @@
 //! `report.html`: one page without any outside resource.
 //!
 //! The best exposure and what limits the print; headline numbers with the vial turning, as it prints, and standing still; dose
-//! histogram and IoU over the threshold; the surface in the colours of its deviation; three slices of target, dose and error; the history of the optimisation; sinogram and frames; all numbers; times,
+//! histogram and IoU over the threshold; the surface in the colors of its deviation; three slices of target, dose and error; the history of the optimization; sinogram and frames; all numbers; times,
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
 use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
@@ -30,8 +30,8 @@ const HEADLINE: [&str; 8] = [
     "under_mm3",
 ];
 
-/// Numbers at the head of the page of a grey target.
-const GREY_HEADLINE: [&str; 4] = ["in_band", "rms_error", "max_error_part", "max_error_void"];
+/// Numbers at the head of the page of a gray target.
+const GRAY_HEADLINE: [&str; 4] = ["in_band", "rms_error", "max_error_part", "max_error_void"];
 
 /// The page.
 #[must_use]
@@ -202,7 +202,7 @@ fn drive(species: &SpeciesReport<'_>) -> String {
 
 /// The surface, for a target that has one.
 fn surface(data: &ReportData<'_>) -> String {
-    let of_part = data.deviation.filter(|_| !is_grey(data));
+    let of_part = data.deviation.filter(|_| !is_gray(data));
     of_part.map_or_else(String::new, |deviation| {
         relief::section(deviation, data.evaluation.grid.pitch_mm)
     })
@@ -303,15 +303,15 @@ fn in_voxels(kind: &MetricKind, value: Measure, pitch_mm: f64) -> String {
         })
 }
 
-/// Whether grey values were asked for.
-fn is_grey(data: &ReportData<'_>) -> bool {
+/// Whether gray values were asked for.
+fn is_gray(data: &ReportData<'_>) -> bool {
     data.evaluation.half_width.is_some()
 }
 
 /// Names of the numbers at the head of the page.
 fn headline(data: &ReportData<'_>) -> &'static [&'static str] {
-    if is_grey(data) {
-        &GREY_HEADLINE
+    if is_gray(data) {
+        &GRAY_HEADLINE
     } else {
         &HEADLINE
     }
@@ -386,10 +386,10 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
 
 fn dose_plots(data: &ReportData<'_>) -> String {
     if let (Some(half_width), Some(wanted)) = (data.evaluation.half_width, data.inside) {
-        let curves = grey_curves(data, wanted, half_width);
+        let curves = gray_curves(data, wanted, half_width);
         return format!(
-            "<div class=\"two\"><section><h2>How far the response is off</h2><p class=\"muted\">Voxels per error, on a logarithmic scale. The grey band is what the objective \
-             asks for.</p>{}</section><section><h2>Response against grey value</h2><p class=\"muted\">Mean response of the voxels of each grey value, and one standard deviation \
+            "<div class=\"two\"><section><h2>How far the response is off</h2><p class=\"muted\">Voxels per error, on a logarithmic scale. The gray band is what the objective \
+             asks for.</p>{}</section><section><h2>Response against gray value</h2><p class=\"muted\">Mean response of the voxels of each gray value, and one standard deviation \
              to either side. The dashed line is what was asked for.</p>{}</section></div>",
             error_plot(&curves, half_width),
             tone_plot(&curves),
@@ -404,32 +404,32 @@ fn dose_plots(data: &ReportData<'_>) -> String {
     )
 }
 
-/// Bins of the error, and of the grey value.
+/// Bins of the error, and of the gray value.
 const ERRORS: usize = 81;
 const TONES: usize = 32;
 
-/// What a grey print does, counted.
-struct GreyCurves {
+/// What a gray print does, counted.
+struct GrayCurves {
     /// Largest error that is drawn.
     reach: f64,
-    /// Bright (grey ≥ ½) and dark voxels per error from −reach to reach.
+    /// Bright (gray ≥ ½) and dark voxels per error from −reach to reach.
     errors: [Vec<f64>; 2],
-    /// Per grey value from 0 to 1: voxels, sum of their responses and of the squares.
+    /// Per gray value from 0 to 1: voxels, sum of their responses and of the squares.
     tones: Vec<[f64; 3]>,
 }
 
-fn grey_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> GreyCurves {
+fn gray_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> GrayCurves {
     let largest = ["max_error_part", "max_error_void"]
         .iter()
         .filter_map(|name| data.evaluation.measures.get(name))
         .fold(0.0, f64::max);
     let reach = largest.max(2.0 * half_width).max(1e-6);
-    let empty = || GreyCurves {
+    let empty = || GrayCurves {
         reach,
         errors: [vec![0.0; ERRORS], vec![0.0; ERRORS]],
         tones: vec![[0.0; 3]; TONES],
     };
-    let blocks: Vec<GreyCurves> = data
+    let blocks: Vec<GrayCurves> = data
         .labels
         .values
         .par_chunks(BLOCK)
@@ -465,11 +465,11 @@ fn grey_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> 
     })
 }
 
-fn error_plot(curves: &GreyCurves, half_width: f64) -> String {
+fn error_plot(curves: &GrayCurves, half_width: f64) -> String {
     let reach = curves.reach;
     let most = curves.errors.iter().flatten().copied().fold(1.0, f64::max);
     let mut plot = Plot::new(
-        Axis::linear("response − grey value", -reach, reach),
+        Axis::linear("response − gray value", -reach, reach),
         Axis::log_with_zero("voxels", 1.0, most),
     );
     plot.band(-half_width, half_width, "window", "objective's band");
@@ -478,7 +478,7 @@ fn error_plot(curves: &GreyCurves, half_width: f64) -> String {
     plot.svg("Histogram of the error of bright and dark voxels")
 }
 
-fn tone_plot(curves: &GreyCurves) -> String {
+fn tone_plot(curves: &GrayCurves) -> String {
     let tone = |(i, [count, sum, squares]): (usize, &[f64; 3])| {
         let mean = sum / count;
         let deviation = (squares / count - mean * mean).max(0.0).sqrt();
@@ -496,7 +496,7 @@ fn tone_plot(curves: &GreyCurves) -> String {
     plot.line(&line(1.0), "void", "± deviation");
     plot.line(&line(-1.0), "void", "");
     plot.line(&line(0.0), "accent", "mean");
-    plot.svg("Response against grey value")
+    plot.svg("Response against gray value")
 }
 
 fn histogram_plot(data: &ReportData<'_>) -> String {
@@ -575,7 +575,7 @@ fn slices_section(data: &ReportData<'_>) -> String {
         .iter()
         .copied()
         .filter(|(_, name)| !name.is_empty())
-        .chain(bodies.map(|(_, colour, name)| (*colour, *name)))
+        .chain(bodies.map(|(_, color, name)| (*color, *name)))
         .map(|([r, g, b, a], name)| {
             format!(
                 "<span><i style=\"background:rgba({r},{g},{b},{:.2})\"></i>{name}</span>",
@@ -786,9 +786,9 @@ fn table(data: &ReportData<'_>) -> String {
         let mut measured = columns.iter().map(|c| c.2.measures.get(kind.name));
         measured.any(|m| m.is_some())
     };
-    // The numbers of the other kind of target are left out; a grey target's own come first
+    // The numbers of the other kind of target are left out; a gray target's own come first
     let mut kinds: Vec<&MetricKind> = METRICS.iter().filter(known).collect();
-    kinds.sort_by_key(|kind| is_grey(data) && !GREY_HEADLINE.contains(&kind.name));
+    kinds.sort_by_key(|kind| is_gray(data) && !GRAY_HEADLINE.contains(&kind.name));
     for kind in kinds {
         let better = match kind.better {
             Better::Higher => " ↑",
@@ -818,7 +818,7 @@ fn table(data: &ReportData<'_>) -> String {
         }
         rows.push_str("</tr>");
     }
-    let grey = if is_grey(data) {
+    let grey = if is_gray(data) {
         " For a gray target, “part” is where its value is at least ½."
     } else {
         ""
@@ -829,7 +829,7 @@ fn table(data: &ReportData<'_>) -> String {
     )
 }
 
-/// Numbers with other authors' signs and normalisations.
+/// Numbers with other authors' signs and normalizations.
 fn published(data: &ReportData<'_>) -> String {
     let text =
         |about: &serde_json::Value, key: &str| escape(about[key].as_str().unwrap_or_default());
@@ -880,10 +880,10 @@ fn times_and_movies(data: &ReportData<'_>) -> String {
             })
             .collect();
         let rows = [
-            column("Largest grey error", &|m| {
+            column("Largest gray error", &|m| {
                 format!("{} of 255", m.check.largest_error)
             }),
-            column("rms grey error", &|m| significant(m.check.rms_error, 2)),
+            column("rms gray error", &|m| significant(m.check.rms_error, 2)),
             column("Frames", &|m| m.check.frames.to_string()),
             column("Rate", &|m| {
                 format!("{} /s", significant(m.check.frame_rate, 4))

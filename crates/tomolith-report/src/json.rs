@@ -15,7 +15,7 @@
 //!               threshold or is grey). An end without limit is null; all of it is null where it cannot be said
 //! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
 //!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
-//! published     numbers with other authors' signs or normalisations: value, unit, source, note; slices; unit_systems;
+//! published     numbers with other authors' signs or normalizations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
 //!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)

@@ -45,7 +45,7 @@ pub struct ExposureWindow {
     pub best: f64,
     /// By how much it may be worse.
     pub tolerance: f64,
-    /// Gel thresholds, in units of the response; none for grey targets. The highest belongs to the shortest exposure: a resin that
+    /// Gel thresholds, in units of the response; none for gray targets. The highest belongs to the shortest exposure: a resin that
     /// gels at twice the dose takes twice the time.
     pub threshold: Option<Bracket>,
     /// The doses of these thresholds, in units of the job.
@@ -60,7 +60,7 @@ pub struct ExposureWindow {
 
 impl ExposureWindow {
     /// Of an evaluation of this response; `time_s` is the time to print at the evaluation's own threshold. None where nothing
-    /// prints, and for a grey target whose response is not the dose: an exposure does not scale it.
+    /// prints, and for a gray target whose response is not the dose: an exposure does not scale it.
     #[must_use]
     pub fn new(
         evaluation: &Evaluation,
@@ -187,7 +187,7 @@ impl ExposureWindow {
 pub(super) fn section(window: Option<&ExposureWindow>) -> String {
     let Some(window) = window else {
         return "<section><h2>Best exposure</h2><p class=\"muted\">Not given: either nothing prints, or the response is not the dose itself, so that more light does not \
-                scale the grey values.</p></section>"
+                scale the gray values.</p></section>"
             .to_owned();
     };
     let row = |name: &str, bracket: &Bracket, text: &dyn Fn(f64) -> String| {
@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn a_grey_exposure_is_a_factor_of_what_was_written() {
+    fn a_gray_exposure_is_a_factor_of_what_was_written() {
         let mut evaluation = evaluation(None);
         evaluation.latitude = Some(Latitude::Exposures {
             rms: 0.1,

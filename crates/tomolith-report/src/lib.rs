@@ -38,7 +38,7 @@ use tomolith_optimize::levels::Gain;
 pub struct LightReport<'a> {
     /// Its name; may be empty when there is only one.
     pub name: &'a str,
-    /// What the projector shows: quantised, as pattern values.
+    /// What the projector shows: quantized, as pattern values.
     pub patterns: &'a Patterns,
     /// Bit depth.
     pub bits: u32,
@@ -115,7 +115,7 @@ pub struct SpeciesReport<'a> {
     pub labels: &'a Volume<u8>,
     /// Its response there.
     pub response: &'a Volume<f32>,
-    /// Inside fraction, or grey values, of its target there.
+    /// Inside fraction, or gray values, of its target there.
     pub inside: &'a Volume<f32>,
     /// Thresholds of its objective, where it has any.
     pub window: Option<[f64; 2]>,
@@ -153,9 +153,9 @@ pub struct ReportData<'a> {
     pub evaluation: &'a Evaluation,
     /// The same with the vial standing still during each frame.
     pub standing: Option<&'a Evaluation>,
-    /// On the optimisation's grid.
+    /// On the optimization's grid.
     pub optimisation: Option<&'a Evaluation>,
-    /// Numbers with other authors' signs or normalisations.
+    /// Numbers with other authors' signs or normalizations.
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
     pub species: Vec<SpeciesReport<'a>>,
@@ -163,7 +163,7 @@ pub struct ReportData<'a> {
     pub time: Vec<TimeReport<'a>>,
     /// Properties of the printed material.
     pub maps: Vec<MapReport<'a>>,
-    /// What happened in the optimisation.
+    /// What happened in the optimization.
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
     pub kept: Option<Kept>,
@@ -261,7 +261,7 @@ pub fn write_json(path: &Path, data: &ReportData<'_>) -> Result<()> {
     })
 }
 
-/// Writes `print.ply`: the print's surface in mm, with colours, and `deviation_um` at each corner (positive where the print is too large).
+/// Writes `print.ply`: the print's surface in mm, with colors, and `deviation_um` at each corner (positive where the print is too large).
 ///
 /// # Errors
 /// [`Error::Io`].
@@ -545,12 +545,12 @@ mod tests {
     }
 
     #[test]
-    fn a_grey_target_is_judged_by_its_errors() {
+    fn a_gray_target_is_judged_by_its_errors() {
         let sample = Sample::new();
         let mut wanted = sample.response.clone();
         wanted.values.iter_mut().for_each(|v| *v += 0.04);
         let print = Print::new(&sample.labels, &sample.response).unwrap();
-        let evaluation = evaluate(&print.with_grey(&wanted, 0.05).unwrap());
+        let evaluation = evaluate(&print.with_gray(&wanted, 0.05).unwrap());
         let mut data = sample.data(&evaluation);
         data.inside = Some(&wanted);
         let page = html::report_html(&data);

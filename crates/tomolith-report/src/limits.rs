@@ -8,15 +8,15 @@ use std::fmt::Write as _;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
-    /// The optimisation does not see inside of its voxels.
+    /// The optimization does not see inside of its voxels.
     Grid,
-    /// Patterns are written with grey levels, on the pixels of a machine.
+    /// Patterns are written with gray levels, on the pixels of a machine.
     Levels,
     /// The vial turns during each frame.
     Turning,
     /// The light: pixels, frames, what they can do at all.
     Optics,
-    /// The optimisation ended while its loss was still falling.
+    /// The optimization ended while its loss was still falling.
     Iterations,
     /// The part's flat ends lie within rows of pixels.
     Ends,

@@ -1,8 +1,8 @@
 //! Numbers of many runs as pictures: heat maps over two axes, curves and dots over one, each a whole SVG file.
 //!
-//! Several panels share one scale of values. A heat map has equal cells, labelled by their values; the feasible region is outlined, the
-//! best cell ringed, and a run that failed is a grey cell with a cross. Colours are viridis; they are logarithmic where positive values span more
-//! than three decades, with 0 at the lowest colour, and the picture says so. The paper is white: the files are for articles, too.
+//! Several panels share one scale of values. A heat map has equal cells, labeled by their values; the feasible region is outlined, the
+//! best cell ringed, and a run that failed is a gray cell with a cross. Colors are viridis; they are logarithmic where positive values span more
+//! than three decades, with 0 at the lowest color, and the picture says so. The paper is white: the files are for articles, too.
 //!
 //! ```
 //! use tomolith_report::maps::{Cell, Panel, Scale, heat_maps};
@@ -28,7 +28,7 @@ const FLAT: f64 = 0.66;
 const LEFT: f64 = 76.0;
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 62.0;
-/// Room for the colour bar, and above all.
+/// Room for the color bar, and above all.
 const BAR: f64 = 110.0;
 const HEAD: f64 = 34.0;
 const FOOT: f64 = 30.0;
@@ -37,7 +37,7 @@ const ROW: usize = 4;
 /// Labels along an axis, at most; a cell that wide holds its value.
 const LABELS: usize = 11;
 const WRITTEN: f64 = 44.0;
-/// Values that span more than this have logarithmic colours.
+/// Values that span more than this have logarithmic colors.
 const DECADES: f64 = 1e3;
 
 const STYLE: &str = "<style>text{font:13px Inter,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif;fill:#16202b}\
@@ -87,13 +87,13 @@ pub struct Curve {
     pub labels: Option<Vec<String>>,
     /// Whether equal ratios are equally far apart.
     pub is_log: bool,
-    /// Whether neighbours are joined.
+    /// Whether neighbors are joined.
     pub is_joined: bool,
     /// Place, and what is there.
     pub points: Vec<(f64, Cell)>,
 }
 
-/// How values become colours or heights.
+/// How values become colors or heights.
 struct Values {
     low: f64,
     high: f64,
@@ -108,7 +108,7 @@ impl Values {
         let least = finite.filter(|v| *v > 0.0).reduce(f64::min).unwrap_or(high);
         let is_log = low >= 0.0 && high > DECADES * least;
         let low = if is_log { least } else { low };
-        // All equal: one colour in the middle of the map
+        // All equal: one color in the middle of the map
         let room = if high > low {
             0.0
         } else {
@@ -152,7 +152,7 @@ pub fn heat_maps(title: &str, x: &Scale, y: &Scale, panels: &[Panel], caption: &
     let values = Values::of(cells().filter_map(|cell| cell.value));
     let mut sheet = Sheet::new(panels.len(), 1.0, BAR);
     let title = if values.is_log {
-        format!("{title} (logarithmic colours)")
+        format!("{title} (logarithmic colors)")
     } else {
         title.to_owned()
     };
@@ -378,7 +378,7 @@ fn map(body: &mut String, frame: &Frame, (x, y): (&Scale, &Scale), panel: &Panel
     );
 }
 
-/// A coloured cell with its number where that has room; a grey one with a cross where there is none.
+/// A colored cell with its number where that has room; a gray one with a cross where there is none.
 fn draw_cell(
     body: &mut String,
     [left, top, width, height]: [f64; 4],
@@ -411,17 +411,17 @@ fn draw_cell(
         }
         return;
     };
-    let colour = viridis(values.place(value));
+    let color = viridis(values.place(value));
     add(
         body,
         format_args!(
             "<rect class=\"cell\" fill=\"{}\" stroke=\"{0}\" stroke-width=\".4\" {shape}/>",
-            hex(colour)
+            hex(color)
         ),
     );
     let text = significant(value, 3);
     if width >= WRITTEN.max(7.0 * text.chars().count() as f64) && height >= 18.0 {
-        let light: u32 = colour[..3]
+        let light: u32 = color[..3]
             .iter()
             .zip([3, 6, 1])
             .map(|(&c, w)| u32::from(c) * w)
@@ -641,18 +641,18 @@ impl Sheet {
         );
     }
 
-    /// The colour bar, on the right.
+    /// The color bar, on the right.
     fn bar(&mut self, values: &Values) {
         let (last, first) = (self.frame(self.columns - 1), self.frame(0));
         let (left, steps) = (last.left + last.width + 24.0, 64);
         let step = first.height / f64::from(steps);
         for i in 0..steps {
-            let colour = hex(viridis((f64::from(i) + 0.5) / f64::from(steps)));
+            let color = hex(viridis((f64::from(i) + 0.5) / f64::from(steps)));
             let top = first.top + first.height - f64::from(i + 1) * step;
             add(
                 &mut self.body,
                 format_args!(
-                    "<rect fill=\"{colour}\" x=\"{left:.1}\" y=\"{top:.2}\" width=\"16\" height=\"{:.2}\"/>",
+                    "<rect fill=\"{color}\" x=\"{left:.1}\" y=\"{top:.2}\" width=\"16\" height=\"{:.2}\"/>",
                     step + 0.3
                 ),
             );
@@ -736,7 +736,7 @@ mod tests {
     }
 
     #[test]
-    fn zero_has_the_lowest_of_logarithmic_colours_and_all_equal_values_one() {
+    fn zero_has_the_lowest_of_logarithmic_colors_and_all_equal_values_one() {
         let values = Values::of([0.0, 1e-4, 1.0].into_iter());
         assert!(values.is_log);
         assert_eq!(

@@ -1,12 +1,12 @@
-//! Small pictures for the page: colour maps, and PNG files inside of the HTML.
+//! Small pictures for the page: color maps, and PNG files inside of the HTML.
 
 use rayon::prelude::*;
 use std::fmt::Write as _;
 
 /// Red, green, blue, opacity.
-pub(super) type Colour = [u8; 4];
+pub(super) type Color = [u8; 4];
 
-/// Anchors of the colour maps viridis and inferno (matplotlib, CC0), evenly spaced.
+/// Anchors of the color maps viridis and inferno (matplotlib, CC0), evenly spaced.
 const VIRIDIS: [u32; 11] = [
     0x0044_0154,
     0x0048_2475,
@@ -34,17 +34,17 @@ const INFERNO: [u32; 11] = [
     0x00fc_ffa4,
 ];
 
-/// A colour map for doses.
-pub(super) fn viridis(t: f64) -> Colour {
+/// A color map for doses.
+pub(super) fn viridis(t: f64) -> Color {
     between(&VIRIDIS, t)
 }
 
-/// A colour map for light.
-pub(super) fn inferno(t: f64) -> Colour {
+/// A color map for light.
+pub(super) fn inferno(t: f64) -> Color {
     between(&INFERNO, t)
 }
 
-fn between(anchors: &[u32; 11], t: f64) -> Colour {
+fn between(anchors: &[u32; 11], t: f64) -> Color {
     let place = t.clamp(0.0, 1.0) * 10.0;
     let i = (place as usize).min(9);
     let f = place - i as f64;
@@ -82,7 +82,7 @@ impl Picture {
     }
 
     /// As a PNG in a `data:` address; empty when there is no pixel or the encoder refuses.
-    pub(super) fn data_uri(&self, palette: &[Colour]) -> String {
+    pub(super) fn data_uri(&self, palette: &[Color]) -> String {
         let mut text = String::from("data:image/png;base64,");
         match self.png(palette) {
             Ok(bytes) => {
@@ -93,7 +93,7 @@ impl Picture {
         }
     }
 
-    fn png(&self, palette: &[Colour]) -> Result<Vec<u8>, png::EncodingError> {
+    fn png(&self, palette: &[Color]) -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Indexed);
@@ -105,7 +105,7 @@ impl Picture {
                 .collect::<Vec<u8>>(),
         );
         encoder.set_trns(palette.iter().map(|c| c[3]).collect::<Vec<u8>>());
-        // Neighbouring indices are no neighbouring numbers: prediction does not help
+        // Neighboring indices are no neighboring numbers: prediction does not help
         encoder.set_filter(png::Filter::NoFilter);
         encoder.set_compression(png::Compression::High);
         let mut writer = encoder.write_header()?;
@@ -137,9 +137,9 @@ fn base64(bytes: &[u8], out: &mut String) {
 }
 
 /// `#rrggbb`.
-pub(super) fn hex(colour: Colour) -> String {
+pub(super) fn hex(color: Color) -> String {
     let mut text = String::from("#");
-    for channel in &colour[..3] {
+    for channel in &color[..3] {
         // Writing into a string cannot fail
         let _ = write!(text, "{channel:02x}");
     }
@@ -166,9 +166,9 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_comes_back_with_its_colours() {
+    fn a_picture_comes_back_with_its_colors() {
         let picture = Picture::new(3, 2, |x, y| (x + 3 * y) as u8);
-        let palette: Vec<Colour> = (0..6)
+        let palette: Vec<Color> = (0..6)
             .map(|i| [i * 40, 255 - i * 40, 7, if i == 0 { 0 } else { 255 }])
             .collect();
         let bytes = picture.png(&palette).unwrap();
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn colour_maps_run_from_dark_to_bright() {
+    fn color_maps_run_from_dark_to_bright() {
         for map in [viridis, inferno] {
             let light = |t| map(t)[..3].iter().map(|&c| u32::from(c)).sum::<u32>();
             assert!(

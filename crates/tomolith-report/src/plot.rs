@@ -1,6 +1,6 @@
-//! Line and step plots as SVG, that take their colours from the page or bring them along.
+//! Line and step plots as SVG, that take their colors from the page or bring them along.
 //!
-//! Sizes are in units of a 480 wide view box, so that labels stay readable on a telephone. Colours are CSS classes
+//! Sizes are in units of a 480 wide view box, so that labels stay readable on a telephone. Colors are CSS classes
 //! (`s-…` for strokes, `f-…` for areas: part, void, accent, gel, still, window), so the plot follows light and dark.
 //!
 //! ```
@@ -270,7 +270,7 @@ impl Plot {
         self.legend.push((class.to_owned(), name.to_owned()));
     }
 
-    /// The finished drawing as a file of its own, with the colours of a report on its card; `title` is read by screen readers.
+    /// The finished drawing as a file of its own, with the colors of a report on its card; `title` is read by screen readers.
     #[must_use]
     pub fn file(&self, title: &str) -> String {
         let above = self.above();

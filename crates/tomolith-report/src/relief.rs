@@ -1,18 +1,18 @@
-//! The print's surface in the colours of its deviation from the target: on the page, and as `print.ply`.
+//! The print's surface in the colors of its deviation from the target: on the page, and as `print.ply`.
 //!
 //! Views are orthographic: a z-buffer, normals that are means over the triangles of a corner, light from the viewer's upper left.
-//! A pixel is one of [`STEPS`] colours in one of [`SHADES`] shades, so that a picture stays a small PNG with a palette.
+//! A pixel is one of [`STEPS`] colors in one of [`SHADES`] shades, so that a picture stays a small PNG with a palette.
 
 use super::figures::{FATES, bar_svg, nice_length};
 use super::number::significant;
-use super::picture::{Colour, Picture};
+use super::picture::{Color, Picture};
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_io::ply::{PlyCorners, write_ply};
 use tomolith_metrics::isosurface::Surface;
 use tomolith_metrics::surface::Deviation;
 
-/// Colours of the deviation, and shades of each.
+/// Colors of the deviation, and shades of each.
 const STEPS: usize = 15;
 const SHADES: usize = 17;
 /// Index of what is not the print.
@@ -21,7 +21,7 @@ const NOTHING: u8 = 255;
 const PIXELS: usize = 620;
 /// Width of a view in its own units, the height follows.
 const UNITS: f64 = 500.0;
-/// Share of the corners whose deviation has a colour of its own; those beyond have the colour of the end.
+/// Share of the corners whose deviation has a color of its own; those beyond have the color of the end.
 const WITHIN: f64 = 0.99;
 /// From where the two views look: azimuth and elevation, degrees, and how that is called.
 const VIEWS: [(f64, f64, &str); 2] = [
@@ -33,7 +33,7 @@ const VIEWS: [(f64, f64, &str); 2] = [
     ),
 ];
 
-/// Deviations up to which colours differ, µm: 1, 2 or 5 times a power of ten, not smaller than 99 % of all.
+/// Deviations up to which colors differ, µm: 1, 2 or 5 times a power of ten, not smaller than 99 % of all.
 fn reach_um(off_um: &[f32]) -> f64 {
     let mut sizes: Vec<f32> = off_um.iter().map(|off| off.abs()).collect();
     let rank = (sizes.len() as f64 * WITHIN) as usize;
@@ -41,7 +41,7 @@ fn reach_um(off_um: &[f32]) -> f64 {
         return 1.0;
     }
     let (_, size, _) = sizes.select_nth_unstable_by(rank, f32::total_cmp);
-    // Below a nanometre there is nothing to see
+    // Below a nanometer there is nothing to see
     let size = f64::from(*size).max(1e-3);
     let power = 10f64.powf(size.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].into_iter();
@@ -51,8 +51,8 @@ fn reach_um(off_um: &[f32]) -> f64 {
         .unwrap_or(10.0 * power)
 }
 
-/// From too small (0, blue) over right (½, grey) to too large (1, red).
-fn colour(at: f64) -> Colour {
+/// From too small (0, blue) over right (½, gray) to too large (1, red).
+fn color(at: f64) -> Color {
     let off = 2.0 * at - 1.0;
     let end = if off < 0.0 { FATES[3].0 } else { FATES[4].0 };
     let blend = |from: u8, to: u8| {
@@ -66,34 +66,34 @@ fn colour(at: f64) -> Colour {
     ]
 }
 
-/// Place on the scale of [`colour`].
+/// Place on the scale of [`color`].
 fn place(off_um: f32, reach_um: f64) -> f64 {
     (0.5 + 0.5 * f64::from(off_um) / reach_um).clamp(0.0, 1.0)
 }
 
-/// Writes the surface with the property `deviation_um` and colours.
+/// Writes the surface with the property `deviation_um` and colors.
 ///
 /// # Errors
 /// As [`write_ply`].
 pub(super) fn write(path: &Path, part: &str, deviation: &Deviation) -> Result<()> {
     let reach = reach_um(&deviation.off_um);
-    let colours: Vec<[u8; 3]> = deviation
+    let colors: Vec<[u8; 3]> = deviation
         .off_um
         .iter()
         .map(|off| {
-            let [red, green, blue, _] = colour(place(*off, reach));
+            let [red, green, blue, _] = color(place(*off, reach));
             [red, green, blue]
         })
         .collect();
     let comment = format!(
-        "mm: {part}, predicted print; deviation_um: signed distance to the target's surface in micrometres, positive where the print is too large; \
-         colours from blue (-{reach} um) over grey to red (+{reach} um)"
+        "mm: {part}, predicted print; deviation_um: signed distance to the target's surface in micrometers, positive where the print is too large; \
+         colors from blue (-{reach} um) over gray to red (+{reach} um)"
     );
     let corners = PlyCorners {
         places: &deviation.surface.corners,
         name: "deviation_um",
         numbers: &deviation.off_um,
-        colours: &colours,
+        colors: &colors,
     };
     write_ply(path, &comment, &corners, &deviation.surface.triangles)
 }
@@ -134,7 +134,7 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
         length(ends[0]),
         significant(reach, 3),
         100.0 * WITHIN,
-        bar_svg(colour, "deviation", "", ticks),
+        bar_svg(color, "deviation", "", ticks),
     )
 }
 
@@ -200,7 +200,7 @@ fn brightness(normal: [f64; 3]) -> f64 {
     }
 }
 
-/// A corner in a view: column and row in pixels, towards the viewer in mm; place on the colours' scale; brightness.
+/// A corner in a view: column and row in pixels, towards the viewer in mm; place on the colors' scale; brightness.
 type Dot = [f64; 5];
 
 /// A picture, and mm of its width.
@@ -265,14 +265,14 @@ impl Canvas {
         if area >= 0.0 {
             return;
         }
-        // Centres of pixels, at whole numbers and a half, between the outermost corners
-        let centres = |axis: usize| {
+        // Centers of pixels, at whole numbers and a half, between the outermost corners
+        let centers = |axis: usize| {
             let low = a[axis].min(b[axis]).min(c[axis]);
             let high = a[axis].max(b[axis]).max(c[axis]);
             (low - 0.5).ceil().max(0.0) as usize..(high + 0.5).floor() as usize
         };
-        for row in centres(1) {
-            for column in centres(0) {
+        for row in centers(1) {
+            for column in centers(0) {
                 let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
                 let share =
                     |p: &Dot, q: &Dot| ((p[0] - x) * (q[1] - y) - (p[1] - y) * (q[0] - x)) / area;
@@ -291,20 +291,20 @@ impl Canvas {
     }
 }
 
-/// Palette index of a place on the colours' scale and a brightness.
+/// Palette index of a place on the colors' scale and a brightness.
 fn index(place: f64, brightness: f64) -> u8 {
     let step = |value: f64, count: usize| (value.clamp(0.0, 1.0) * (count - 1) as f64).round();
     let shade = step((brightness - AMBIENT) / (1.0 - AMBIENT), SHADES);
     (step(place, STEPS) * SHADES as f64 + shade) as u8
 }
 
-fn palette() -> Vec<Colour> {
-    let mut palette: Vec<Colour> = (0..STEPS * SHADES)
+fn palette() -> Vec<Color> {
+    let mut palette: Vec<Color> = (0..STEPS * SHADES)
         .map(|i| {
             let (step, shade) = (i / SHADES, i % SHADES);
             let share = |i: usize, count: usize| i as f64 / (count - 1) as f64;
             let brightness = AMBIENT + (1.0 - AMBIENT) * share(shade, SHADES);
-            let [red, green, blue, _] = colour(share(step, STEPS));
+            let [red, green, blue, _] = color(share(step, STEPS));
             let shaded = |channel: u8| (f64::from(channel) * brightness).round() as u8;
             [shaded(red), shaded(green), shaded(blue), 255]
         })
@@ -396,8 +396,8 @@ mod tests {
     }
 
     #[test]
-    fn colours_run_from_blue_over_grey_to_red() {
-        let [blue, grey, red] = [-1.0, 0.0, 1.0].map(|off| colour(place(off * 50.0, 50.0)));
+    fn colors_run_from_blue_over_gray_to_red() {
+        let [blue, grey, red] = [-1.0, 0.0, 1.0].map(|off| color(place(off * 50.0, 50.0)));
         assert_eq!((blue, red), (FATES[3].0, FATES[4].0));
         assert!(grey[..3].iter().all(|c| (200..230).contains(c)));
         assert_eq!(palette().len(), 256);

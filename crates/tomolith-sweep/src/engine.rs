@@ -164,7 +164,7 @@ impl fmt::Display for Outcome {
 
 /// How far a run is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Turn {
+enum RunState {
     /// It is not of this process.
     Elsewhere,
     Waits,
@@ -175,7 +175,7 @@ enum Turn {
 
 /// What the slots share.
 struct Board {
-    turns: Vec<Turn>,
+    turns: Vec<RunState>,
     /// For each run the first one with the same job, which is the one that is run.
     firsts: Vec<usize>,
     stop: bool,
@@ -208,16 +208,16 @@ pub fn run(
         .map(Path::to_owned)
         .unwrap_or_default();
     fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
-    let mut turns = vec![Turn::Elsewhere; plan.runs.len()];
+    let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
     for i in own_runs(plan, shard) {
         turns[i] = if is_ready(plan, i) {
-            Turn::Done
+            RunState::Done
         } else {
-            Turn::Waits
+            RunState::Waits
         };
     }
-    let count = |wanted: Turn| turns.iter().filter(|turn| **turn == wanted).count();
-    let (finished, waiting) = (count(Turn::Done), count(Turn::Waits));
+    let count = |wanted: RunState| turns.iter().filter(|turn| **turn == wanted).count();
+    let (finished, waiting) = (count(RunState::Done), count(RunState::Waits));
     let mut clock = Clock {
         begin: Instant::now(),
         ended: finished,
@@ -376,7 +376,7 @@ fn own_runs(plan: &Plan, shard: Option<Shard>) -> BTreeSet<usize> {
     let Shard { number, of } = shard.unwrap_or(Shard { number: 1, of: 1 });
     let count = plan.runs.len();
     let firsts = firsts(&plan.runs);
-    // Neighbours stay together, so that few are run by several
+    // Neighbors stay together, so that few are run by several
     let share = (number - 1) * count / of..number * count / of;
     let mut own = BTreeSet::new();
     for i in share {
@@ -415,7 +415,7 @@ impl Clock {
 /// Lets the slots work, tells what they tell, and passes requests to stop on to them.
 fn work(
     plan: &Plan,
-    turns: Vec<Turn>,
+    turns: Vec<RunState>,
     watch: &mut dyn Watch,
     clock: &mut Clock,
     cancel: &Run,
@@ -564,9 +564,9 @@ impl Slot<'_> {
                 Some(Told::Ended {
                     state: State::Done(_),
                     ..
-                }) => Turn::Done,
-                Some(_) => Turn::Failed,
-                None => Turn::Waits,
+                }) => RunState::Done,
+                Some(_) => RunState::Failed,
+                None => RunState::Waits,
             };
             lock(self.board).turns[i] = turn;
             self.news.notify_all();
@@ -580,14 +580,14 @@ impl Slot<'_> {
     fn next(&self) -> Option<(usize, Option<usize>)> {
         let mut board = lock(self.board);
         loop {
-            if board.stop || !board.turns.contains(&Turn::Waits) {
+            if board.stop || !board.turns.contains(&RunState::Waits) {
                 return None;
             }
             let found = (0..board.turns.len())
-                .filter(|&i| board.turns[i] == Turn::Waits)
+                .filter(|&i| board.turns[i] == RunState::Waits)
                 .find_map(|i| Some((i, self.start_of(i, &board)?)));
             if let Some((i, from)) = found {
-                board.turns[i] = Turn::Works;
+                board.turns[i] = RunState::Works;
                 *lock(self.run) = Arc::new(Run::new());
                 return Some((i, from));
             }
@@ -605,8 +605,8 @@ impl Slot<'_> {
         while let Some(parent) = next {
             let parent = board.firsts[parent];
             match board.turns[parent] {
-                Turn::Done => return Some(Some(parent)),
-                Turn::Failed => next = self.plan.runs[parent].parent,
+                RunState::Done => return Some(Some(parent)),
+                RunState::Failed => next = self.plan.runs[parent].parent,
                 _ => return None,
             }
         }

@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_misspelt_metric_is_refused_with_its_neighbour() {
+    fn a_misspelt_metric_is_refused_with_its_neighbor() {
         must_exist("evaluation.pw", "").unwrap();
         must_exist("evaluation.part.mean", "").unwrap();
         let message = must_exist("evaluation.ipdrr", "metrics[0]")

@@ -730,7 +730,7 @@ mod tests {
     }
 
     #[test]
-    fn a_run_starts_from_its_nearest_neighbour_before_it() {
+    fn a_run_starts_from_its_nearest_neighbor_before_it() {
         let third = 1.0 / 3.0;
         let points = [
             [0.0, 0.0],

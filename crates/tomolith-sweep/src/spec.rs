@@ -36,7 +36,7 @@ pub(crate) struct SweepSpec {
     /// Which run is the best.
     #[serde(default)]
     pub(crate) best: BestSpec,
-    /// Runs start from their neighbours' patterns.
+    /// Runs start from their neighbors' patterns.
     pub(crate) warm_start: Option<WarmSpec>,
     /// What all runs together may use.
     #[serde(default)]
@@ -143,7 +143,7 @@ pub(crate) struct BestSpec {
     pub(crate) conditions: Vec<String>,
 }
 
-/// Starts from neighbours.
+/// Starts from neighbors.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct WarmSpec {

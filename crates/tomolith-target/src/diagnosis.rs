@@ -5,7 +5,7 @@
 //!
 //! 1. **Doubles**: vertices on the two sides of a crack (1e-5 of the diagonal) are welded when that closes edges; copies of
 //!    triangles, and walls without thickness, are dropped.
-//! 2. **Orientation**: neighbours that disagree (an edge used twice in the same direction) are turned, the minority of a
+//! 2. **Orientation**: neighbors that disagree (an edge used twice in the same direction) are turned, the minority of a
 //!    patch to the majority.
 //! 3. **Holes**: edges without a partner are closed by a fan to the middle of their loop. That closes flat holes exactly,
 //!    and small ones (1 % of the surface) plausibly.
@@ -84,7 +84,7 @@ pub struct Diagnosis {
     pub non_manifold_at: Option<[f64; 3]>,
     /// Edges whose two triangles disagree about the outside.
     pub inconsistent_edges: usize,
-    /// Triangles that were turned to agree with their neighbours.
+    /// Triangles that were turned to agree with their neighbors.
     pub turned_triangles: usize,
     /// Edges that still disagree then: the surface has one side only.
     pub one_sided_edges: usize,

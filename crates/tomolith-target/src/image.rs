@@ -1,4 +1,4 @@
-//! A grey image as a target: values to be reproduced, drawn along z; or a stack of slices, the first one at the bottom.
+//! A gray image as a target: values to be reproduced, drawn along z; or a stack of slices, the first one at the bottom.
 //!
 //! Row 0 is at +y, columns grow with +x, so the image appears upright seen from above. Pixels are square,
 //! `size_mm`/columns wide. A voxel's value is the mean over its area of the image: where voxels are larger than pixels,
@@ -13,14 +13,14 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::run::Run;
 use tomolith_core::units::Mm;
-use tomolith_io::image::GreyPixels;
+use tomolith_io::image::GrayPixels;
 
-/// A placed grey image, or a stack of them.
+/// A placed gray image, or a stack of them.
 #[derive(Clone, Debug)]
-pub struct GreyImage {
+pub struct GrayImage {
     /// From the bottom up, all of one size.
-    slices: Vec<GreyPixels>,
-    is_grey: bool,
+    slices: Vec<GrayPixels>,
+    is_gray: bool,
     /// Low corner of the image, mm.
     low: [f64; 3],
     /// Edge of a pixel, mm.
@@ -28,15 +28,15 @@ pub struct GreyImage {
     height: f64,
 }
 
-impl GreyImage {
+impl GrayImage {
     /// Slices `size_mm` wide that fill `height_mm` along z, from the bottom up; one slice is an image drawn along z. Images are not turned: of the placement only offset and
-    /// `center` count (not centred, the lower left corner of the image is the origin).
+    /// `center` count (not centered, the lower left corner of the image is the origin).
     ///
     /// # Errors
     /// [`Error::Config`] when width or height are missing or not positive, a rotation or scale is given, or there is no
     /// slice; [`Error::Shape`] for slices of different sizes.
     pub fn new(
-        slices: Vec<GreyPixels>,
+        slices: Vec<GrayPixels>,
         size_mm: Option<f64>,
         height_mm: Option<f64>,
         placement: &Placement,
@@ -88,9 +88,9 @@ impl GreyImage {
                     0.0
                 }
         });
-        Ok(GreyImage {
+        Ok(GrayImage {
             slices,
-            is_grey: true,
+            is_gray: true,
             low,
             pixel,
             height,
@@ -99,8 +99,8 @@ impl GreyImage {
 
     /// Whether its values are to be reproduced (as by default), or are shares of a part.
     #[must_use]
-    pub fn as_grey(mut self, is_grey: bool) -> Self {
-        self.is_grey = is_grey;
+    pub fn as_gray(mut self, is_gray: bool) -> Self {
+        self.is_gray = is_gray;
         self
     }
 
@@ -150,7 +150,7 @@ fn weights(low: f64, high: f64, count: usize) -> Weights {
 
 /// Adds a slice, seen by voxels with these weights, times `share` to a layer `[y, x]`.
 fn add_layer(
-    slice: &GreyPixels,
+    slice: &GrayPixels,
     in_x: &[Weights],
     in_y: &[Weights],
     share: f64,
@@ -172,7 +172,7 @@ fn add_layer(
     }
 }
 
-impl Shape for GreyImage {
+impl Shape for GrayImage {
     fn bounds_mm(&self) -> [[f64; 3]; 2] {
         let [rows, columns] = self.size().map(|n| self.pixel * n as f64);
         let extent = [columns, rows, self.height];
@@ -230,8 +230,8 @@ impl Shape for GreyImage {
         })
     }
 
-    fn is_grey(&self) -> bool {
-        self.is_grey
+    fn is_gray(&self) -> bool {
+        self.is_gray
     }
 }
 
@@ -240,13 +240,13 @@ mod tests {
     use super::*;
 
     /// Two rows, three columns: 0.1 0.2 0.3 on top (+y), 0.4 0.5 0.6 below.
-    fn image(placement: &Placement) -> GreyImage {
-        let pixels = GreyPixels {
+    fn image(placement: &Placement) -> GrayImage {
+        let pixels = GrayPixels {
             rows: 2,
             columns: 3,
             values: vec![0.1, 0.2, 0.3, 0.4, 0.5, 0.6],
         };
-        GreyImage::new(vec![pixels], Some(3.0), Some(2.0), placement).unwrap()
+        GrayImage::new(vec![pixels], Some(3.0), Some(2.0), placement).unwrap()
     }
 
     #[test]
@@ -256,7 +256,7 @@ mod tests {
         let grid = VolumeGrid::centered([2, 2, 3], 1.0);
         let slice = [0.4, 0.5, 0.6, 0.1, 0.2, 0.3];
         assert_eq!(image.sample(&grid).unwrap().values, [slice, slice].concat());
-        assert!(image.is_grey());
+        assert!(image.is_gray());
     }
 
     #[test]
@@ -296,14 +296,14 @@ mod tests {
 
     #[test]
     fn images_need_width_and_height() {
-        let pixels = GreyPixels {
+        let pixels = GrayPixels {
             rows: 1,
             columns: 1,
             values: vec![1.0],
         };
         let placement = Placement::default();
         let refused = |size, height| {
-            GreyImage::new(vec![pixels.clone()], size, height, &placement)
+            GrayImage::new(vec![pixels.clone()], size, height, &placement)
                 .unwrap_err()
                 .to_string()
         };
@@ -313,13 +313,13 @@ mod tests {
 
     #[test]
     fn a_stack_is_filled_from_the_bottom_up() {
-        let flat = |value: f32| GreyPixels {
+        let flat = |value: f32| GrayPixels {
             rows: 2,
             columns: 2,
             values: vec![value; 4],
         };
         let slices = vec![flat(0.2), flat(0.6), flat(1.0)];
-        let stack = GreyImage::new(slices, Some(2.0), Some(3.0), &Placement::default()).unwrap();
+        let stack = GrayImage::new(slices, Some(2.0), Some(3.0), &Placement::default()).unwrap();
         assert_eq!(stack.bounds_mm(), [[-1.0, -1.0, -1.5], [1.0, 1.0, 1.5]]);
         let column = |shape: [usize; 3], pitch: f64| {
             stack
@@ -337,12 +337,12 @@ mod tests {
         for (value, expected) in fine.iter().zip([0.2, 0.3, 0.5, 0.7, 0.9, 1.0]) {
             assert!((value - expected).abs() < 1e-6, "{fine:?}");
         }
-        let wrong = GreyPixels {
+        let wrong = GrayPixels {
             rows: 1,
             columns: 4,
             values: vec![0.0; 4],
         };
-        let text = GreyImage::new(
+        let text = GrayImage::new(
             vec![flat(0.0), wrong],
             Some(1.0),
             Some(1.0),

@@ -1,24 +1,24 @@
 //! Targets: mesh, image or phantom → what each voxel should become.
 //!
 //! *What must it do, and who does it.* A [`Target`] is an inside fraction per voxel (1 part, 0 void, between at the
-//! surface), or grey values to be reproduced. It can be asked for again on a finer grid: evaluation does that.
+//! surface), or gray values to be reproduced. It can be asked for again on a finer grid: evaluation does that.
 //!
 //! | kind of shape | file |
 //! |---|---|
-//! | mesh: STL, OBJ, PLY, 3MF | [`MeshShape`], examined by [`diagnosis`], voxelised exactly |
+//! | mesh: STL, OBJ, PLY, 3MF | [`MeshShape`], examined by [`diagnosis`], voxelized exactly |
 //! | several meshes with roles | [`bodies`] |
 //! | part by formula | [`phantom`] with its table [`PHANTOMS`] |
-//! | grey image, drawn along z, or a stack of them | [`GreyImage`] |
+//! | gray image, drawn along z, or a stack of them | [`GrayImage`] |
 //!
 //! [`TargetSpec`] is the job's table `[target]`, [`build`] makes a shape of it, [`default_grid`] puts a grid round the
-//! shape and [`voxelise`] fills it:
+//! shape and [`voxelize`] fills it:
 //!
 //! ```
-//! use tomolith_target::{Resolution, TargetSpec, build, default_grid, voxelise};
+//! use tomolith_target::{Resolution, TargetSpec, build, default_grid, voxelize};
 //! let spec: TargetSpec = toml::from_str("phantom = \"sphere\"\nsize_mm = 2.0").unwrap();
 //! let shape = build(&spec, std::path::Path::new("."), "target").unwrap();
 //! let grid = default_grid(shape.bounds_mm(), Resolution::Pitch(0.1)).unwrap();
-//! let target = voxelise(&*shape, &spec.name(), &grid).unwrap();
+//! let target = voxelize(&*shape, &spec.name(), &grid).unwrap();
 //! let volume: f32 = target.inside.values.iter().sum::<f32>() * 0.1f32.powi(3);
 //! assert!((volume / 4.18879 - 1.0).abs() < 1e-3); // 4/3·π, radius 1
 //! ```
@@ -38,13 +38,13 @@ mod voxels;
 
 pub use bodies::{Assembly, BodySpec, Role};
 pub use diagnosis::{Diagnosis, Repair};
-pub use image::GreyImage;
+pub use image::GrayImage;
 pub use mesh_unit::MeshUnit;
 pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};
 pub use solid::MeshShape;
-pub use spec::{TargetSpec, build, sampled, voxelise, voxelise_under};
+pub use spec::{TargetSpec, build, sampled, voxelize, voxelize_under};
 pub use tomolith_core::target::{Target, label, label_columns, label_voxels};
 
 use tomolith_core::error::Result;
@@ -56,7 +56,7 @@ use tomolith_io::mesh::Mesh;
 pub trait Shape: std::fmt::Debug + Send + Sync {
     /// Box `[low, high]`, each `[x, y, z]`, mm, in the resin frame.
     fn bounds_mm(&self) -> [[f64; 3]; 2];
-    /// Fraction of each voxel that is inside, 0…1 (for grey images: the grey value).
+    /// Fraction of each voxel that is inside, 0…1 (for gray images: the gray value).
     ///
     /// # Errors
     /// When the shape cannot be sampled; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
@@ -68,8 +68,8 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
         self.sample_under(grid, &Run::new())
     }
-    /// Whether values are grey (to be reproduced as they are) and not an inside fraction.
-    fn is_grey(&self) -> bool {
+    /// Whether values are gray (to be reproduced as they are) and not an inside fraction.
+    fn is_gray(&self) -> bool {
         false
     }
     /// Exact volume where known, mm³.

@@ -12,14 +12,14 @@ use tomolith_io::mesh::{Mesh, read_mesh};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MeshUnit {
-    /// Micrometres.
+    /// Micrometers.
     Um,
-    /// Millimetres.
+    /// Millimeters.
     #[default]
     Mm,
-    /// Centimetres.
+    /// Centimeters.
     Cm,
-    /// Metres.
+    /// Meters.
     M,
     /// Inches.
     #[serde(alias = "in")]
@@ -111,9 +111,9 @@ impl TargetSpec {
     /// ```
     /// use tomolith_target::TargetSpec;
     /// let spec: TargetSpec = toml::from_str("mesh = \"part.stl\"").unwrap();
-    /// // 0.006 long where 0.15 to 15 mm are expected: 6 mm if the file is in metres
+    /// // 0.006 long where 0.15 to 15 mm are expected: 6 mm if the file is in meters
     /// let asked = spec.ask_for_unit([[0.0; 3], [0.006, 0.004, 0.004]], [0.15, 15.0]).unwrap();
-    /// assert_eq!(asked, "the part is 0.006 mm long: is its file in metres? set target.mesh_unit = \"m\"");
+    /// assert_eq!(asked, "the part is 0.006 mm long: is its file in meters? set target.mesh_unit = \"m\"");
     /// assert!(spec.ask_for_unit([[0.0; 3], [6.0, 4.0, 4.0]], [0.15, 15.0]).is_none());
     /// ```
     #[must_use]

@@ -26,7 +26,7 @@ pub enum Resolution {
 
 /// The box of a shape plus a margin of 10 % of its extent, and at least 4 voxels, on each side.
 ///
-/// The centre of the grid is the centre of the box. `bounds` is `[low, high]`, each `[x, y, z]`, mm.
+/// The center of the grid is the center of the box. `bounds` is `[low, high]`, each `[x, y, z]`, mm.
 ///
 /// ```
 /// use tomolith_target::{Resolution, default_grid};

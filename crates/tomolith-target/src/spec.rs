@@ -5,7 +5,7 @@
 use super::diagnosis::Repair;
 use super::phantom::Phantom;
 use super::placing::Placement;
-use super::{Assembly, BodySpec, GreyImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
+use super::{Assembly, BodySpec, GrayImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,7 +16,7 @@ use tomolith_core::kind::Section;
 use tomolith_core::run::Run;
 use tomolith_core::target::Target;
 use tomolith_core::units::Mm;
-use tomolith_io::image::{GreyPixels, read_grey, read_stack};
+use tomolith_io::image::{GrayPixels, read_gray, read_stack};
 
 /// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -32,10 +32,10 @@ pub struct TargetSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "phantom_schema")]
     pub phantom: Option<serde_json::Value>,
-    /// Grey image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
+    /// Gray image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub image: Option<PathBuf>,
-    /// Grey slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
+    /// Gray slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
     /// "slices/*.png", or a .tif of several pages
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stack: Option<PathBuf>,
@@ -205,12 +205,12 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
                 )
                 .under(section_path));
             }
-            let slices = vec![read_grey(base_folder.join(file))?];
+            let slices = vec![read_gray(base_folder.join(file))?];
             grey(spec, slices, true, &placement, section_path)
         }
         Source::Stack(file) => {
             let slices = read_stack(base_folder.join(file))?;
-            let shades = |slice: &GreyPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
+            let shades = |slice: &GrayPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
             let shaded = slices.par_iter().any(shades);
             grey(spec, slices, shaded, &placement, section_path)
         }
@@ -219,15 +219,15 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
 
 fn grey(
     spec: &TargetSpec,
-    slices: Vec<GreyPixels>,
-    is_grey: bool,
+    slices: Vec<GrayPixels>,
+    is_gray: bool,
     placement: &Placement,
     section_path: &str,
 ) -> Result<Box<dyn Shape>> {
     let [size, height] = [spec.size_mm, spec.height_mm].map(|mm| mm.map(|mm| mm.0));
     let shape =
-        GreyImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
-    Ok(Box::new(shape.as_grey(spec.grey.unwrap_or(is_grey))))
+        GrayImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
+    Ok(Box::new(shape.as_gray(spec.grey.unwrap_or(is_gray))))
 }
 
 /// Where a target comes from.
@@ -273,15 +273,15 @@ fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
 ///
 /// # Errors
 /// [`Error::Resources`] when there is not enough memory.
-pub fn voxelise(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
-    voxelise_under(shape, name, grid, &Run::new())
+pub fn voxelize(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
+    voxelize_under(shape, name, grid, &Run::new())
 }
 
 /// The same as a part of a run.
 ///
 /// # Errors
-/// As [`voxelise`]; [`Error::Cancelled`].
-pub fn voxelise_under(
+/// As [`voxelize`]; [`Error::Cancelled`].
+pub fn voxelize_under(
     shape: &dyn Shape,
     name: &str,
     grid: &VolumeGrid,
@@ -290,7 +290,7 @@ pub fn voxelise_under(
     Ok(Target {
         name: name.to_owned(),
         inside: sampled(shape, grid, run)?,
-        grey: shape.is_grey(),
+        grey: shape.is_gray(),
     })
 }
 

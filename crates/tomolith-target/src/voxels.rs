@@ -52,7 +52,7 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Res
             });
         run.check()?;
         if overlapped.contains(&true) {
-            let rows = with_neighbours(&overlapped, ny);
+            let rows = with_neighbors(&overlapped, ny);
             values
                 .par_chunks_mut(nx * ny)
                 .zip(rows.par_chunks(ny))
@@ -134,7 +134,7 @@ fn is_overlapped(crossings: &[Crossing], nx: f64) -> bool {
 }
 
 /// The rows and those next to them, so that the rim of an overlap is sampled too.
-fn with_neighbours(rows: &[bool], ny: usize) -> Vec<bool> {
+fn with_neighbors(rows: &[bool], ny: usize) -> Vec<bool> {
     let nz = rows.len() / ny;
     let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
     (0..rows.len())
@@ -154,7 +154,7 @@ fn sample_rows(mesh: &Scaled, iz: usize, nx: usize, rows: &[bool], slice: &mut [
     let mut sums = vec![0.0f64; slice.len()];
     for height in 0..HEIGHTS {
         let z = iz as f64 + (height as f64 + 0.5) / HEIGHTS as f64;
-        // Bit-reversed, so that lines of neighbouring heights lie far apart
+        // Bit-reversed, so that lines of neighboring heights lie far apart
         let shift = (f64::from((height as u8).reverse_bits() >> 4) + 0.5) / HEIGHTS as f64;
         let y = |line: usize| (line as f64 + shift) / LINES as f64;
         lines.cast(mesh, &active, z, y, 0..rows.len() * LINES);

@@ -22,7 +22,7 @@ fn a_folder_that_is_not_ours_is_left_alone() {
 fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
     let bench = Bench::new();
     let before = bench.earlier();
-    // One voxel of 2.5 mm is in the grid's middle, and less than half of it in the gear: known only when it is voxelised
+    // One voxel of 2.5 mm is in the grid's middle, and less than half of it in the gear: known only when it is voxelized
     let late = ["--set", "grid.pitch_mm=2.5"];
     let new = bench.path("new").display().to_string();
     for more in [&late[..], &[&late[..], &["--output", &new]].concat()] {
@@ -300,7 +300,7 @@ fn a_full_disk_ends_with_one_message() {
 /// A file system without room for checkpoints: the run goes on and says so.
 #[test]
 #[cfg(unix)]
-fn a_disk_that_is_full_during_the_optimisation_is_a_warning() {
+fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
     let bench = Bench::new();
     let file = bench.path("job.toml");
     fs::write(

@@ -146,6 +146,18 @@ pub(super) const WRONG: &[Wrong] = &[
     // Names that were
     (
         "[stop]",
+        "[model]\norders = {}\n[stop]",
+        "orders",
+        &["model", "`orders` is now called `successive_orders`"],
+    ),
+    (
+        "[stop]",
+        "[coarse ]\nlevels = 2\n[stop]",
+        "coarse",
+        &["`coarse` is now called `multiresolution`"],
+    ),
+    (
+        "[stop]",
         "[motion]\nwobble_mm = 0.1\n[stop]",
         "wobble",
         &["motion.wobble_mm", "did you mean `axis_runout_mm`?"],
@@ -768,9 +780,9 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "angles = 30",
-        "angles = 30\nselection.least_contribution = 1.5",
+        "angles = 30\nselection.min_contribution = 1.5",
         "selection",
-        &["light[0].selection.least_contribution", "0 to 0.999"],
+        &["light[0].selection.min_contribution", "0 to 0.999"],
     ),
     (
         "angles = 30",
@@ -811,9 +823,9 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
-        "[model.orders]\nrays_per_pixel = 5000\n[stop]",
+        "[model.successive_orders]\nrays_per_pixel = 5000\n[stop]",
         "rays_per",
-        &["model.orders.rays_per_pixel", "1 to 4096"],
+        &["model.successive_orders.rays_per_pixel", "1 to 4096"],
     ),
     // A model that does not cover the optics
     (
@@ -826,7 +838,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "0.05\n",
         "0.05\nscattering_per_mm = 0.2\n\n[model.rays]\n",
         "[model.rays]",
-        &["model.rays", "the resin scatters", "[model.scatter]"],
+        &["model.rays", "the resin scatters", "[model.monte_carlo]"],
     ),
     // Syntax
     (

@@ -171,7 +171,7 @@ fn meshes_that_cannot_be_printed_are_refused() {
 }
 
 #[test]
-fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() {
+fn a_gray_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() {
     let bench = Bench::new();
     let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
     let phantom = "phantom = \"gear\"";
@@ -187,7 +187,7 @@ fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
     assert_eq!(output.status.code(), Some(2), "{message}");
     for part in [
         "objective.threshold: ",
-        "the target is grey",
+        "the target is gray",
         "l2, l1, dose_matching and bclp",
         &format!("job.toml, line {line})"),
     ] {
@@ -200,8 +200,8 @@ fn a_grey_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
     assert!(resolved.contains("[objective.l2]"), "{resolved}");
 }
 
-/// A job whose target is a grey image.
-fn grey_job() -> String {
+/// A job whose target is a gray image.
+fn gray_job() -> String {
     let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
     JOB.replace(
         "phantom = \"gear\"",
@@ -214,9 +214,9 @@ fn grey_job() -> String {
 }
 
 #[test]
-fn goals_of_part_and_void_are_refused_for_grey_values() {
+fn goals_of_part_and_void_are_refused_for_gray_values() {
     let bench = Bench::new();
-    let grey = grey_job();
+    let grey = gray_job();
     for (from, to, mark, parts) in [
         (
             "iterations = 2",

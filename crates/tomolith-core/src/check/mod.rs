@@ -1,4 +1,4 @@
-//! Public properties that every model, objective and optimiser must have.
+//! Public properties that every model, objective and optimizer must have.
 //!
 //! Each check returns what is wrong in one sentence. Every row of every table is enrolled by the tests of its family.
 

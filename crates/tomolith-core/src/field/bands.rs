@@ -17,10 +17,10 @@
 //! infinite. For p < 1 the slope at the edge of the band is infinite; there e^p is replaced by its chord e·δ^(p−1) for
 //! e < δ = [`CHORD`], so that value and gradient stay an exact pair and finite.
 //!
-//! **Order of sums** of the host: distances and terms in f32, those of 16 neighbours added in pairs (i and i + 8), these in eight
+//! **Order of sums** of the host: distances and terms in f32, those of 16 neighbors added in pairs (i and i + 8), these in eight
 //! running sums of f64 over 512 elements; then all chunks of [`BLOCK`] elements, then all blocks.
 //!
-//! **Cost** one pass over dose and bands. Sixteen neighbours along z that share a label skip the table; for p = 1, 2 and the
+//! **Cost** one pass over dose and bands. Sixteen neighbors along z that share a label skip the table; for p = 1, 2 and the
 //! identity response the pass is bound by memory (about 5 bytes read per voxel).
 
 use super::group::Group;
@@ -229,7 +229,7 @@ impl Bands {
     }
 
     /// Weights times a factor and bands widened, per element; either may be empty for none.
-    fn emphasised(self, scale: &[f32], widen: &[f32]) -> Self {
+    fn emphasized(self, scale: &[f32], widen: &[f32]) -> Self {
         let at = |field: &[f32], i: usize, none: f32| field.get(i).copied().unwrap_or(none);
         let each = |band: Band, i: usize| {
             band.widened(at(widen, i, 0.0))
@@ -413,7 +413,7 @@ impl BandLoss {
     ///
     /// # Errors
     /// [`Error::Shape`], [`Error::Config`] for a negative weight.
-    pub fn emphasise(&mut self, weight: &[f32], tolerance: &[f32]) -> Result<()> {
+    pub fn set_voxel_weights(&mut self, weight: &[f32], tolerance: &[f32]) -> Result<()> {
         let n = self.elements.len();
         for (what, field) in [("weights", weight), ("tolerance", tolerance)] {
             if !field.is_empty() && field.len() != n {
@@ -429,7 +429,7 @@ impl BandLoss {
         }
         let free = Bands::voxels(&[]);
         let bands = std::mem::replace(&mut self.bands, free);
-        self.bands = bands.emphasised(weight, tolerance);
+        self.bands = bands.emphasized(weight, tolerance);
         self.bands.validate()?;
         self.bands.pad()
     }

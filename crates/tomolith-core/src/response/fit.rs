@@ -1,6 +1,6 @@
 //! Fitted response: a curve through measured points that need not rise, for example a sheet of conversion against dose.
 //!
-//! **What it models.** `form = "logistic"`: the generalised logistic ([`logistic`](mod@super::logistic)) with the least sum of
+//! **What it models.** `form = "logistic"`: the generalized logistic ([`logistic`](mod@super::logistic)) with the least sum of
 //! squared distances to all measurements ([`crate::least_squares`]), from the curve's own quarter points. `form = "table"`: the
 //! nearest curve that never falls ([`Curve::monotone`]), joined by the monotone cubic of [`table`].
 //!
@@ -23,7 +23,7 @@ use super::table::{self, Beyond, Table};
 use super::{BuildResponse, Logistic, Response, logistic};
 use crate::error::{Error, Result};
 use crate::kind::Kind;
-use crate::least_squares::{Minimum, minimise};
+use crate::least_squares::{Minimum, minimize};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -32,7 +32,7 @@ use std::path::PathBuf;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Form {
-    /// The generalised logistic of least squares.
+    /// The generalized logistic of least squares.
     #[default]
     Logistic,
     /// The nearest table that never falls.
@@ -160,7 +160,7 @@ fn full(theta: &[f64]) -> Theta {
 
 /// The parameters nearest to all measurements.
 fn least(curve: &Curve, start: &[f64]) -> Minimum {
-    minimise(start, curve.doses.len(), |theta, i, slopes| {
+    minimize(start, curve.doses.len(), |theta, i, slopes| {
         let (value, by) = model(curve.doses[i], &full(theta));
         let weight = curve.counts[i].sqrt();
         slopes

@@ -1,4 +1,4 @@
-//! Generalised logistic: induction at low dose, saturation at high dose.
+//! Generalized logistic: induction at low dose, saturation at high dose.
 //!
 //! **Equation** with u = 1/(1 + e^(−B(d − M)))
 //!
@@ -34,7 +34,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wide::{f32x8, u32x8};
 
-/// The parameters of a generalised logistic response.
+/// The parameters of a generalized logistic response.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
@@ -95,7 +95,7 @@ impl Params {
     }
 }
 
-/// A generalised logistic response.
+/// A generalized logistic response.
 #[derive(Clone, Debug)]
 pub struct Logistic {
     params: Params,

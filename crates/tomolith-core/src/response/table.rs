@@ -9,7 +9,7 @@
 //!
 //! Value and slope are continuous, and the curve rises wherever the table does. Beyond the table it goes on with the slope
 //! of its end (`beyond = "linear"`) or stays where it is (`"flat"`, as in Li et al., supplement S.6; its gradient there is 0,
-//! and an optimiser gets no hint).
+//! and an optimizer gets no hint).
 //!
 //! **Source** Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300 ("PCHIP").
 //!

@@ -44,7 +44,7 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
         placed: 0,
         sink,
     };
-    let unit = Place::scaled(millimetres(package.root.unit.as_ref()));
+    let unit = Place::scaled(millimeters(package.root.unit.as_ref()));
     for item in &package.root.build.item {
         let place = Place::of(item.transform.as_ref()).then(&unit);
         let part = item.path.as_ref().map_or(ROOT, |p| p.as_str());
@@ -186,7 +186,7 @@ fn count(model: &Model) -> Counted {
     counted
 }
 
-fn millimetres(unit: Option<&Unit>) -> f64 {
+fn millimeters(unit: Option<&Unit>) -> f64 {
     match unit {
         None | Some(Unit::Millimeter) => 1.0,
         Some(Unit::Micron) => 1e-3,

@@ -1,11 +1,11 @@
-//! Movies through the program `ffmpeg`, where it is on the path: whatever it reads, as a stream of grey PGM images.
+//! Movies through the program `ffmpeg`, where it is on the path: whatever it reads, as a stream of gray PGM images.
 //!
 //! A PGM image states its size and largest value, so nothing need be known of the movie before; `ffmpeg` picks 8 or 16 bits by
 //! what the movie holds. Every frame is taken once, whatever its time. Whatever `ffmpeg` reports as an error is one here: a
-//! frame that it patched would be a wrong pattern. Its filter `signalstats` says whether a picture is coloured, of which grey
+//! frame that it patched would be a wrong pattern. Its filter `signalstats` says whether a picture is colored, of which gray
 //! images would show the luma alone; an `ffmpeg` without that filter does not say.
 
-use super::{CODING, GREY, must_fit};
+use super::{CODING, GRAY, must_fit};
 use crate::frames::Frames;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
@@ -64,8 +64,8 @@ pub(super) fn read(path: &Path, shape: [usize; 3]) -> Result<Frames, Trouble> {
             shape[0]
         )));
     }
-    match coloured(path) {
-        Some(frame) => Err(Trouble::Said(super::coloured(frame))),
+    match colored(path) {
+        Some(frame) => Err(Trouble::Said(super::colored(frame))),
         None => Ok(frames),
     }
 }
@@ -82,8 +82,8 @@ fn command(path: &Path) -> Command {
     command
 }
 
-/// The first coloured frame: its least or largest chroma is far from grey's.
-fn coloured(path: &Path) -> Option<usize> {
+/// The first colored frame: its least or largest chroma is far from gray's.
+fn colored(path: &Path) -> Option<usize> {
     let stats = "format=yuv444p,signalstats,metadata=print:file=-";
     let output = command(path)
         .args(["-map", "0:v:0", "-vf", stats, "-f", "null", "-"])
@@ -104,7 +104,7 @@ fn coloured(path: &Path) -> Option<usize> {
             .any(|end| name.ends_with(end));
         let off = value
             .parse()
-            .map_or(0.0, |v: f64| (v - f64::from(GREY)).abs());
+            .map_or(0.0, |v: f64| (v - f64::from(GRAY)).abs());
         if is_chroma && off > f64::from(CODING) {
             return Some(frame);
         }

@@ -4,7 +4,7 @@
 //! What a stream holds is read from its sequence parameter set (Rec. ITU-T H.264, 7.3.2.1.1 and E.1.1).
 
 use super::track::{Codec, Track};
-use super::{CODING, GREY};
+use super::{CODING, GRAY};
 use openh264::decoder::{DecodedYUV, Decoder};
 use openh264::formats::YUVSource;
 use rayon::prelude::*;
@@ -66,7 +66,7 @@ pub(crate) fn each_image(
 }
 
 /// The luma of all frames, `[frame, row, column]`, of each the given rows and columns from the top left, black 0 and white 255; and the
-/// first frame that is coloured.
+/// first frame that is colored.
 pub(super) fn luma(
     track: &Track<'_>,
     stream: &Stream,
@@ -75,7 +75,7 @@ pub(super) fn luma(
     let grey: Vec<u16> = (0..=u8::MAX).map(|luma| stream.grey(luma)).collect();
     let decode = |group: Range<usize>| {
         let mut levels = Vec::with_capacity(group.len() * rows * columns);
-        let mut coloured = None;
+        let mut colored = None;
         each_image(track, group, |frame, image| {
             let (width, height) = image.dimensions();
             if width < columns || height < rows {
@@ -85,23 +85,23 @@ pub(super) fn luma(
                 levels.extend(row[..columns].iter().map(|&luma| grey[usize::from(luma)]));
             }
             let (_, of_u, of_v) = image.strides();
-            let is_coloured = |(plane, stride): (&[u8], usize)| {
+            let is_colored = |(plane, stride): (&[u8], usize)| {
                 let mut lines = plane.chunks(stride).take(rows.div_ceil(2));
                 lines.any(|line| {
                     let shown = &line[..columns.div_ceil(2).min(line.len())];
-                    shown.iter().any(|chroma| chroma.abs_diff(GREY) > CODING)
+                    shown.iter().any(|chroma| chroma.abs_diff(GRAY) > CODING)
                 })
             };
-            if coloured.is_none()
+            if colored.is_none()
                 && [(image.u(), of_u), (image.v(), of_v)]
                     .into_iter()
-                    .any(is_coloured)
+                    .any(is_colored)
             {
-                coloured = Some(frame);
+                colored = Some(frame);
             }
             Ok(())
         })?;
-        Ok((levels, coloured))
+        Ok((levels, colored))
     };
     let frames = track.samples.len();
     let groups = if track.every_frame_is_a_key {
@@ -109,20 +109,20 @@ pub(super) fn luma(
     } else {
         std::iter::once(0..frames).collect()
     };
-    let (levels, coloured): (Vec<Vec<u16>>, Vec<Option<usize>>) = groups
+    let (levels, colored): (Vec<Vec<u16>>, Vec<Option<usize>>) = groups
         .into_par_iter()
         .map(decode)
         .collect::<Result<Vec<_>, String>>()?
         .into_iter()
         .unzip();
-    Ok((levels.concat(), coloured.into_iter().flatten().min()))
+    Ok((levels.concat(), colored.into_iter().flatten().min()))
 }
 
 /// What a stream is, by its sequence parameter set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stream {
     profile: u64,
-    /// 0 grey, 1 4:2:0, 2 4:2:2, 3 4:4:4.
+    /// 0 gray, 1 4:2:0, 2 4:2:2, 3 4:4:4.
     chroma: u64,
     bits: u64,
     is_interlaced: bool,
@@ -217,7 +217,7 @@ impl Stream {
         let what = if !matches!(self.profile, 66 | 77 | 100) || self.chroma > 1 || self.bits != 8 {
             format!(
                 "{} of {} bits",
-                chroma.unwrap_or(&"of unknown colours"),
+                chroma.unwrap_or(&"of unknown colors"),
                 self.bits
             )
         } else if self.is_interlaced {
@@ -230,7 +230,7 @@ impl Stream {
         Some(format!("H.264 {profile}, {what}"))
     }
 
-    /// The grey value of a luma: black 16 and white 235 in the limited range.
+    /// The gray value of a luma: black 16 and white 235 in the limited range.
     fn grey(&self, luma: u8) -> u16 {
         if self.is_full_range {
             return u16::from(luma);

@@ -88,7 +88,7 @@ fn index([columns, rows]: [u16; 2], starts: &[f64], sizes: &[u32], first: u64) -
     let clock = TIMESCALE as u32;
     let length = starts.last().copied().unwrap_or(0.0) as u32;
 
-    // Entry of the sample description: 72 dots an inch, one frame a sample, 24 bits of colour, no table of colours
+    // Entry of the sample description: 72 dots an inch, one frame a sample, 24 bits of color, no table of colors
     let mut entry = words(&[0, 1, 0, 0, 0, 0]);
     entry.extend([columns, rows].map(u16::to_be_bytes).as_flattened());
     entry.extend(words(&[72 << 16, 72 << 16, 0]));

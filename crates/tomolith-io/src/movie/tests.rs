@@ -1,6 +1,6 @@
 //! Movies that FFmpeg 5.1 made of six frames of 32 × 24 pixels (`odd_444`: 31 × 23) with the levels of [`level`], in
-//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`. `coloured.avi`:
-//! mjpeg of the test source, whose frames are coloured.
+//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`. `colored.avi`:
+//! mjpeg of the test source, whose frames are colored.
 
 use super::*;
 use crate::frames::FrameSet;
@@ -94,15 +94,15 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
 }
 
 #[test]
-fn a_coloured_movie_is_refused() {
+fn a_colored_movie_is_refused() {
     let text = refused(&sample("coloured.mp4"), SHAPE);
     assert!(
-        text.contains("a coloured picture in frame 0, where patterns are grey"),
+        text.contains("a colored picture in frame 0, where patterns are gray"),
         "{text}"
     );
     let text = refused(&sample("coloured.avi"), SHAPE);
     let said = [
-        "a coloured picture in frame 0",
+        "a colored picture in frame 0",
         "which the program ffmpeg can read",
     ];
     assert!(said.iter().any(|said| text.contains(said)), "{text}");

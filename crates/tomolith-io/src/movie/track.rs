@@ -181,7 +181,7 @@ fn codec(descriptions: &[u8]) -> Option<Codec<'_>> {
     })
 }
 
-/// Whether no frame is shown earlier or later than its neighbours in the file (`ctts`: one delay for all), and no edit
+/// Whether no frame is shown earlier or later than its neighbors in the file (`ctts`: one delay for all), and no edit
 /// (`elst`) leaves out the beginning.
 fn is_in_order(table: &[u8], track: &[u8]) -> Option<bool> {
     let mut delay = 0;

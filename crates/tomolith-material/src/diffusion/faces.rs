@@ -96,7 +96,7 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Calls `f(out row, row, its neighbours across)` for every row of voxels along z.
+    /// Calls `f(out row, row, its neighbors across)` for every row of voxels along z.
     fn each_row<'v>(
         &self,
         values: &'v [f32],

@@ -611,7 +611,7 @@ fn the_same_bits_on_any_number_of_threads() {
     }
 }
 
-/// Balls of one grey value each: irradiance at it (mW/cm²) and when they appear (s). Wang et al. 2022, supplement, Table 1 and Note 1.
+/// Balls of one gray value each: irradiance at it (mW/cm²) and when they appear (s). Wang et al. 2022, supplement, Table 1 and Note 1.
 const BALLS_UV: [[f64; 2]; 6] = [
     [32.53, 360.0],
     [29.40, 365.0],

@@ -1,4 +1,4 @@
-//! Numbers with the signs and normalisations of the publications, so that they can be laid beside theirs.
+//! Numbers with the signs and normalizations of the publications, so that they can be laid beside theirs.
 //!
 //! Authors use the same words for different numbers. [`METRICS`](super::METRICS) holds one definition of each; here is
 //! every other one that was found, under a name of its own and with its source. They work on anybody's arrays: a dose,
@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | `pw` | min in − max out | AID eq. 10 |
 //! | `pw_overlap` | max out − min in, *below* 0 is good | Rackson 2021 (quoted by AID 2.1); VAMToolbox `calcPW` |
-//! | `pw_overlap_max1` | the same of dose/max | Rackson 2021: its doses are normalised by the maximum |
+//! | `pw_overlap_max1` | the same of dose/max | Rackson 2021: its doses are normalized by the maximum |
 //! | `pw_max1`, `pw_mean1` | min in − max out of dose/max, and of dose/(mean in the part) | AID eq. 10 of an OSMO dose; Tomolith |
 //! | `pw_trimmed` | as `pw` of percentiles: α in the part, 100 − α outside | AID 2.1, last paragraph |
 //! | `ipdr` | max in − min in | AID eq. 11; VAMToolbox `calcIPDR` |
@@ -96,7 +96,7 @@ pub fn value_of(numbers: &[Published], name: &str) -> Measure {
 pub struct Options<'a> {
     /// M of the one equation, for the band error.
     pub response: &'a dyn Response,
-    /// Whether the target's values are grey and to be reproduced; else part is 1 and void is 0.
+    /// Whether the target's values are gray and to be reproduced; else part is 1 and void is 0.
     pub grey: bool,
     /// ε of the band error, in units of the response, 0 or above.
     pub epsilon: f64,
@@ -297,7 +297,7 @@ fn ranges(list: &mut List, scan: &Scan<'_>, dose: &Volume<f32>) {
         AID_PW,
         "",
         per(gap, max),
-        "min in − max out of dose/max, as of methods that normalise",
+        "min in − max out of dose/max, as of methods that normalize",
     );
     list.add(
         "pw_mean1",
@@ -432,7 +432,7 @@ fn thresholds_of(
         BHATTACHARYA,
         "",
         per(max),
-        "that threshold for dose/max, as of methods that normalise",
+        "that threshold for dose/max, as of methods that normalize",
     );
     list.add(
         "threshold_mean1",
@@ -632,7 +632,7 @@ mod tests {
             ("ver_inclusive", 2.0 / 6.0),
             ("ver_box", 1.0 / 7.0),
             ("cv", (0.875f64 / 9.0).sqrt() / mean),
-            // Half way between neighbours: part 0.625 and 1, void 0.5625
+            // Half way between neighbors: part 0.625 and 1, void 0.5625
             ("pw_trimmed", 0.0625),
             ("ipdr_trimmed", 0.375),
             ("ver_trimmed", 0.0),
@@ -674,7 +674,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_normalised_doses_do_not_depend_on_the_scale() {
+    fn numbers_of_normalized_doses_do_not_depend_on_the_scale() {
         let labels: Vec<u8> = (0..200).map(|i| [PART, VOID][i % 2]).collect();
         let dose: Vec<f32> = noise(200, 3)
             .iter()

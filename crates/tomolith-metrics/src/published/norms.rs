@@ -325,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn grey_targets_and_responses_are_measured_in_units_of_the_response() {
+    fn gray_targets_and_responses_are_measured_in_units_of_the_response() {
         let labels = volume(&[PART, VOID]);
         let target = volume(&[0.7, 0.3]);
         let response = Logistic::new(Default::default()).unwrap();

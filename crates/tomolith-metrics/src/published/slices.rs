@@ -10,7 +10,7 @@ use tomolith_core::target::label;
 /// Numbers of one slice perpendicular to the axis; not defined without part, or without void.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Slice {
-    /// Height of its centre, mm.
+    /// Height of its center, mm.
     pub z_mm: f64,
     /// Part voxels.
     pub part: usize,

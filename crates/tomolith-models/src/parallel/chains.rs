@@ -1,6 +1,6 @@
 //! Chains: strips side by side that share edges, where geometry is a vector operation.
 //!
-//! Nearly every (tile, beam) is a *chain*: neighbouring columns, common edges, no resin wall within the tile. There the
+//! Nearly every (tile, beam) is a *chain*: neighboring columns, common edges, no resin wall within the tile. There the
 //! enumerator of [`tiles`](super::tiles) becomes arithmetic on sixteen rows (for a strip) or sixteen voxels (for a row) at a
 //! time, with the very same formulas, so that dose and adjoint stay one matrix. AVX-512 only; other machines and all
 //! other tiles take the plain way.
@@ -47,7 +47,7 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// Floats of two registers: among so many neighbours one instruction looks up sixteen.
+/// Floats of two registers: among so many neighbors one instruction looks up sixteen.
 pub(super) const LOOKED_UP: usize = 32;
 
 /// Proof that this machine has AVX-512F.
@@ -64,7 +64,7 @@ impl Avx512 {
         None
     }
 
-    /// out[i] += weights[i] · source[first[i] + tap]; `near` promises that sixteen neighbours of `first` lie within [`LOOKED_UP`]
+    /// out[i] += weights[i] · source[first[i] + tap]; `near` promises that sixteen neighbors of `first` lie within [`LOOKED_UP`]
     /// elements from the first of them on.
     ///
     /// # Panics
@@ -441,7 +441,7 @@ pub(crate) mod avx512 {
         let len = out.slots.len();
         let count = chosen.count_ones() as usize;
         assert!(len + 16 <= out.slots.capacity() && len + 16 <= out.weights.capacity());
-        // SAFETY: there are sixteen places behind `len` in both, and `count` ≤ 16 of them are then initialised.
+        // SAFETY: there are sixteen places behind `len` in both, and `count` ≤ 16 of them are then initialized.
         unsafe {
             let slots = _mm512_maskz_compress_epi32(chosen, slots);
             let weights = _mm512_maskz_compress_ps(chosen, weights);

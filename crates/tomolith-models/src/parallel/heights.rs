@@ -177,7 +177,7 @@ struct Taps {
     weights: Vec<Vec<f32>>,
     /// Where `first` starts, when it grows by one from each to the next: equal pitches.
     consecutive: Option<usize>,
-    /// Whether the first taps of sixteen neighbours lie within [`LOOKED_UP`] elements.
+    /// Whether the first taps of sixteen neighbors lie within [`LOOKED_UP`] elements.
     near: bool,
 }
 
@@ -244,7 +244,7 @@ impl Taps {
                     .collect()
             })
             .collect();
-        // One without any stays where its neighbour below is
+        // One without any stays where its neighbor below is
         let first: Vec<u32> = spans
             .iter()
             .scan(0, |last, &(first, count)| {

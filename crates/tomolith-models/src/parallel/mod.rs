@@ -15,7 +15,7 @@
 //! the factors μ_a and e^(−μ_t s) are 1. All rays that reach a point count (several branches beyond n_s·R_o/n_r, two
 //! legs in a double tube).
 //!
-//! # Discretisation
+//! # Discretization
 //! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
 //! exact; where rows of pixels are fewer than slices of voxels, the kernel runs along the rows (`heights.rs`). A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
 //! voxel falls with the square of the pitch. The published kernels of pure Radon, `"line"`, `"linear"` and `"strip"`, are
@@ -175,7 +175,7 @@ pub struct Light {
     pub map: Option<Arc<AbsorptionMap>>,
     /// What weakens light before the vial.
     pub bath: Option<Bath>,
-    /// Polarisation at the projector.
+    /// Polarization at the projector.
     pub polarisation: Polarisation,
     /// How a column's light is shared among voxels; a [`ModelFamily`] sets it to its own.
     pub kernel: Kernel,
@@ -188,7 +188,7 @@ pub struct Light {
 }
 
 impl Light {
-    /// Unpolarised light of 405 nm in air, standing still, all pixels active.
+    /// Unpolarized light of 405 nm in air, standing still, all pixels active.
     #[must_use]
     pub fn new(pixels: PatternGrid, resin: Resin) -> Self {
         Light {
@@ -364,13 +364,13 @@ impl Parallel {
             filled: Filled::of(slots, row / LANES, plan.levels.used),
         };
         let steps = run.steps(self.tiles.len() * plan.groups(lit.views.clone()).count());
-        let neighbours = neighbours(row);
+        let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
-            .par_chunks_mut(neighbours)
+            .par_chunks_mut(neighbors)
             .enumerate()
             .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
-                let first = i * neighbours;
+                let first = i * neighbors;
                 match &plan.levels.spread {
                     None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
                     Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
@@ -469,7 +469,7 @@ impl Parallel {
         let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
         let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
-        let neighbours = neighbours(row);
+        let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         lanes.as_mut_slice()[used.clone()]
@@ -480,12 +480,12 @@ impl Parallel {
                 |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
                     lanes.fill(0.0);
                     let first = i * chunk;
-                    for (i, tiles) in self.tiles.chunks(neighbours).enumerate() {
+                    for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
                         for group in plan.groups(first..(first + chunk).min(views)) {
                             let per_view = plan.columns * row;
                             let own = &mut lanes
                                 [(group.start - first) * per_view..(group.end - first) * per_view];
-                            for (index, tile) in (i * neighbours..).zip(tiles) {
+                            for (index, tile) in (i * neighbors..).zip(tiles) {
                                 if run.is_cancelled() {
                                     return;
                                 }
@@ -533,7 +533,7 @@ struct Desk {
 
 /// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as must
 /// their dose, `row` floats a voxel column. Results do not depend on it.
-fn neighbours(row: usize) -> usize {
+fn neighbors(row: usize) -> usize {
     (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
 }
 
@@ -595,7 +595,7 @@ fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
     let what = if light.resin.gradient.is_some() {
         "resin.gradient"
     } else {
-        "resin.map"
+        "resin.absorption_map"
     };
     match (beyond(light, vial), &light.map) {
         (Some(reason), _) => refused(what, reason),

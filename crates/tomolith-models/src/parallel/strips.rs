@@ -260,7 +260,7 @@ fn push(
 }
 
 impl Beam {
-    /// Orders the strips, joins edges that neighbours share, and fills [`Columns`].
+    /// Orders the strips, joins edges that neighbors share, and fills [`Columns`].
     fn finish(&mut self, deposit: &Deposit) {
         let strips = &mut self.strips;
         let (first, last) = (strips[0].edges[0][0], strips[strips.len() - 1].edges[0][0]);
@@ -299,7 +299,7 @@ impl Beam {
         !self.columns.offset.is_empty()
     }
 
-    /// Whether strips `first..end` are neighbours of one column each, that share edges and travel the same way.
+    /// Whether strips `first..end` are neighbors of one column each, that share edges and travel the same way.
     pub(super) fn is_chain(&self, first: usize, end: usize) -> bool {
         let [offset, slope] = self.strips[end - 1].edges[1];
         let closed = self.columns.offset[end] == offset && self.columns.slope[end] == slope;

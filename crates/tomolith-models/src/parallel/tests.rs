@@ -219,7 +219,7 @@ fn absorbed(vial: &dyn Vial, light: &Light, azimuth: f64, column: usize) -> f64 
     let ray = |i: usize| {
         tracer
             .trace(u + p * ((i as f64 + 0.5) / n as f64 - 0.5), azimuth)
-            .account
+            .balance
             .absorbed
     };
     (0..n).map(ray).sum::<f64>() / n as f64 * p
@@ -295,7 +295,7 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
                     .map(|&azimuth| {
                         let ray = |i: usize| {
                             let u = width * ((i as f64 + 0.5) / rays as f64 - 0.5);
-                            tracer.trace(u, azimuth).account.absorbed
+                            tracer.trace(u, azimuth).balance.absorbed
                         };
                         (0..rays).map(ray).sum::<f64>() / rays as f64 * width
                     })

@@ -15,7 +15,7 @@ use super::walls::{Room, Walls};
 /// Edge of a tile of voxels in the plane.
 pub(super) const TILE: usize = 16;
 
-/// Edge of a block of neighbouring tiles, in tiles.
+/// Edge of a block of neighboring tiles, in tiles.
 pub(super) const BLOCK: usize = 2;
 
 /// Voxels of the plane that one task works on.
@@ -28,7 +28,7 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// All tiles of a plane of `nx`·`ny` voxels, block by block, so that neighbours follow each other.
+    /// All tiles of a plane of `nx`·`ny` voxels, block by block, so that neighbors follow each other.
     pub(super) fn cover(nx: usize, ny: usize) -> Vec<Tile> {
         let place = |n: usize| 0..n.div_ceil(TILE);
         let mut tiles: Vec<[usize; 2]> = place(ny)
@@ -217,10 +217,10 @@ pub(super) struct Meeting {
     pub(super) rake: bool,
 }
 
-/// Neighbouring strips that are asked together first whether they meet a tile.
+/// Neighboring strips that are asked together first whether they meet a tile.
 const TOGETHER: usize = 16;
 
-/// Between which numbers all edges and spans of some neighbouring strips lie: `[least, largest]`.
+/// Between which numbers all edges and spans of some neighboring strips lie: `[least, largest]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     offset: [f32; 2],
@@ -421,7 +421,7 @@ impl TileEntries {
         }
     }
 
-    /// Runs by place, so that strips of neighbouring frames that cover the same voxels follow each other.
+    /// Runs by place, so that strips of neighboring frames that cover the same voxels follow each other.
     pub(super) fn sort_by_place(&mut self) {
         let mut next = [0u32; PLACES + 1];
         for run in &self.runs {

@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_optics::projector::Ray;
 use tomolith_optics::random::Stream;
-use tomolith_optics::space::Leg;
+use tomolith_optics::space::PathSegment;
 
 /// How energy is accumulated along a leg.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -58,14 +58,14 @@ impl Accumulation {
     /// Calls `visit` with the leg, or with a short one for every point.
     pub(super) fn for_each(
         self,
-        leg: Leg,
+        leg: PathSegment,
         random: impl FnOnce() -> Stream,
-        mut visit: impl FnMut(Leg),
+        mut visit: impl FnMut(PathSegment),
     ) {
         let attenuation = leg.uptake.attenuation_per_mm;
         // What a leg of the length of a point leaves of its power in the resin
         let taken = -(-attenuation * POINT_MM).exp_m1();
-        let point = |at: f64, part: f64| Leg {
+        let point = |at: f64, part: f64| PathSegment {
             ray: Ray {
                 from: leg.ray.at(at - POINT_MM / 2.0),
                 ..leg.ray
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn points_take_on_average_what_the_integral_takes() {
-        let leg = Leg {
+        let leg = PathSegment {
             ray: Ray {
                 from: [0.0; 3],
                 direction: [1.0, 0.0, 0.0],

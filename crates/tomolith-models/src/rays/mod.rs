@@ -15,7 +15,7 @@
 //! s_in, s_out: way in the resin at which the leg enters and leaves voxel v. In pure Radon mode μ_a (1 − …)/μ_t is s_out − s_in.
 //!
 //! # Source
-//! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `walk.rs`.
+//! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `traversal.rs`.
 //!
 //! # Parameters
 //! | key | range | default | meaning |
@@ -29,9 +29,9 @@
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
 //!
 //! # Cost
-//! About 1.7 voxels per ray and voxel plane; level light through what is the same at all heights: a ray per column (`sheets.rs`). Where a round vial turns about its own axis, rays are traced
+//! About 1.7 voxels per ray and voxel plane; level light through what is the same at all heights: a ray per column (`column_rays.rs`). Where a round vial turns about its own axis, rays are traced
 //! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
-//! what all pixels leave is at most 2.1 GB, a model that is [`keeping`](Rays::keeping) stores it: `kept.rs`.
+//! what all pixels leave is at most 2.1 GB, a model that is [`cached`](Rays::cached) stores it: `matrix_cache.rs`.
 //!
 //! # Example
 //! A pixel through an index-matched cylinder leaves 1 − e^(−2μR) of its energy:
@@ -55,14 +55,14 @@
 //! ```
 
 pub mod accumulation;
-mod haze;
-pub mod kept;
-mod lit;
+mod batch;
+mod column_rays;
+pub mod matrix_cache;
+mod scatter_grid;
 mod segment;
-mod sheets;
 pub mod solid;
 mod source;
-mod walk;
+mod traversal;
 pub(crate) mod weighted;
 
 use crate::parallel::{Kernel, Light};
@@ -71,12 +71,12 @@ use crate::{
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling,
 };
 use accumulation::Accumulation;
-use haze::Haze;
-use kept::{Kept, Walks};
+use column_rays::{ColumnRay, ColumnRaysCache};
+use matrix_cache::{CachedEntries, RayMatrixCache};
+use scatter_grid::ScatterGrid;
 use schemars::JsonSchema;
 use segment::{Lattice, Segment};
 use serde::{Deserialize, Serialize};
-use sheets::{KeptSheets, Sheet};
 use solid::Solid;
 use source::Source;
 use std::num::NonZeroUsize;
@@ -87,15 +87,15 @@ use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
-use tomolith_optics::account::Account;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::obstacle::{Material, Obstacle};
 use tomolith_optics::phase::Scattering;
+use tomolith_optics::power_balance::PowerBalance;
 use tomolith_optics::projector::Projector;
 use tomolith_optics::projector::collimated::Collimated;
-use tomolith_optics::space::{Leg, Limits, SpaceTracer};
+use tomolith_optics::space::{Limits, PathSegment, SpaceTracer};
 use tomolith_optics::vial::Vial;
-use walk::Gait;
+use traversal::Gait;
 
 /// Keys of `[model.rays]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -173,14 +173,14 @@ impl ModelFamily for Params {
     }
 
     fn instead(&self) -> &'static str {
-        "[model.scatter], or no [model]"
+        "[model.monte_carlo], or no [model]"
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
         let optics = (scene.vial, scene.lights, scene.optics);
-        let walks = || Rays::walks(optics, self, (grid, scene.solid.is_some()));
+        let walks = || Rays::cached_entries(optics, self, (grid, scene.solid.is_some()));
         Ok(Cost {
-            walks: (scene.purpose == Purpose::Optimize).then(walks),
+            cached_entries: (scene.purpose == Purpose::Optimize).then(walks),
             ..Cost::default()
         })
     }
@@ -194,7 +194,7 @@ impl ModelFamily for Params {
         let lights = input.scene.lights.to_vec();
         let model = Rays::new(vial, lights, optics, &params, input.grid.clone())?;
         Ok(input.with_cells(match input.scene.purpose {
-            Purpose::Optimize => model.keeping(),
+            Purpose::Optimize => model.cached(),
             _ => model,
         }))
     }
@@ -290,7 +290,7 @@ pub(super) struct Scattered {
     pub(super) smooth: usize,
     /// Whether what cells smear out is given back.
     pub(super) is_sharp: bool,
-    /// Iterations of an optimisation after which other paths are drawn; 0: never.
+    /// Iterations of an optimization after which other paths are drawn; 0: never.
     pub(super) renew: usize,
 }
 
@@ -301,7 +301,7 @@ pub struct Rays {
     outputs: Vec<DoseLayout>,
     lattice: Lattice,
     /// Where scattered light is summed.
-    haze: Option<Haze>,
+    scatter_grid: Option<ScatterGrid>,
     /// What cuts voxels into cells.
     solid: Option<Arc<Solid>>,
     gait: Gait,
@@ -314,10 +314,10 @@ pub struct Rays {
     renew: usize,
     updates: OnceLock<u64>,
     /// Whether walks are kept where they are few.
-    keeps: bool,
+    caches: bool,
     /// They, once it is known.
-    kept: OnceLock<Option<Kept>>,
-    kept_sheets: OnceLock<Option<KeptSheets>>,
+    cache: OnceLock<Option<RayMatrixCache>>,
+    cached_column_rays: OnceLock<Option<ColumnRaysCache>>,
 }
 
 impl Rays {
@@ -336,7 +336,7 @@ impl Rays {
         if optics.iter().any(Optics::scatters) {
             return Err(Error::Unsupported {
                 what: "model.rays".into(),
-                reason: "light is scattered; use [model.scatter], or leave [model] out".into(),
+                reason: "light is scattered; use [model.monte_carlo], or leave [model] out".into(),
             });
         }
         let emission = Emission {
@@ -416,11 +416,11 @@ impl Rays {
             });
         }
         let of_scattered =
-            |scattered: Scattered| Haze::new(vial, lights, optics, &outputs[0], &scattered);
-        let haze = emission.scattered.map(of_scattered);
+            |scattered: Scattered| ScatterGrid::new(vial, lights, optics, &outputs[0], &scattered);
+        let scatter_grid = emission.scattered.map(of_scattered);
         Ok(Rays {
             lattice: Lattice::new(&outputs[0]),
-            haze,
+            scatter_grid,
             solid: None,
             is_level: are_level(vial, lights, optics) && emission.scattered.is_none(),
             by_rows: true,
@@ -431,36 +431,40 @@ impl Rays {
             accumulation: emission.accumulation,
             renew: emission.scattered.map_or(0, |scattered| scattered.renew),
             updates: OnceLock::new(),
-            keeps: false,
-            kept: OnceLock::new(),
-            kept_sheets: OnceLock::new(),
+            caches: false,
+            cache: OnceLock::new(),
+            cached_column_rays: OnceLock::new(),
         })
     }
 
     /// Caches what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
     /// light is scattered. Worth it where a dose is asked for more than once or twice.
     #[must_use]
-    pub fn keeping(mut self) -> Self {
-        self.keeps = self.haze.is_none();
+    pub fn cached(mut self) -> Self {
+        self.caches = self.scatter_grid.is_none();
         self
     }
 
     /// The walks that are kept; None where none are.
-    fn kept(&self, run: &Run) -> Result<Option<&Kept>> {
-        if self.keeps && !self.has_sheets() && self.kept.get().is_none() {
+    fn cache(&self, run: &Run) -> Result<Option<&RayMatrixCache>> {
+        if self.caches && !self.has_column_rays() && self.cache.get().is_none() {
             // Whoever comes first; all would find the same
-            let _ = self.kept.set(Kept::of(self, kept::MOST, run)?);
+            let _ = self
+                .cache
+                .set(RayMatrixCache::of(self, matrix_cache::MOST, run)?);
         }
-        Ok(self.kept.get().and_then(Option::as_ref))
+        Ok(self.cache.get().and_then(Option::as_ref))
     }
 
-    /// The sheets that are kept, of all lights; None where none are.
-    fn kept_sheets(&self, run: &Run) -> Result<Option<&KeptSheets>> {
-        if self.keeps && self.has_sheets() && self.kept_sheets.get().is_none() {
-            let most = kept::MOST * kept::BYTES / sheets::BYTES;
-            let _ = self.kept_sheets.set(KeptSheets::of(self, most, run)?);
+    /// The column rays that are kept, of all lights; None where none are.
+    fn cached_column_rays(&self, run: &Run) -> Result<Option<&ColumnRaysCache>> {
+        if self.caches && self.has_column_rays() && self.cached_column_rays.get().is_none() {
+            let most = matrix_cache::MOST * matrix_cache::BYTES / column_rays::BYTES;
+            let _ = self
+                .cached_column_rays
+                .set(ColumnRaysCache::of(self, most, run)?);
         }
-        Ok(self.kept_sheets.get().and_then(Option::as_ref))
+        Ok(self.cached_column_rays.get().and_then(Option::as_ref))
     }
 
     /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
@@ -485,7 +489,7 @@ impl Rays {
     }
 
     /// Whether rays are followed for all rows of a column at once.
-    fn has_sheets(&self) -> bool {
+    fn has_column_rays(&self) -> bool {
         self.is_level
             && self.by_rows
             && self.solid.is_none()
@@ -493,18 +497,18 @@ impl Rays {
             && self.outputs[0].row.is_multiple_of(LANES)
     }
 
-    /// What [`keeping`](Self::keeping) stores for such optics, if it stores anything.
-    pub(super) fn walks(
+    /// What [`cached`](Self::cached) stores for such optics, if it stores anything.
+    pub(super) fn cached_entries(
         (vial, lights, optics): (&dyn Vial, &[Light], &[Optics]),
         params: &Params,
         (grid, has_cells): (&VolumeGrid, bool),
-    ) -> Walks {
+    ) -> CachedEntries {
         let in_rows = are_level(vial, lights, optics)
             && !has_cells
             && params.accumulation == Accumulation::Integral
             && grid.shape[0] > 1;
         if !in_rows {
-            return Walks::SINGLE;
+            return CachedEntries::SINGLE;
         }
         let (mut columns, mut pixels, mut rays) = (0, 0, 0);
         for light in lights {
@@ -513,9 +517,9 @@ impl Rays {
             pixels += layout.len();
             rays = rays.max(params.rays_per_pixel * light.sub_angles.max(1));
         }
-        let per_update =
-            columns as f64 / pixels.max(1) as f64 * sheets::BYTES as f64 / kept::BYTES as f64;
-        Walks {
+        let per_update = columns as f64 / pixels.max(1) as f64 * column_rays::BYTES as f64
+            / matrix_cache::BYTES as f64;
+        CachedEntries {
             per_pixel: per_update * rays as f64,
             per_update,
         }
@@ -523,11 +527,11 @@ impl Rays {
 
     /// Where the power of a frame of a light goes, mean over its pixels.
     #[must_use]
-    pub fn account(&self, light: usize, frame: usize) -> Account {
-        self.sources[light].account(frame)
+    pub fn balance(&self, light: usize, frame: usize) -> PowerBalance {
+        self.sources[light].balance(frame)
     }
 
-    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean account of its rays.
+    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean balance of its rays.
     #[must_use]
     pub fn trace(
         &self,
@@ -535,7 +539,7 @@ impl Rays {
         frame: usize,
         column: usize,
         row: usize,
-    ) -> (Vec<Leg>, Account) {
+    ) -> (Vec<PathSegment>, PowerBalance) {
         self.sources[light].trace_pixel(frame, column, row)
     }
 }
@@ -549,7 +553,7 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
         })
     };
     if light.map.is_some() && light.resin.pure_radon {
-        return unsupported("resin.map", "in pure Radon nothing absorbs");
+        return unsupported("resin.absorption_map", "in pure Radon nothing absorbs");
     }
     if let (Some(map), Some(scattering)) = (&light.map, &optics.scattering) {
         map.must_hold(scattering.per_mm)?;
@@ -596,7 +600,7 @@ impl LinearOperator for Rays {
             .solid
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
-        let kept = self.kept(run)?;
+        let kept = self.cache(run)?;
         for (light, own) in self.own_frames(&frames) {
             if let Some(kept) = kept {
                 let pixels = self.patterns[light].elements_of(own);
@@ -609,19 +613,19 @@ impl LinearOperator for Rays {
                 }
                 continue;
             }
-            if self.has_sheets() {
+            if self.has_column_rays() {
                 let dose = &mut dose[..voxels];
                 self.for_each_sheets(
                     (light, own),
                     |pixel| x[pixel] != 0.0,
                     run,
-                    |sheets| {
-                        sheets::add(sheets, &self.outputs[0], x, dose);
+                    |column_rays| {
+                        column_rays::add(column_rays, &self.outputs[0], x, dose);
                     },
                 )?;
                 continue;
             }
-            let mut cells = self.haze.as_ref().map(Haze::cells);
+            let mut cells = self.scatter_grid.as_ref().map(ScatterGrid::cells);
             let is_lit = |pixel: usize| x[pixel] != 0.0;
             self.for_each_chunk((light, own), is_lit, run, |lit| {
                 match &mut split {
@@ -631,12 +635,12 @@ impl LinearOperator for Rays {
                         self.add(&self.lattice, &lit.inside, x, inside);
                     }
                 }
-                if let (Some(haze), Some(cells)) = (&self.haze, &mut cells) {
-                    self.add(&haze.lattice, &lit.scattered, x, cells);
+                if let (Some(scatter_grid), Some(cells)) = (&self.scatter_grid, &mut cells) {
+                    self.add(&scatter_grid.lattice, &lit.scattered, x, cells);
                 }
             })?;
-            if let (Some(haze), Some(cells)) = (&self.haze, &cells) {
-                haze.add(light, cells, self.solid.as_deref(), dose);
+            if let (Some(scatter_grid), Some(cells)) = (&self.scatter_grid, &cells) {
+                scatter_grid.add(light, cells, self.solid.as_deref(), dose);
             }
         }
         if let (Some(solid), Some([outside, inside])) = (&self.solid, &split) {
@@ -649,7 +653,7 @@ impl LinearOperator for Rays {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         grad.fill(0.0);
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
-        if let Some(kept) = self.kept(run)? {
+        if let Some(kept) = self.cache(run)? {
             match &split {
                 None => kept.collect(c, grad),
                 Some(sides) => kept.collect(&sides.concat(), grad),
@@ -657,19 +661,24 @@ impl LinearOperator for Rays {
             return Ok(());
         }
         for (light, own) in self.all_frames() {
-            if self.has_sheets() {
+            if self.has_column_rays() {
                 self.for_each_sheets(
                     (light, own),
                     |_| true,
                     run,
-                    |sheets| {
-                        sheets::collect(sheets, &self.outputs[0], c, grad);
+                    |column_rays| {
+                        column_rays::collect(column_rays, &self.outputs[0], c, grad);
                     },
                 )?;
                 continue;
             }
-            let haze = self.haze.as_ref();
-            let haze = haze.map(|haze| (haze, haze.collect(light, c, self.solid.as_deref())));
+            let scatter_grid = self.scatter_grid.as_ref();
+            let scatter_grid = scatter_grid.map(|scatter_grid| {
+                (
+                    scatter_grid,
+                    scatter_grid.collect(light, c, self.solid.as_deref()),
+                )
+            });
             self.for_each_chunk(
                 (light, own),
                 |_| true,
@@ -682,8 +691,8 @@ impl LinearOperator for Rays {
                             self.collect(&self.lattice, &lit.inside, inside, grad);
                         }
                     }
-                    if let Some((haze, cells)) = &haze {
-                        self.collect(&haze.lattice, &lit.scattered, cells, grad);
+                    if let Some((scatter_grid, cells)) = &scatter_grid {
+                        self.collect(&scatter_grid.lattice, &lit.scattered, cells, grad);
                     }
                 },
             )?;
@@ -714,16 +723,16 @@ impl LinearOperator for Rays {
 
     /// Voxels that all segments pass: planes of each axis they cross, summed.
     fn updates(&self) -> u64 {
-        if let Ok(Some(kept)) = self.kept(&Run::new()) {
+        if let Ok(Some(kept)) = self.cache(&Run::new()) {
             return kept.updates();
         }
         *self.updates.get_or_init(|| {
             let mut total = 0.0;
             for (light, layout) in self.patterns.iter().enumerate() {
                 for pairs in self.chunks(light, 0..layout.grid.frames()) {
-                    if self.has_sheets() {
-                        let sheets = self.sheets(light, pairs, |_| true);
-                        total += sheets.iter().map(Sheet::updates).sum::<f64>();
+                    if self.has_column_rays() {
+                        let column_rays = self.column_rays(light, pairs, |_| true);
+                        total += column_rays.iter().map(ColumnRay::updates).sum::<f64>();
                         continue;
                     }
                     let lit = self.bundles(light, pairs, |_| true);

@@ -7,7 +7,7 @@
 use crate::layout::DoseLayout;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::projector::Ray;
-use tomolith_optics::space::Leg;
+use tomolith_optics::space::PathSegment;
 
 /// A grid as the kernel sees it: counts, and floats from one voxel to the next, along x, y, z.
 #[derive(Clone, Debug)]
@@ -70,7 +70,7 @@ impl Lattice {
     /// `energy_mm2`: what a pixel of value 1 sends along this leg's ray, in mm² of area times its power.
     pub(super) fn segment(
         &self,
-        leg: &Leg,
+        leg: &PathSegment,
         energy_mm2: f64,
         pixel: u32,
     ) -> Option<(usize, Segment)> {

@@ -69,7 +69,7 @@ impl Solid {
     /// The solid of a shape, and its cells on a grid.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a shape without a surface: an image, or grey values. What sampling it says.
+    /// [`Error::Unsupported`] for a shape without a surface: an image, or gray values. What sampling it says.
     pub fn new(shape: &Arc<dyn Shape>, grid: &VolumeGrid) -> Result<Self> {
         let meshes = shape
             .body(Role::Print)
@@ -101,7 +101,7 @@ impl Solid {
         Ok(solid)
     }
 
-    /// Whether a shape has a surface that cuts voxels: grey values and images have none.
+    /// Whether a shape has a surface that cuts voxels: gray values and images have none.
     #[must_use]
     pub fn has_surface(shape: &dyn Shape) -> bool {
         let printed = shape.body(Role::Print).unwrap_or(shape);

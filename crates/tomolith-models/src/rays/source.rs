@@ -7,11 +7,11 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::grid::PatternGrid;
-use tomolith_optics::account::Account;
 use tomolith_optics::motion::{Motion, turned};
+use tomolith_optics::power_balance::PowerBalance;
 use tomolith_optics::projector::{Projector, Ray};
 use tomolith_optics::random::Stream;
-use tomolith_optics::space::{Leg, SpaceTracer};
+use tomolith_optics::space::{PathSegment, SpaceTracer};
 
 /// Rays of one light.
 pub(super) struct Source {
@@ -49,7 +49,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 struct Shared {
     /// First leg of each (column, row from below), and one more.
     starts: Vec<u32>,
-    legs: Vec<Leg>,
+    legs: Vec<PathSegment>,
 }
 
 impl Source {
@@ -104,7 +104,7 @@ impl Source {
     /// Traces the pixels of a frame at azimuth 0.
     fn trace_once(&self) -> Shared {
         let (columns, rows) = (self.pixels.columns, self.pixels.rows);
-        let by_pixel: Vec<Vec<Leg>> = (0..columns * rows)
+        let by_pixel: Vec<Vec<PathSegment>> = (0..columns * rows)
             .into_par_iter()
             .map(|i| {
                 let mut legs = Vec::new();
@@ -152,7 +152,7 @@ impl Source {
         self.motion.seen_from_vial(ray, azimuth)
     }
 
-    fn trace(&self, column: usize, row: usize, azimuth: f64, mut visit: impl FnMut(Leg)) {
+    fn trace(&self, column: usize, row: usize, azimuth: f64, mut visit: impl FnMut(PathSegment)) {
         for sample in self.samples_of(column) {
             let ray = self.ray(column, row, &sample, azimuth);
             self.tracer.legs(ray, None).into_iter().for_each(&mut visit);
@@ -164,7 +164,7 @@ impl Source {
         &self,
         (column, row): (usize, usize),
         (azimuth, exposure, seed): (f64, usize, u64),
-        mut visit: impl FnMut(Leg),
+        mut visit: impl FnMut(PathSegment),
     ) {
         let pixel = (column * self.pixels.rows + row) as u64;
         for (i, sample) in self.samples_of(column).enumerate() {
@@ -176,12 +176,12 @@ impl Source {
     }
 
     /// Calls `visit` with every leg of the light of a pixel (row counted from below) in a frame.
-    pub(super) fn for_each_leg(
+    pub(super) fn for_each_path_segment(
         &self,
         frame: usize,
         column: usize,
         row: usize,
-        mut visit: impl FnMut(Leg),
+        mut visit: impl FnMut(PathSegment),
     ) {
         for sub in 0..self.sub_angles {
             let within = (sub as f64 + 0.5) / self.sub_angles as f64 - 0.5;
@@ -202,7 +202,7 @@ impl Source {
                     from: turned(leg.ray.from, azimuth),
                     direction: turned(leg.ray.direction, azimuth),
                 };
-                visit(Leg { ray, ..*leg });
+                visit(PathSegment { ray, ..*leg });
             }
         }
     }
@@ -213,17 +213,17 @@ impl Source {
         frame: usize,
         column: usize,
         row: usize,
-    ) -> (Vec<Leg>, Account) {
+    ) -> (Vec<PathSegment>, PowerBalance) {
         let azimuth = self.pixels.azimuths[frame];
         let middle = self.ray(column, row, &MIDDLE, azimuth);
         (
             self.tracer.trace(middle).legs,
-            self.account_of(frame, column, row),
+            self.balance_of(frame, column, row),
         )
     }
 
-    fn account_of(&self, frame: usize, column: usize, row: usize) -> Account {
-        let mut account = Account::default();
+    fn balance_of(&self, frame: usize, column: usize, row: usize) -> PowerBalance {
+        let mut balance = PowerBalance::default();
         for (i, sample) in self.samples_of(column).enumerate() {
             let ray = self.ray(column, row, &sample, self.pixels.azimuths[frame]);
             let pixel = (column * self.pixels.rows + row) as u64;
@@ -234,27 +234,27 @@ impl Source {
                 }
                 None => self.tracer.trace(ray),
             };
-            account.add(&path.account, 1.0 / self.samples.len() as f64);
+            balance.add(&path.balance, 1.0 / self.samples.len() as f64);
         }
-        account
+        balance
     }
 
     /// Where the power of a frame's light goes, mean over its pixels.
-    pub(super) fn account(&self, frame: usize) -> Account {
+    pub(super) fn balance(&self, frame: usize) -> PowerBalance {
         let rows = self.pixels.rows;
         let pixels = self.pixels.columns * rows;
-        let of_pixel = |i: usize| self.account_of(frame, i / rows, i % rows);
-        let all: Vec<Account> = (0..pixels).into_par_iter().map(of_pixel).collect();
-        let mut sum = Account::default();
+        let of_pixel = |i: usize| self.balance_of(frame, i / rows, i % rows);
+        let all: Vec<PowerBalance> = (0..pixels).into_par_iter().map(of_pixel).collect();
+        let mut sum = PowerBalance::default();
         all.iter()
-            .for_each(|account| sum.add(account, 1.0 / pixels as f64));
+            .for_each(|balance| sum.add(balance, 1.0 / pixels as f64));
         sum
     }
 }
 
 /// Points of pixel and aperture, each dimension by itself in even steps: with n rays every pixel has n heights and n places across. (A
-/// square lattice has only √n of either, and level rays of √n heights light neighbouring slices of voxels unevenly.) Their order
-/// is that of an additive recurrence, the golden ratio's or its generalisation to four dimensions.
+/// square lattice has only √n of either, and level rays of √n heights light neighboring slices of voxels unevenly.) Their order
+/// is that of an additive recurrence, the golden ratio's or its generalization to four dimensions.
 pub(super) fn samples(count: usize, has_aperture: bool) -> Vec<Sample> {
     let even = |step: f64| ranks(count, step).map(|rank| (rank as f64 + 0.5) / count as f64);
     if !has_aperture {
@@ -310,7 +310,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_are_centred_and_fill_pixel_and_disc_evenly() {
+    fn samples_are_centered_and_fill_pixel_and_disc_evenly() {
         assert_eq!(samples(1, true)[0].within, [0.0; 2]);
         assert_eq!(samples(1, true)[0].aperture, [0.0; 2]);
         for (count, has_aperture) in [(1, false), (4, false), (7, true), (16, false), (16, true)] {

@@ -1,7 +1,7 @@
 //! Unscattered light by direction: the dose of rays that are weighted by a function of their direction in the resin.
 
 use super::Rays;
-use super::lit::Bundles;
+use super::batch::Bundles;
 use super::segment::{Lattice, Segment};
 use crate::{DoseLayout, Run};
 use std::ops::Range;
@@ -81,11 +81,16 @@ impl Rays {
             let columns = layout.grid.columns;
             for (pair, run) in layout.runs.iter().enumerate().filter(|(_, r)| r.count > 0) {
                 for row in [run.bottom, run.bottom + run.count - 1] {
-                    source.for_each_leg(pair / columns, pair % columns, row as usize, |leg| {
-                        for z in [leg.ray.from[2], leg.ray.at(leg.length)[2]] {
-                            heights = [heights[0].min(z), heights[1].max(z)];
-                        }
-                    });
+                    source.for_each_path_segment(
+                        pair / columns,
+                        pair % columns,
+                        row as usize,
+                        |leg| {
+                            for z in [leg.ray.from[2], leg.ray.at(leg.length)[2]] {
+                                heights = [heights[0].min(z), heights[1].max(z)];
+                            }
+                        },
+                    );
                 }
             }
         }

@@ -107,12 +107,12 @@ impl Spreading for Beam {
     /// Of f_side/w; what does not travel arrives nowhere.
     fn slopes(&self, side: usize) -> Vec<(f64, f64)> {
         let mode = self.widest_mode();
-        let travelling = self.power().filter_map(|(f, power)| {
+        let traveling = self.power().filter_map(|(f, power)| {
             let f = [f[0] + mode[0], f[1] + mode[1]];
             let square = self.wavenumber.powi(2) - f[0] * f[0] - f[1] * f[1];
             (square > 0.0 && power > 0.0).then(|| (f[side].abs() / square.sqrt(), power))
         });
-        let mut slopes: Vec<(f64, f64)> = travelling.collect();
+        let mut slopes: Vec<(f64, f64)> = traveling.collect();
         let all: f64 = slopes.iter().map(|slope| slope.1).sum();
         for slope in &mut slopes {
             slope.1 /= all;

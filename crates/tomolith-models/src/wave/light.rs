@@ -1,11 +1,11 @@
 //! Dose and pullback of one light.
 
 use super::coherent::Coherent;
+use super::frame_rotation::{FrameRotation, Sorted, TILE, TileEntries};
 use super::memory::frames_together;
 use super::number::Number;
 use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
-use super::turn::{Sorted, TILE, TileEntries, Turn};
 use crate::{PatternLayout, Run};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
@@ -39,7 +39,7 @@ pub(super) trait Way<T: Number>: Send + Sync {
 /// Light and voxels of one light.
 pub(super) struct WaveLight<T: Number, W: Way<T>> {
     pub(super) way: W,
-    pub(super) turn: Turn,
+    pub(super) turn: FrameRotation,
     /// Voxels along x and y.
     pub(super) plane: [usize; 2],
     /// Numbers from one row of voxels to the next.
@@ -52,7 +52,7 @@ pub(super) struct WaveLight<T: Number, W: Way<T>> {
 
 impl<T: Number, W: Way<T>> WaveLight<T, W> {
     pub(super) fn new(
-        (way, turn): (W, Turn),
+        (way, turn): (W, FrameRotation),
         plane: [usize; 2],
         row: usize,
         first_frame: usize,

@@ -1,11 +1,11 @@
 //! The lights of a model, and how their samples lie on voxels: what does not depend on how light spreads.
 
 use super::beam::Spreading;
+use super::frame_rotation::{FrameRotation, Uptake};
 use super::light::{WaveLight, Way};
 use super::number::Number;
 use super::sampling::{Needs, Sampling};
 use super::spectrum::{Heights, Windows};
-use super::turn::{Turn, Uptake};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::parallel::{Light, is_straight};
@@ -284,7 +284,7 @@ pub(super) fn turning<T: Number, W: Way<T>>(
         wall,
         entrance: -vial.resin_wall().inscribed_radius(),
     };
-    let turn = Turn::new(
+    let turn = FrameRotation::new(
         (&light.pixels, light.sub_angles),
         grid,
         lit.in_resin,
@@ -326,7 +326,7 @@ pub(super) fn heights_of(row_mm: f64, grid: &VolumeGrid) -> Result<Heights> {
                     grid.pitch_mm
                 ),
                 format!(
-                    "with [model.wave] and [model.spread] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
+                    "with [model.wave] and [model.incoherent_cone] a whole multiple or fraction of the rows' distance, such as {nearest:.6} mm"
                 ),
             ))
         }

@@ -66,6 +66,8 @@ mod beam;
 mod between;
 mod coherent;
 mod cones;
+mod frame_rotation;
+pub mod incoherent_cone;
 mod lattice;
 mod light;
 mod lights;
@@ -74,11 +76,9 @@ mod number;
 mod resample;
 mod sampling;
 mod spectrum;
-pub mod spread;
 mod taps;
 #[cfg(test)]
 mod tests;
-mod turn;
 mod window;
 
 use super::parallel::{self, Light};
@@ -188,7 +188,7 @@ impl ModelFamily for Params {
 
     fn capabilities(&self) -> Capabilities {
         Capabilities {
-            linear_instead: Some("[model.spread] is the linear relative of waves"),
+            linear_instead: Some("[model.incoherent_cone] is the linear relative of waves"),
             has_surrogate: true,
             joins_frames: false,
             ..Capabilities::default()
@@ -205,9 +205,9 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let is_optimised = scene.purpose == Purpose::Optimize;
+        let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
-            working_bytes: working_bytes(scene.vial, scene.lights, self, grid, is_optimised)?,
+            working_bytes: working_bytes(scene.vial, scene.lights, self, grid, is_optimized)?,
             ..Cost::default()
         })
     }
@@ -321,7 +321,7 @@ impl Wave {
     }
 }
 
-/// Bytes that frames at work take beside patterns and a dose, in an optimisation or in one dose.
+/// Bytes that frames at work take beside patterns and a dose, in an optimization or in one dose.
 ///
 /// # Errors
 /// As [`Wave::new`].
@@ -330,10 +330,10 @@ fn working_bytes(
     lights: &[Light],
     params: &Params,
     grid: &VolumeGrid,
-    is_optimised: bool,
+    is_optimized: bool,
 ) -> Result<usize> {
     // Along a line two at a time
-    let doses = if is_optimised { 2 } else { 1 };
+    let doses = if is_optimized { 2 } else { 1 };
     let settings = params.settings();
     let of_light = |(i, light): (usize, &Light)| {
         let beam = beam_of(i, light, params)?;

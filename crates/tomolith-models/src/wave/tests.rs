@@ -13,7 +13,7 @@ use tomolith_optics::vial::index_matched::IndexMatched;
 
 const VIAL: IndexMatched = IndexMatched { radius_mm: 0.02 };
 
-/// Room for voxels of some tenths of a millimetre.
+/// Room for voxels of some tenths of a millimeter.
 const WIDE: IndexMatched = IndexMatched { radius_mm: 10.0 };
 
 /// Frames of 14 × 18 pixels of 0.8 µm: up to 13° on the axis of the frequencies, 18° in their corners.

@@ -1,7 +1,7 @@
 //! How wide the window of a light must be.
 //!
 //! # Equations
-//! At depth x a component has travelled t = x·f/w sideways, and D(x) is the largest distance of a voxel from a pixel: less at the ends of a round vial
+//! At depth x a component has traveled t = x·f/w sideways, and D(x) is the largest distance of a voxel from a pixel: less at the ends of a round vial
 //! than in its middle. A window of length P repeats what lies in it. What travels further than P/2 is deleted; so of a component
 //! ```text
 //! (t − P + D)⁺/L, t < P/2, comes back from the far side of the window and is seen,      (D − t)⁺/L, t > P/2, is missed

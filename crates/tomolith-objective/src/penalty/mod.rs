@@ -2,7 +2,7 @@
 //!
 //! *What must it do, and who does it.* A [`PatternPenalty`] is a function of the patterns alone, with its gradient and its
 //! course along a step; the table [`PENALTIES`] holds them, and [`Penalties`] is their weighted sum, which a
-//! `Problem` of an optimisation adds to the loss. A job lists them as `[[penalties]]`, one kind each, with `weight`
+//! `Problem` of an optimization adds to the loss. A job lists them as `[[penalties]]`, one kind each, with `weight`
 //! = λ.
 
 pub mod smoothness;

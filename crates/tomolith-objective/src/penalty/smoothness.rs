@@ -1,6 +1,6 @@
-//! Smoothness: neighbouring pixels and frames that differ cost.
+//! Smoothness: neighboring pixels and frames that differ cost.
 //!
-//! **Equation** over pairs of neighbouring active pixels along rows (a column's next height), columns and frames, with a
+//! **Equation** over pairs of neighboring active pixels along rows (a column's next height), columns and frames, with a
 //! weight per direction and Δ their difference
 //!
 //! ```text
@@ -12,7 +12,7 @@
 //! of the lit region is free.
 //!
 //! **Source** Tikhonov's H¹ penalty; the rounded total variation is Charbonnier et al., IEEE Trans. Image Process. 6
-//! (1997) 298. **Parameters** see [`Params`]. **Cost** one pass over the patterns, three neighbours a pixel.
+//! (1997) 298. **Parameters** see [`Params`]. **Cost** one pass over the patterns, three neighbors a pixel.
 
 use super::{BuildPenalty, CostPenalty};
 use crate::preset::{not_negative, positive};
@@ -34,7 +34,7 @@ pub struct Params {
     pub rows: f64,
     /// Weight of pairs side by side, 0 or above (default 1)
     pub columns: f64,
-    /// Weight of pairs of the same pixel in neighbouring frames, 0 or above (default 0)
+    /// Weight of pairs of the same pixel in neighboring frames, 0 or above (default 0)
     pub angles: f64,
     /// Differences above this cost in proportion and not squared, above 0 (default: all are squared)
     pub edge: Option<f64>,

@@ -1,16 +1,16 @@
-//! Frames for setting a machine up: where the light is, how sharp, how grey, and which way round.
+//! Frames for setting a machine up: where the light is, how sharp, how gray, and which way round.
 //!
 //! A frame is drawn in the plane of the patterns (u right, z up, mm, the axis of rotation at u = 0) and shown through the
 //! machine's scale, turns, flips and offsets, so that it looks right at the vial when the `[printer]` table is right. The
-//! border, the checkerboard and the grey steps belong to the device and are drawn on its pixels. Levels are not passed
-//! through the grey curve or the maps: the frames are there to measure these.
+//! border, the checkerboard and the gray steps belong to the device and are drawn on its pixels. Levels are not passed
+//! through the gray curve or the maps: the frames are there to measure these.
 //!
 //! | name | what it shows |
 //! |---|---|
 //! | `border` | the outermost pixels: is the whole canvas in view? |
 //! | `checkerboard` | black and white squares, eight along the shorter edge: pixel pitch, straightness, evenness |
 //! | `crosshair` | lines through the middle of the patterns: where the middle is |
-//! | `grey_steps` | 16 equal steps of the level from black to white: the grey curve |
+//! | `grey_steps` | 16 equal steps of the level from black to white: the gray curve |
 //! | `siemens_star` | 36 spokes: focus, the same in all directions |
 //! | `axis_lines` | the axis of rotation (u = 0), the edges of the patterns and marks every tenth of their width: does the axis stand where it should? |
 //! | `orientation` | a letter F in the field of the patterns: is it upright and not mirrored? |
@@ -28,7 +28,7 @@
 
 use super::placing::{Placing, size_of, turn};
 use super::printer::{PrinterSpec, device_pitch};
-use super::quantise::Quantised;
+use super::quantize::Quantized;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result, nearest_name};
@@ -49,7 +49,7 @@ pub const CALIBRATIONS: &[(&str, &str)] = &[
         "crosshair",
         "Lines through the middle of the patterns: where the middle is",
     ),
-    ("grey_steps", "16 equal steps of the level: the grey curve"),
+    ("grey_steps", "16 equal steps of the level: the gray curve"),
     (
         "siemens_star",
         "36 spokes: focus, the same in all directions",
@@ -61,7 +61,7 @@ pub const CALIBRATIONS: &[(&str, &str)] = &[
     ("orientation", "A letter F: is it upright and not mirrored?"),
 ];
 
-/// Squares of the checkerboard along the shorter edge, grey steps, spokes.
+/// Squares of the checkerboard along the shorter edge, gray steps, spokes.
 const FIELDS: usize = 8;
 const STEPS: usize = 16;
 const SPOKES: f64 = 36.0;
@@ -117,7 +117,7 @@ impl Calibration {
     ///
     /// # Errors
     /// [`Error::Config`] for a name that is not in [`CALIBRATIONS`].
-    pub fn draw(&self, name: &str) -> Result<Quantised> {
+    pub fn draw(&self, name: &str) -> Result<Quantized> {
         let [columns, rows] = self.placing.canvas;
         let (top, half) = (f64::from(top_level(self.bits)), self.half_mm());
         // Places in device pixels from the middle, or in mm at the vial
@@ -185,7 +185,7 @@ impl Calibration {
             pitch_mm: self.placing.pitch,
             ..PatternGrid::full_turn(1, 0.0, rows, columns, 1.0)
         };
-        Ok(Quantised {
+        Ok(Quantized {
             grid,
             bits: self.bits,
             full_scale: 1.0,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use tomolith_io::image::read_grey;
+use tomolith_io::image::read_gray;
 use tomolith_io::npy::read_matrix;
 
 /// A map of this size `[columns, rows]`, row 0 on top: finite numbers, 0 or more; `as_what` has that size.
@@ -17,7 +17,7 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
         let ([rows, columns], values) = read_matrix(path)?;
         (rows, columns, values)
     } else {
-        let image = read_grey(path)?;
+        let image = read_gray(path)?;
         (image.rows, image.columns, image.values)
     };
     let bad = |found: String| Error::Format {

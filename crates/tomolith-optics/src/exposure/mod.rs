@@ -1,7 +1,7 @@
 //! Everything between a pattern and what a given machine shows.
 //!
-//! *What must it do, and who does it.* [`quantise()`] brings patterns to the projector's bit depth and back, bit for bit;
-//! [`printer`] puts them on the pixels of a device and takes them back from there (canvas, turns, flips, grey curve, maps,
+//! *What must it do, and who does it.* [`quantize()`] brings patterns to the projector's bit depth and back, bit for bit;
+//! [`printer`] puts them on the pixels of a device and takes them back from there (canvas, turns, flips, gray curve, maps,
 //! order of frames); [`movie`] says at which rate the frames follow each other and what their movie is called; [`budget`]
 //! says how long the print takes and where the light goes; [`calibration`] draws frames for setting a machine up.
 
@@ -11,7 +11,7 @@ mod maps;
 pub mod movie;
 mod placing;
 pub mod printer;
-pub mod quantise;
+pub mod quantize;
 mod tone;
 
 pub use budget::{Budget, Exposure};
@@ -19,4 +19,4 @@ pub use calibration::{CALIBRATIONS, Calibration};
 pub use maps::read_map;
 pub use movie::{frame_rate, movie_name, shown_rate};
 pub use printer::{Printer, PrinterSpec, Rotation};
-pub use quantise::{Quantised, quantise};
+pub use quantize::{Quantized, quantize};

@@ -27,7 +27,7 @@
 
 use tomolith_core::grid::PatternGrid;
 
-/// Areas (in pattern pixels) are multiples of this, so that rounding makes no neighbours of pixels that only touch.
+/// Areas (in pattern pixels) are multiples of this, so that rounding makes no neighbors of pixels that only touch.
 const GRAIN: f64 = 1e-9;
 /// Device pixels by which a pattern may stand out of the canvas: rounding.
 const SLACK: f64 = 1e-6;

@@ -6,7 +6,7 @@
 //!
 //! # Equation
 //! With the even light y_j that device pixel j must show (see `placing.rs`), its brightness F_j ≤ 1 (flat field; 0
-//! where it is dead) and the grey curve g (level → intensity, g(top) = 1),
+//! where it is dead) and the gray curve g (level → intensity, g(top) = 1),
 //!
 //! ```text
 //! s = max y_j/F_j        q_j = the level with g(q_j) nearest to y_j/(s·F_j)        shown: s·F_j·g(q_j)
@@ -47,7 +47,7 @@
 
 use super::maps::read_map;
 use super::placing::{Overlaps, Placing, size_of, turn};
-use super::quantise::Quantised;
+use super::quantize::Quantized;
 use super::tone::{Curve, Tone};
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -107,7 +107,7 @@ pub struct PrinterSpec {
     pub copies_px: Vec<[f64; 2]>,
     /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub sense: Option<Rotation>,
+    pub rotation: Option<Rotation>,
     /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start_deg: Option<f64>,
@@ -150,7 +150,7 @@ impl Default for PrinterSpec {
             eccentricity_mm: Mm(0.0),
             eccentricity_deg: 0.0,
             copies_px: vec![[0.0; 2]],
-            sense: None,
+            rotation: None,
             start_deg: None,
             grey_curve: None,
             grey_curve_file: None,
@@ -349,7 +349,7 @@ impl Printer {
     ///
     /// # Errors
     /// [`Error::Config`] with the key below `printer`: ranges, a canvas that is smaller than the patterns, copies that
-    /// overlap, maps of another size, a start or a sense that the angles do not allow; [`Error::Io`] and
+    /// overlap, maps of another size, a start or a rotation that the angles do not allow; [`Error::Io`] and
     /// [`Error::Format`] for files.
     pub fn new(
         spec: &PrinterSpec,
@@ -473,8 +473,8 @@ impl Printer {
     /// # Errors
     /// [`Error::Config`] when `bits` is not 1…16; [`Error::Shape`] when the patterns are not those of the printer;
     /// [`Error::NonFinite`] when a value is negative, infinite or not a number.
-    pub fn expose(&self, patterns: &Patterns, bits: u32) -> Result<Quantised> {
-        super::quantise::check(patterns, bits)?;
+    pub fn expose(&self, patterns: &Patterns, bits: u32) -> Result<Quantized> {
+        super::quantize::check(patterns, bits)?;
         same_shape("patterns of the printer", &self.pattern, &patterns.grid)?;
         let (white, tone) = (
             self.white(patterns) as f32,
@@ -496,7 +496,7 @@ impl Printer {
                     });
                 });
         }
-        Ok(Quantised {
+        Ok(Quantized {
             grid,
             bits,
             full_scale: white,
@@ -508,7 +508,7 @@ impl Printer {
     ///
     /// # Errors
     /// [`Error::Shape`] when the frames are not those of the device.
-    pub fn light_of(&self, frames: &Quantised) -> Result<Patterns> {
+    pub fn light_of(&self, frames: &Quantized) -> Result<Patterns> {
         same_shape("frames of the printer", &self.canvas_grid(), &frames.grid)?;
         let tone = Tone::new(self.curve.as_ref(), frames.bits);
         let white = f64::from(frames.full_scale);
@@ -561,7 +561,7 @@ impl Printer {
 
     /// Sum of the intensities of all device pixels over one pass of the frames, where white is 1.
     #[must_use]
-    pub fn emitted(&self, frames: &Quantised) -> f64 {
+    pub fn emitted(&self, frames: &Quantized) -> f64 {
         let tone = Tone::new(self.curve.as_ref(), frames.bits);
         let sums: Vec<f64> = frames
             .values
@@ -660,7 +660,7 @@ fn order(
 ) -> Result<Vec<usize>> {
     let frames = pattern.frames();
     let full = (pattern.frame_arc * frames as f64 - TAU).abs() < 1e-9;
-    let forward = spec.sense.is_none_or(|sense| sense == rotation);
+    let forward = spec.rotation.is_none_or(|own| own == rotation);
     let first = match spec.start_deg {
         None => 0,
         Some(start) if !full => {

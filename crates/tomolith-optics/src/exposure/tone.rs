@@ -1,4 +1,4 @@
-//! The grey curve of a device: level → intensity, and the level that comes nearest to an intensity.
+//! The gray curve of a device: level → intensity, and the level that comes nearest to an intensity.
 //!
 //! A curve is a table of points (value, intensity), straight lines between them; value is the level over the highest
 //! level, 0 to 1. Intensities are divided by the last one, so that a curve may be given in whatever unit it was measured.
@@ -12,7 +12,7 @@ use tomolith_io::frames::top_level;
 const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
      larger than the one before";
 
-/// A grey curve.
+/// A gray curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Curve {
     points: Vec<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! Rayleigh's phase function for unpolarised light: particles much smaller than the wavelength.
+//! Rayleigh's phase function for unpolarized light: particles much smaller than the wavelength.
 //!
 //! # Equation
 //! Density ⅜(1 + c²) of the cosine c. Its distribution ½ + ⅜(c + c³/3) = ξ is the cubic c³ + 3c = 8ξ − 4, which has one

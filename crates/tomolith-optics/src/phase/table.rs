@@ -145,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_normalised_table_must_integrate_to_one_over_the_sphere() {
+    fn a_normalized_table_must_integrate_to_one_over_the_sphere() {
         let built = |value: f64| {
             let table = serde_json::json!({ "angles_deg": [0.0, 180.0], "values": [value, value], "normalised": true });
             build(&Section::new("resin.phase.table", table))

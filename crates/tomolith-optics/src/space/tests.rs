@@ -58,8 +58,8 @@ fn level_rays_do_what_the_tracer_of_the_plane_says() {
                     assert!((a.from[0] - b.ray.from[0]).abs() < 1e-9);
                     assert!((a.direction[1] - b.ray.direction[1]).abs() < 1e-9);
                 }
-                assert!((b.account.total() - 1.0).abs() < 1e-12);
-                assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-9);
+                assert!((b.balance.total() - 1.0).abs() < 1e-12);
+                assert!((a.balance.absorbed - b.balance.absorbed).abs() < 1e-9);
             }
         }
     }
@@ -94,8 +94,8 @@ fn with_reflections_all_light_is_found_again() {
     // Through the axis of a clear vial all interfaces are plain: their incoherent sum has a closed form
     let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarisation::S, limits);
     let path = space.trace(level(0.0, 0.3));
-    assert!((path.account.total() - 1.0).abs() < 1e-12);
-    assert!(path.account.dropped < 1e-4, "{:?}", path.account);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12);
+    assert!(path.balance.dropped < 1e-4, "{:?}", path.balance);
     let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
     // Two walls of two interfaces each, then the pair of them; R/T adds up along incoherent interfaces
     let ratios =
@@ -104,8 +104,8 @@ fn with_reflections_all_light_is_found_again() {
     // The last ray of every order leaves the vial after resin, forwards or backwards: only the first reflections miss it
     let sum: f64 = path.legs.iter().map(|leg| leg.power).sum();
     assert!(sum > transmitted);
-    let without_resin = path.account.missed;
-    assert!((path.account.transmitted + without_resin + path.account.dropped - 1.0).abs() < 1e-12);
+    let without_resin = path.balance.missed;
+    assert!((path.balance.transmitted + without_resin + path.balance.dropped - 1.0).abs() < 1e-12);
     // What leaves backwards before any resin: the first two interfaces alone
     let two = r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49));
     assert!((without_resin - two / (1.0 + two)).abs() < 1e-6);
@@ -138,7 +138,7 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
     let paths: u32 = 20_000;
     for i in 0..paths {
         let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!((path.balance.total() - 1.0).abs() < 1e-12);
         assert!((path.legs[1].power - expected).abs() < 1e-12);
         depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
         cosine += path.legs[1].ray.direction[2] / f64::from(paths);
@@ -147,9 +147,9 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
     let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
     assert!((depth - mean).abs() < 0.04, "{depth} {mean}");
     assert!(cosine.abs() < 0.02);
-    // With all orders the power that is dropped is small, and the account is whole
+    // With all orders the power that is dropped is small, and the balance is whole
     let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
-    assert!((path.account.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
 }
 
 #[test]
@@ -170,8 +170,8 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
     let whole = plain.trace(ray);
     let shadow = with(Material::Black).trace(ray);
     assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
-    assert!((shadow.account.total() - 1.0).abs() < 1e-12);
-    assert!(shadow.account.blocked > 0.1 && shadow.legs.len() == 1);
+    assert!((shadow.balance.total() - 1.0).abs() < 1e-12);
+    assert!(shadow.balance.blocked > 0.1 && shadow.legs.len() == 1);
     let matched = with(Material::Dielectric {
         refractive_index: 1.49,
     })
@@ -182,7 +182,7 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
     let mirror = with(Material::Mirror).trace(ray);
     assert_eq!(mirror.legs.len(), 2);
     assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
-    assert!((mirror.account.total() - 1.0).abs() < 1e-12);
+    assert!((mirror.balance.total() - 1.0).abs() < 1e-12);
 }
 
 /// Luneburg's lens, n² = 2 − ρ²/R², in a tube that light does not see.
@@ -207,14 +207,14 @@ fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
     let radius = 4.0;
     let miss = |height: f64, step: f64| {
         let path = lens(radius, step).trace(level(height, 0.0));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!((path.balance.total() - 1.0).abs() < 1e-12);
         let length: f64 = path.legs.iter().map(|leg| leg.length).sum();
         // Nothing is reflected where indices are equal: all that is missing was absorbed along the curve
         let lost = 1.0 - (-0.1 * length).exp();
         assert!(
-            (path.account.absorbed - lost).abs() < 1e-5,
+            (path.balance.absorbed - lost).abs() < 1e-5,
             "{height}: {:?}",
-            path.account
+            path.balance
         );
         let last = path.legs[path.legs.len() - 1];
         let [x, y, _] = last.ray.at(last.length);
@@ -278,7 +278,7 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
     let (bent, straight) = (bent.trace(level(3.0, 0.4)), {
         tracer(&GLASS, Polarisation::S, Limits::default()).trace(level(3.0, 0.4))
     });
-    assert!((bent.account.absorbed - straight.account.absorbed).abs() < 1e-12);
+    assert!((bent.balance.absorbed - straight.balance.absorbed).abs() < 1e-12);
     assert!(bent.legs.len() > 100 && straight.legs.len() == 1);
 }
 
@@ -304,7 +304,7 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
         path.legs
     );
     assert!((path.legs[0].ray.direction[0] - sine).abs() < 1e-12);
-    assert!((path.account.total() - 1.0).abs() < 1e-12);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12);
     // Along the axis no wall is met but the ends: air to resin, resin to glass, glass to air
     let axis = ended.trace(Ray {
         direction: [0.0, 0.0, -1.0],
@@ -312,13 +312,13 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     });
     let r = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
     let passed = (1.0 - r(1.0, 1.49)) * (1.0 - r(1.49, 1.54)) * (1.0 - r(1.54, 1.0));
-    assert!((axis.account.transmitted - passed * (-1.1f64).exp()).abs() < 1e-12);
+    assert!((axis.balance.transmitted - passed * (-1.1f64).exp()).abs() < 1e-12);
     // Above the vial there is nothing
     let over = ended.trace(Ray {
         from: [0.0, 0.0, 6.5],
         direction: [-1.0, 0.0, 0.0],
     });
-    assert!((over.account.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
+    assert!((over.balance.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
 }
 
 const TUBE: DoubleTube = DoubleTube {
@@ -349,7 +349,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
                 direction: [0.0, 0.0, up],
             };
             let path = closed.trace(ray);
-            assert!((path.account.total() - 1.0).abs() < 1e-12, "{x} {up}");
+            assert!((path.balance.total() - 1.0).abs() < 1e-12, "{x} {up}");
             path
         };
         // Core, inner glass and the rim of the outer tube: no resin on the way
@@ -361,7 +361,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
             let path = at(x);
             assert!(path.legs.is_empty(), "{x} {up}");
             assert!(
-                (path.account.missed - through(&media)).abs() < 1e-12,
+                (path.balance.missed - through(&media)).abs() < 1e-12,
                 "{x} {up}"
             );
         }
@@ -370,8 +370,8 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
         let left = (-1.1f64).exp();
         let [before, behind] = [&[1.0, 1.5, 1.49][..], &[1.49, 1.0]].map(through);
         let entered = if up > 0.0 { before } else { behind };
-        assert!((path.account.transmitted - before * behind * left).abs() < 1e-12);
-        assert!((path.account.absorbed - entered * (1.0 - left)).abs() < 1e-12);
+        assert!((path.balance.transmitted - before * behind * left).abs() < 1e-12);
+        assert!((path.balance.absorbed - entered * (1.0 - left)).abs() < 1e-12);
         assert!(path.legs.len() == 1 && (path.legs[0].length - 11.0).abs() < 1e-12);
     }
     // Level light does not see the ends
@@ -417,7 +417,7 @@ fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() 
             let found: f64 = path.legs.iter().map(|leg| leg.length).sum();
             assert!((found - length).abs() < 1e-9, "{ray:?}: {found} {length}");
             let taken = 1.0 - (-0.1 * length).exp();
-            assert!((path.account.absorbed - taken).abs() < 1e-10, "{ray:?}");
+            assert!((path.balance.absorbed - taken).abs() < 1e-10, "{ray:?}");
             through_core += u32::from(core > 0.0);
         }
     }
@@ -502,8 +502,8 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
             assert!((a.power - b.power).abs() < 1e-12, "{i}");
             assert!((0..3).all(|k| (a.ray.from[k] - b.ray.from[k]).abs() < 1e-9));
         }
-        assert!((a.account.absorbed - b.account.absorbed).abs() < 1e-12);
-        assert!((a.account.transmitted - b.account.transmitted).abs() < 1e-12);
+        assert!((a.balance.absorbed - b.balance.absorbed).abs() < 1e-12);
+        assert!((a.balance.transmitted - b.balance.transmitted).abs() < 1e-12);
         through += usize::from(a.legs.len() == 2 && a.legs[0].ray.from[2] == -5.0);
     }
     assert!(through > 20, "{through}");
@@ -519,15 +519,15 @@ fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
         let mut ray = level(0.2 * f64::from(i) - 2.0, 0.31 * f64::from(i));
         ray.direction = unit([ray.direction[0], ray.direction[1], 0.02 * f64::from(i)]);
         let (a, b) = (mapped.trace(ray), open.trace(ray));
-        assert!((a.account.total() - 1.0).abs() < 1e-12);
+        assert!((a.balance.total() - 1.0).abs() < 1e-12);
         let depth = |path: &Path| {
-            let of = |leg: &Leg| leg.length * leg.uptake.attenuation_per_mm;
+            let of = |leg: &PathSegment| leg.length * leg.uptake.attenuation_per_mm;
             path.legs.iter().map(of).sum::<f64>()
         };
         let length = |path: &Path| path.legs.iter().map(|leg| leg.length).sum::<f64>();
         assert!((length(&a) - length(&b)).abs() < 1e-9 && a.legs.len() > 3);
         let taken = b.legs[0].power * (1.0 - (-depth(&a)).exp());
-        assert!((a.account.absorbed - taken).abs() < 1e-12);
+        assert!((a.balance.absorbed - taken).abs() < 1e-12);
     }
 }
 
@@ -547,13 +547,13 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
     let ray = level(0.3, 0.0);
     let straight = tracer.trace(ray);
     let met = straight.legs[0].power * (-0.1 * straight.legs[0].length).exp();
-    assert!((straight.account.blocked - 0.3 * met).abs() < 1e-12);
-    assert!((straight.account.cut - 0.7 * met).abs() < 1e-12);
+    assert!((straight.balance.blocked - 0.3 * met).abs() < 1e-12);
+    assert!((straight.balance.cut - 0.7 * met).abs() < 1e-12);
     let (mut cosine, mut square) = (0.0, 0.0);
     let paths: u32 = 20_000;
     for i in 0..paths {
         let path = tracer.trace_scattered(ray, &mut Stream::new([3, 0, u64::from(i), 0]));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!((path.balance.total() - 1.0).abs() < 1e-12);
         let sent = path.legs[1];
         assert!((sent.power - 0.7 * met).abs() < 1e-12 && sent.order == 1);
         cosine += sent.ray.direction[0] / f64::from(paths);
@@ -660,7 +660,7 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
     let direct = tracer.trace(ray);
     let [first, second] = [half(1.0), half(-1.0)];
     let left = (-2.0 * (first + second)).exp();
-    assert!((direct.account.transmitted - left).abs() < 1e-7);
+    assert!((direct.balance.transmitted - left).abs() < 1e-7);
     // Power of what is scattered: μ_s ∫ e^(−τ)
     let of_half = |mu: f64| (1.0 - (-2.0 * mu).exp()) * MILK_PER_MM / mu;
     let expected = of_half(first) + (-2.0 * first).exp() * of_half(second);
@@ -707,8 +707,8 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
     let (mut mean, mut powers, mut squares) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     for i in 0..paths {
         let path = tracer.trace_scattered(ray, &mut Stream::new([6, 0, u64::from(i), 0]));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
-        let again: Vec<&Leg> = path.legs.iter().filter(|leg| leg.order == 1).collect();
+        assert!((path.balance.total() - 1.0).abs() < 1e-12);
+        let again: Vec<&PathSegment> = path.legs.iter().filter(|leg| leg.order == 1).collect();
         assert!(
             (again[0].power - expected).abs() < 1e-7,
             "{}",
@@ -777,8 +777,8 @@ fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
         let expected = plain.trace_scattered(ray, &mut draws());
         for other in [&mapped, &chords] {
             let found = other.trace_scattered(ray, &mut draws());
-            assert!((found.account.total() - 1.0).abs() < 1e-12);
-            let apart = found.account.absorbed - expected.account.absorbed;
+            assert!((found.balance.total() - 1.0).abs() < 1e-12);
+            let apart = found.balance.absorbed - expected.balance.absorbed;
             assert!(apart.abs() < 1e-6, "{i}: {apart:e}");
             let (a, b) = (turns(&found), turns(&expected));
             assert_eq!(a.len(), b.len(), "{i}");
@@ -810,11 +810,11 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
     let tracer = milk(&GLASS, bent, limits);
     let index = |at: [f64; 3]| profile.index(1.49, at);
     let ray = level(2.0, 0.1);
-    let way = |legs: &[&Leg]| legs.iter().map(|leg| leg.length).sum::<f64>();
+    let way = |legs: &[&PathSegment]| legs.iter().map(|leg| leg.length).sum::<f64>();
     let (mut guided, mut bends) = (0, 0.0f64);
     for i in 0..300 {
         let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
-        assert!((path.account.total() - 1.0).abs() < 1e-12);
+        assert!((path.balance.total() - 1.0).abs() < 1e-12);
         let [direct, once] = [0, 1].map(|order| {
             let own = path.legs.iter().filter(|leg| leg.order == order);
             own.collect::<Vec<_>>()
@@ -823,7 +823,7 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
         let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
         assert!((once[0].power - expected).abs() < 1e-12);
         let from = once[0].ray.from;
-        let beside = |leg: &&&Leg| {
+        let beside = |leg: &&&PathSegment| {
             let to: [f64; 3] = std::array::from_fn(|k| from[k] - leg.ray.from[k]);
             let along = dot(to, leg.ray.direction);
             let off = cross(to, leg.ray.direction);
@@ -831,7 +831,7 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
         };
         assert!(direct.iter().any(|leg| beside(&leg)), "{i}");
         // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
-        let invariants = |leg: &Leg| {
+        let invariants = |leg: &PathSegment| {
             let middle = leg.ray.at(leg.length / 2.0);
             let ([x, y, _], [dx, dy, dz]) = (middle, leg.ray.direction);
             let n = index(middle);
@@ -849,7 +849,7 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
             guided += 1;
             let end = (-0.6 * way(&once)).exp();
             assert!((5e-10..1e-9).contains(&end), "{end:e}");
-            assert!(path.account.cut > 0.0);
+            assert!(path.balance.cut > 0.0);
         }
     }
     assert!(guided > 5 && bends > 0.3, "{guided} {bends}");

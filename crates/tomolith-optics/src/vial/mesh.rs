@@ -3,7 +3,7 @@
 //! # Model
 //! The outer mesh holds the glass, the inner one the resin; rays are refracted at their triangles as they stand, so curved
 //! walls want fine ones (a facet of width w on a wall of radius R turns its normal by up to w/2R). Files are in
-//! millimetres times `scale`, in the frame of the vial: z is its axis.
+//! millimeters times `scale`, in the frame of the vial: z is its axis.
 //!
 //! # Parameters
 //! | key | unit | range | default | meaning |
@@ -11,7 +11,7 @@
 //! | `outer` | – | a mesh file | – | outer wall |
 //! | `inner` | – | a mesh file | – | wall of the resin, within the outer one |
 //! | `refractive_index` | – | > 0 | – | of the glass |
-//! | `scale` | – | > 0 | 1 | millimetres per unit of the files |
+//! | `scale` | – | > 0 | 1 | millimeters per unit of the files |
 //!
 //! # Limits
 //! Walls are closed, outward and do not cross: a mesh that is open or inverted is refused, and so is an inner wall with a
@@ -195,7 +195,7 @@ pub struct Params {
     pub inner: PathBuf,
     /// Refractive index of the glass, > 0.
     pub refractive_index: f64,
-    /// Millimetres per unit of the files, > 0.
+    /// Millimeters per unit of the files, > 0.
     #[serde(default = "one")]
     pub scale: f64,
 }

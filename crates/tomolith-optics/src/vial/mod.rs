@@ -16,7 +16,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::units::{Mm, exact};
 
-/// The curve of a wall in the plane z = const, centred on the axis.
+/// The curve of a wall in the plane z = const, centered on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Curve {
     /// A circle of this radius, mm.

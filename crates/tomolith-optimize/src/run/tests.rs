@@ -2,7 +2,7 @@ use super::*;
 use crate::checkpoint::Params;
 use crate::gradient::{self, Gradient};
 use crate::lbfgs::{self, Lbfgs};
-use crate::{Limits, Memory, Needs, OPTIMIZERS, Recall, Step};
+use crate::{CheckpointReader, Limits, Memory, OPTIMIZERS, Requirements, Step};
 use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
@@ -193,15 +193,20 @@ impl Optimizer<HostField> for Straight {
         false
     }
 
-    fn needs(&self) -> Needs {
-        Needs::of("straight")
+    fn requirements(&self) -> Requirements {
+        Requirements::of("straight")
     }
 
     fn memory(&self) -> Memory<'_> {
         Memory::default()
     }
 
-    fn restore(&mut self, _: &mut dyn Recall, _: &Problem<HostField>, _: &HostField) -> Result<()> {
+    fn restore(
+        &mut self,
+        _: &mut dyn CheckpointReader,
+        _: &Problem<HostField>,
+        _: &HostField,
+    ) -> Result<()> {
         Ok(())
     }
 }

@@ -22,7 +22,7 @@
 //! assert!((row.build)(&section).is_ok());
 //! ```
 
-use super::{BuildStart, Start, StartInput};
+use super::{BuildStart, InitialPatterns, StartInput};
 use crate::filter::{Filter, Projection};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,7 +81,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
     }
 }
 
-impl<F: Field> Start<F> for Fbp {
+impl<F: Field> InitialPatterns<F> for Fbp {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("fbp")?;
@@ -119,7 +119,7 @@ impl<F: Field> Start<F> for Fbp {
 mod tests {
     use super::*;
     use crate::Limits;
-    use crate::follow::{self, Dense};
+    use crate::reference::{self, Dense};
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::response::Identity;
 
@@ -141,7 +141,7 @@ mod tests {
             let projection = dense.adjoint(&wanted);
             let share = projection.iter().sum::<f64>() / wanted.iter().sum::<f64>() / 24.0;
             let factor = std::f64::consts::PI / (2.0 * 24.0 * share * share);
-            let rows = follow::ramp(&projection, n);
+            let rows = reference::ramp(&projection, n);
             for (negative, lowest) in [
                 (Negative::Clip, 0.0),
                 (Negative::Offset, rows.iter().copied().fold(0.0, f64::min)),
@@ -156,7 +156,7 @@ mod tests {
                     .iter()
                     .map(|v| factor * (v - lowest).max(0.0))
                     .collect();
-                follow::assert_near(found.as_slice(), &expected, 1e-5, "fbp");
+                reference::assert_near(found.as_slice(), &expected, 1e-5, "fbp");
             }
         }
     }
@@ -173,7 +173,7 @@ mod tests {
                 (-(x * x + y * y) / 32.0).exp()
             })
             .collect();
-        let rows = follow::ramp(&dense.adjoint(&blob), n);
+        let rows = reference::ramp(&dense.adjoint(&blob), n);
         let factor = std::f64::consts::PI * 96.0 / 2.0;
         let x: Vec<f64> = rows.iter().map(|v| factor * v).collect();
         let dose = dense.forward(&x);

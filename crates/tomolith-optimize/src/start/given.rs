@@ -6,7 +6,7 @@
 //!
 //! **Parameters** see [`Params`]; the file is `patterns.npz` of a run folder, or any `.npz` with an array `patterns` \[angle, row,
 //! column\] (`patterns_<light>`, in the order of the job's lights, when there are several); `patterns_raw`, the values before
-//! quantisation, is preferred. Its field of view is that of the job's light.
+//! quantization, is preferred. Its field of view is that of the job's light.
 //!
 //! **Cost** no model call. **Limits** none on the model: patterns are energies, whatever its unknowns are.
 //!
@@ -22,7 +22,7 @@
 //! assert_eq!(fine.frame(1)[1..3], [0.75, 1.25]); // between frames
 //! ```
 
-use super::{BuildStart, Start, StartInput};
+use super::{BuildStart, InitialPatterns, StartInput};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,7 +65,7 @@ pub struct OfFile(pub PathBuf);
 #[derive(Clone, Debug)]
 pub struct Given(pub Vec<Patterns>);
 
-impl<F: Field> Start<F> for OfFile {
+impl<F: Field> InitialPatterns<F> for OfFile {
     fn is_given(&self) -> bool {
         true
     }
@@ -91,7 +91,7 @@ impl<F: Field> Start<F> for OfFile {
     }
 }
 
-impl<F: Field> Start<F> for Given {
+impl<F: Field> InitialPatterns<F> for Given {
     fn is_given(&self) -> bool {
         true
     }
@@ -193,7 +193,7 @@ pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
 /// Two samples and their weights.
 type Taps = [(usize, f64); 2];
 
-/// The neighbours of a place among `n` samples, which end half a sample beyond the outermost unless they wrap round.
+/// The neighbors of a place among `n` samples, which end half a sample beyond the outermost unless they wrap round.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -4,7 +4,7 @@
 //!
 //! **Parameters** none. **Cost** one forward call; none for `zero`.
 
-use super::{BuildStart, Start, StartInput};
+use super::{BuildStart, InitialPatterns, StartInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
@@ -55,7 +55,7 @@ pub const fn zero<F: Field>() -> Kind<BuildStart<F>> {
     }
 }
 
-impl<F: Field> Start<F> for Uniform {
+impl<F: Field> InitialPatterns<F> for Uniform {
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("uniform")?;
         let mut x = input.model.new_patterns()?;
@@ -64,7 +64,7 @@ impl<F: Field> Start<F> for Uniform {
     }
 }
 
-impl<F: Field> Start<F> for Zero {
+impl<F: Field> InitialPatterns<F> for Zero {
     fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
         input.bounded(input.model.new_patterns()?)
     }

@@ -13,7 +13,7 @@
 //! **Parameters** see [`Params`]. **Limits** linear models only. **Cost** one adjoint and one forward call an iteration, two
 //! fields of patterns and one of dose.
 
-use super::{BuildStart, Start, StartInput};
+use super::{BuildStart, InitialPatterns, StartInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
@@ -103,7 +103,7 @@ impl<F: Field> Masked<'_, F> {
     }
 }
 
-impl<F: Field> Start<F> for Lsqr {
+impl<F: Field> InitialPatterns<F> for Lsqr {
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("lsqr")?;
         let wanted = input.wanted_dose()?;

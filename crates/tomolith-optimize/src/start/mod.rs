@@ -1,6 +1,6 @@
-//! Where an optimiser begins.
+//! Where an optimizer begins.
 //!
-//! *What must it do, and who does it.* A [`Start`] makes first patterns from the target; the table [`STARTS`] holds them.
+//! *What must it do, and who does it.* A [`InitialPatterns`] makes first patterns from the target; the table [`STARTS`] holds them.
 //! Whatever the method, the patterns lie within the bounds, and one forward call scales them so that the part gets its dose.
 
 pub mod fbp;
@@ -34,7 +34,7 @@ pub struct StartInput<'a, F: Field = HostField> {
 }
 
 /// A method that makes initial patterns.
-pub trait Start<F: Field = HostField>: std::fmt::Debug + Send + Sync {
+pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     /// First patterns, within the bounds.
     ///
     /// # Errors
@@ -47,7 +47,7 @@ pub trait Start<F: Field = HostField>: std::fmt::Debug + Send + Sync {
 }
 
 /// Builds a start from its section.
-pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn Start<F>>>;
+pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn InitialPatterns<F>>>;
 
 /// Every start, for patterns in host memory; the first is the default.
 pub static STARTS: &[Kind<BuildStart>] = starts();
@@ -161,7 +161,7 @@ impl<F: Field> StartInput<'_, F> {
     /// Scales patterns that another model made, so that this one's dose is the wanted one as well as a factor can make it.
     ///
     /// # Errors
-    /// As [`Start::patterns`].
+    /// As [`InitialPatterns::patterns`].
     pub fn scaled_anew(&self, x: F, run: &Run) -> Result<F> {
         let wanted = self.wanted_dose()?;
         self.scaled(x, &wanted, run)
@@ -175,10 +175,10 @@ impl<F: Field> StartInput<'_, F> {
     }
 
     /// The target per element of the dose field as a [`Problem`](super::Problem::with_target) wants it: 1 in the part and 0 in the
-    /// void, or grey values; −1 where a voxel does not count.
+    /// void, or gray values; −1 where a voxel does not count.
     ///
     /// # Errors
-    /// As [`Start::patterns`].
+    /// As [`InitialPatterns::patterns`].
     pub fn target_field(&self) -> Result<F> {
         let layout = self.layout()?;
         let grey = self.target.grey;
@@ -204,7 +204,7 @@ impl<F: Field> StartInput<'_, F> {
     /// Marks at the part's surface as a [`Problem`](super::Problem::with_edges) wants them.
     ///
     /// # Errors
-    /// As [`Start::patterns`].
+    /// As [`InitialPatterns::patterns`].
     pub fn edge_field(&self) -> Result<F> {
         let layout = self.layout()?;
         let near = near_the_other_kind(self.target, layout.grid.pitch_mm);

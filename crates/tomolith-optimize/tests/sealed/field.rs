@@ -224,7 +224,7 @@ impl Field for SealedField {
         sums
     }
 
-    fn quantise(&mut self, levels: u32, bounds: &Vec<Piece>) {
+    fn quantize(&mut self, levels: u32, bounds: &Vec<Piece>) {
         let top = self.max_abs();
         let steps = (levels - 1).max(1) as f32;
         for &piece in bounds {

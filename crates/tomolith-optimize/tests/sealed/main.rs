@@ -26,7 +26,7 @@ use tomolith_core::response::{Identity, Logistic, Response};
 use tomolith_core::target::{Target, label_voxels};
 use tomolith_models::parallel::{Light, Parallel};
 use tomolith_objective::penalty::{Penalties, penalties};
-use tomolith_objective::{Emphasis, Objective, ObjectiveInput, Sum, objectives};
+use tomolith_objective::{Objective, ObjectiveInput, Sum, VoxelWeights, objectives};
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::index_matched::IndexMatched;
 use tomolith_optimize::checkpoint::{self, Checkpoints};
@@ -85,7 +85,7 @@ struct Job<'a> {
     steps: usize,
 }
 
-/// Patterns, dose and history of a job: start, objective, penalties, optimiser and loop, all made for the field F.
+/// Patterns, dose and history of a job: start, objective, penalties, optimizer and loop, all made for the field F.
 fn solve<F: Field>(
     model: &dyn DoseModel<Field = F>,
     part: &Part,
@@ -199,20 +199,20 @@ fn a_job_on_the_parallel_model_has_the_same_bits() {
 }
 
 #[test]
-fn every_optimiser_has_the_same_bits() {
+fn every_optimizer_has_the_same_bits() {
     for row in optimizers::<HostField>() {
         let section = example(row);
-        let needs = (row.build)(&section).unwrap().needs();
-        let normalises = (row.build)(&section).unwrap().normalises();
+        let needs = (row.build)(&section).unwrap().requirements();
+        let normalizes = (row.build)(&section).unwrap().normalizes();
         for bits in [None, Some(5)] {
             if bits.is_some() && needs.continuous.is_some() {
                 continue;
             }
             let model = SmallModel::new(18, 15, 5);
             let part = Part::ring(&model);
-            let max = if normalises { f64::INFINITY } else { 1.3 };
+            let max = if normalizes { f64::INFINITY } else { 1.3 };
             let job = Job {
-                penalties: needs.unpenalised.is_none() && row.name != "bclp",
+                penalties: needs.unpenalized.is_none() && row.name != "bclp",
                 optimizer: (row.name, section.value.clone()),
                 limits: Limits { min: 0.0, max },
                 bits,
@@ -281,7 +281,7 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
         (Arc::new(Logistic::new(Default::default()).unwrap()), false),
     ];
     let len = model.layout().len();
-    let emphasis = Emphasis {
+    let voxel_weights = VoxelWeights {
         weight: noise(len, 3).iter().map(|v| 1.0 + v).collect(),
         tolerance: noise(len, 4).iter().map(|v| 0.05 * (1.0 + v)).collect(),
     };
@@ -289,7 +289,7 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
     let sealed = SealedField::of(dose.as_slice());
     for (i, row) in objectives::<HostField>().iter().enumerate() {
         for (response, is_exact) in &responses {
-            for (surface, is_emphasised) in [
+            for (surface, is_emphasized) in [
                 ("voxel", false),
                 ("fraction", false),
                 ("fraction", true),
@@ -300,11 +300,11 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
                 section.value["surface"] = surface.into();
                 let mut host = (row.build)(&section, &input).unwrap();
                 let mut other = (objectives::<SealedField>()[i].build)(&section, &input).unwrap();
-                if is_emphasised {
-                    host.emphasise(&emphasis).unwrap();
-                    other.emphasise(&emphasis).unwrap();
+                if is_emphasized {
+                    host.set_voxel_weights(&voxel_weights).unwrap();
+                    other.set_voxel_weights(&voxel_weights).unwrap();
                 }
-                let what = format!("{} {surface} {is_emphasised} {response:?}", row.name);
+                let what = format!("{} {surface} {is_emphasized} {response:?}", row.name);
                 let (a, b) = (asked(&*host, &dose), asked(&*other, &sealed));
                 if *is_exact {
                     assert_eq!(a.0, b.0, "{what}");

@@ -12,7 +12,7 @@ use std::time::Instant;
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::rays::accumulation::Accumulation;
-use tomolith::models::{DoseModel, Run, parallel::Light, rays::Optics, scatter};
+use tomolith::models::{DoseModel, Run, monte_carlo, parallel::Light, rays::Optics};
 use tomolith::optics::phase::{Scattering, rayleigh::Rayleigh};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::cylinder::Cylinder;
@@ -39,16 +39,16 @@ fn doses(accumulation: Accumulation) -> Result<(Vec<HostField>, f64), Box<dyn Er
     let start = Instant::now();
     let mut found = Vec::new();
     for seed in 1..=SEEDS {
-        let params = scatter::Params {
+        let params = monte_carlo::Params {
             paths_per_pixel: 16,
             accumulation,
             seed,
             smooth: 1,
-            ..scatter::Params::default()
+            ..monte_carlo::Params::default()
         };
         let grid = VolumeGrid::centered([16, 32, 32], 0.125);
         let optics = std::slice::from_ref(&optics);
-        let model = scatter::model(&vial, std::slice::from_ref(&light), optics, &params, grid)?;
+        let model = monte_carlo::model(&vial, std::slice::from_ref(&light), optics, &params, grid)?;
         let mut x = DoseModel::new_patterns(&model)?;
         x.fill(1.0);
         let mut dose = DoseModel::new_dose(&model)?;

@@ -249,7 +249,7 @@ fn line(scene: &Scene, folder: &Path, with_paths: bool) -> Result<String, Box<dy
         write!(text, "   {}", show(&summary, &other.folder())?)?;
         if with_paths {
             let random = format!(
-                "{}[model.scatter]\npaths_per_pixel = 1\n",
+                "{}[model.monte_carlo]\npaths_per_pixel = 1\n",
                 scene.job(scene.albedo)
             );
             let judge = job(&random, folder, &format!("{}-paths", scene.name))?;

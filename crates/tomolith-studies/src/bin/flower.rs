@@ -1,12 +1,12 @@
-//! The grey flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
+//! The gray flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
 //! one: the tables of `docs/measured/objectives.md`.
 //!
 //! `cargo run --release -p tomolith-studies --bin flower -- [IMAGE | phantom] [published | varied | all] [voxels along an edge]
 //! [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose name contains ROW.
 //!
-//! IMAGE is a square grey picture whose inscribed circle holds the flower; `phantom` is Tomolith's own stand-in. Every row is
+//! IMAGE is a square gray picture whose inscribed circle holds the flower; `phantom` is Tomolith's own stand-in. Every row is
 //! one run: BCLP with p = 2, q = 1, w = 1, their raw step until their stop rule (eq. 28), starting from their filtered
-//! back-projection. Losses are sums over voxels, as theirs. One voxel is one millimetre and light is a plain sum of line
+//! back-projection. Losses are sums over voxels, as theirs. One voxel is one millimeter and light is a plain sum of line
 //! integrals, so that a step η of theirs, given for an absorption of 0.001 per voxel-length unit, is η·10⁻⁶ here: 10⁻⁵.
 #![expect(clippy::print_stdout, reason = "a bench prints its tables")]
 
@@ -75,9 +75,9 @@ struct Setting {
     optimizer: (&'static str, Value),
     iterations: usize,
     change: f64,
-    /// Grey values of the picture → grey values of the target.
+    /// Gray values of the picture → gray values of the target.
     grey: fn(f32) -> f32,
-    /// How far the picture is sharpened: this times its difference from the mean with its neighbours is added.
+    /// How far the picture is sharpened: this times its difference from the mean with its neighbors is added.
     detail: f32,
 }
 
@@ -194,7 +194,7 @@ fn traced(n: usize, pixels: &PatternGrid) -> Csr {
     by_pixel.transposed()
 }
 
-/// Adds `detail` times what the mean over 3 × 3 pixels, weighted 1, 2, 1, takes away; greys stay between 0 and 1.
+/// Adds `detail` times what the mean over 3 × 3 pixels, weighted 1, 2, 1, takes away; grays stay between 0 and 1.
 fn sharpen(values: &mut [f32], n: usize, detail: f32) {
     let mean = |of: &[f32], i: usize, stride: usize, at: usize| {
         let before = if at == 0 { i } else { i - stride };
@@ -220,12 +220,12 @@ fn picture(image: &str, setting: &Setting, edge: f64) -> Result<(Target, Volume<
         edge / setting.voxels as f64,
     );
     let shape = target::build(&spec, Path::new("."), "target")?;
-    let mut target = target::voxelise(shape.as_ref(), "flower", &grid)?;
+    let mut target = target::voxelize(shape.as_ref(), "flower", &grid)?;
     for value in &mut target.inside.values {
         *value = (setting.grey)(*value);
     }
     sharpen(&mut target.inside.values, setting.voxels, setting.detail);
-    // Voxels whose centres lie in the circle through the centres of the outermost ones
+    // Voxels whose centers lie in the circle through the centers of the outermost ones
     let radius = (edge - grid.pitch_mm) / 2.0;
     let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) <= radius * (1.0 + 1e-12));
     Ok((target, labels))
@@ -542,8 +542,8 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
                 s.change = 0.0;
             }),
         ),
-        ("greys 0.1 to 0.9", grey(|v| 0.1 + 0.8 * v)),
-        ("greys to the power 2.2", grey(|v| v.powf(2.2))),
+        ("grays 0.1 to 0.9", grey(|v| 0.1 + 0.8 * v)),
+        ("grays to the power 2.2", grey(|v| v.powf(2.2))),
         ("detail × 1.05", detail(0.05)),
         ("detail × 1.1", detail(0.1)),
         ("detail × 1.2", detail(0.2)),

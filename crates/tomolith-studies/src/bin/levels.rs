@@ -1,8 +1,8 @@
-//! What a projector of few levels prints: rounded, diffused and optimised patterns of a job, as docs/measured/levels.md has them.
+//! What a projector of few levels prints: rounded, diffused and optimized patterns of a job, as docs/measured/levels.md has them.
 //!
 //! All patterns are judged by `simulate` as the job says (written, the vial turning, finer voxels). *Rounded* takes the nearest level of the
 //! brightest pixel; *diffused* carries the error of a pixel to the same pixel of the next frame, at the one of eight full scales that prints
-//! best; *optimised* is `evaluate.levels = "optimised"`.
+//! best; *optimized* is `evaluate.levels = "optimised"`.
 //!
 //! ```sh
 //! cargo run --release -p tomolith-studies --bin levels -- examples/01-gear.toml 1,2,3,4,5
@@ -17,7 +17,7 @@
 
 use std::path::{Path, PathBuf};
 use tomolith::Error;
-use tomolith::exposure::quantise;
+use tomolith::exposure::quantize;
 use tomolith::grid::{PatternGrid, Patterns};
 use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
 use tomolith::job::outcome::Quality;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Error> {
         file: PathBuf::from(file),
         folder: PathBuf::from("out/levels").join(Path::new(file).file_stem().unwrap_or_default()),
     };
-    println!("| bits | rounded | diffused | optimised |\n|---|---|---|---|");
+    println!("| bits | rounded | diffused | optimized |\n|---|---|---|---|");
     let fine = case.folder.join("fine");
     let unrounded = case.run(&["evaluate.bit_depth=16".to_owned()], &fine)?;
     let patterns = fine.join("patterns.npz");
@@ -47,11 +47,11 @@ fn main() -> Result<(), Error> {
             vec![depth, format!("evaluate.levels={levels}")]
         };
         let wanted = wanted(&patterns)?;
-        let plain = quantise(&wanted, bits)?.patterns();
+        let plain = quantize(&wanted, bits)?.patterns();
         let rounded = cell(&case.judged(&keys("rounded"), &plain, "rounded")?);
         let diffused = case.diffused(&keys("rounded"), &wanted, bits)?;
-        let optimised = case.run(&keys("optimised"), &case.folder.join("optimised"))?;
-        println!("| {bits} | {rounded} | {diffused} | {optimised} |");
+        let optimized = case.run(&keys("optimised"), &case.folder.join("optimised"))?;
+        println!("| {bits} | {rounded} | {diffused} | {optimized} |");
     }
     println!("unrounded: {unrounded}");
     Ok(())
@@ -70,7 +70,7 @@ impl Case {
             .overwriting())
     }
 
-    /// Optimises and judges.
+    /// Optimizes and judges.
     fn run(&self, keys: &[String], folder: &Path) -> Result<String, Error> {
         let job = self.job(keys, folder)?;
         let summary = job::run(&job, false, &mut Silent, &Run::new())?;

@@ -16,7 +16,7 @@ use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use tomolith::models::parallel::{Light, Parallel};
 use tomolith::models::rays::{self, Optics, Rays};
-use tomolith::models::{DoseModel, Run, orders, scatter};
+use tomolith::models::{DoseModel, Run, monte_carlo, successive_orders};
 use tomolith::optics::phase::{Scattering, isotropic::Isotropic};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::Vial;
@@ -192,28 +192,28 @@ fn scattering(bench: &Bench, file: &Path) -> Result<(), Box<dyn Error>> {
     let grid = || bench.grid.clone();
     let mut optics = [Optics::collimated(PITCH_MM)];
     optics[0].scattering = Some(scattering);
-    let orders = orders::model(
+    let orders = successive_orders::model(
         vial.as_ref(),
         vec![light.clone()],
         &optics,
-        &orders::Params::default(),
+        &successive_orders::Params::default(),
         grid(),
     )?;
-    let params = scatter::Params {
+    let params = monte_carlo::Params {
         paths_per_pixel: 16,
-        ..scatter::Params::default()
+        ..monte_carlo::Params::default()
     };
-    let paths = scatter::model(vial.as_ref(), &[light], &optics, &params, grid())?;
+    let paths = monte_carlo::model(vial.as_ref(), &[light], &optics, &params, grid())?;
     let case = "im_mu0.3_albedo0.5_isotropic";
     print(
         case,
-        "orders",
+        "successive_orders",
         &bench.dose(&(Box::new(orders) as Model))?,
         &expected,
     );
     print(
         case,
-        "scatter, 16 a pixel",
+        "monte_carlo, 16 a pixel",
         &bench.dose(&(Box::new(paths) as Model))?,
         &expected,
     );

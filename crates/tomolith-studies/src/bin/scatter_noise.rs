@@ -13,7 +13,7 @@ use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::parallel::Light;
 use tomolith::models::rays::Optics;
-use tomolith::models::{DoseModel, Run, scatter};
+use tomolith::models::{DoseModel, Run, monte_carlo};
 use tomolith::optics::phase::{Scattering, rayleigh::Rayleigh};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::square::Square;
@@ -58,14 +58,14 @@ fn dose(paths_per_pixel: usize, smooth: usize, seed: u64) -> Result<Vec<f32>, to
         per_mm: 0.081,
         phase: Arc::new(Rayleigh {}),
     });
-    let params = scatter::Params {
+    let params = monte_carlo::Params {
         paths_per_pixel,
         smooth,
         seed,
-        ..scatter::Params::default()
+        ..monte_carlo::Params::default()
     };
     let grid = VolumeGrid::centered([50, 100, 100], 0.05);
-    let model = scatter::model(&vial, &[light], &[optics], &params, grid)?;
+    let model = monte_carlo::model(&vial, &[light], &[optics], &params, grid)?;
     let mut x = model.new_patterns()?;
     x.fill(1.0);
     let mut dose = model.new_dose()?;

@@ -1,4 +1,4 @@
-//! The boat in a resin that scatters, by what the optimisation knows of it: `cargo run --release -p tomolith-studies --bin
+//! The boat in a resin that scatters, by what the optimization knows of it: `cargo run --release -p tomolith-studies --bin
 //! scattering_boat -- 3DBenchy.stl`.
 //!
 //! Table 2 of Nicolet et al. 2024 at half its resolution: 256³ voxels, 360 frames of 256² pixels, their resin (μ_a 0.1299, μ_s 0.1707
@@ -12,7 +12,7 @@ use std::time::Instant;
 use tomolith::job::{Job, Silent, run, simulate};
 use tomolith::models::Run;
 
-/// Name; what the optimisation takes for the resin; its objective; IoU, Γ and η of the article, per cent.
+/// Name; what the optimization takes for the resin; its objective; IoU, Γ and η of the article, per cent.
 const ROWS: [(&str, &str, &str, [f64; 3]); 5] = [
     (
         "Radon, L2",
@@ -92,7 +92,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let cancel = Run::new();
     println!(
-        "optimised with                     IoU %   (article)   Γ %   (article)   η %   (article)   optimisation s"
+        "optimized with                     IoU %   (article)   Γ %   (article)   η %   (article)   optimization s"
     );
     for (i, (name, resin, objective, article)) in ROWS.into_iter().enumerate() {
         let own = job(folder.path(), &format!("own{i}"), &mesh, resin, objective)?;

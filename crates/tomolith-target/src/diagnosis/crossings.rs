@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use tomolith_io::mesh::{Mesh, cross, dot, minus};
 
 /// How far surfaces may run into each other and still only touch, as a share of the mesh's diagonal: a hundred times the
-/// rounding of coordinates in f32, a tenth of a micrometre in a part of 10 mm.
+/// rounding of coordinates in f32, a tenth of a micrometer in a part of 10 mm.
 const TOUCH: f64 = 1e-5;
 
 /// Edges that run through triangles.

@@ -87,14 +87,14 @@ impl Edges {
     }
 }
 
-/// Turns triangles so that neighbours over two-sided edges agree; returns how many were turned.
+/// Turns triangles so that neighbors over two-sided edges agree; returns how many were turned.
 pub(super) fn agree(mesh: &mut Mesh, edges: &Edges) -> usize {
-    let mut neighbours = vec![Vec::new(); mesh.triangles.len()];
+    let mut neighbors = vec![Vec::new(); mesh.triangles.len()];
     for edge in edges.iter() {
         if let [a, b] = edge {
             let agree = a.forward != b.forward;
-            neighbours[a.triangle as usize].push((b.triangle, agree));
-            neighbours[b.triangle as usize].push((a.triangle, agree));
+            neighbors[a.triangle as usize].push((b.triangle, agree));
+            neighbors[b.triangle as usize].push((a.triangle, agree));
         }
     }
     let mut turned: Vec<Option<bool>> = vec![None; mesh.triangles.len()];
@@ -108,7 +108,7 @@ pub(super) fn agree(mesh: &mut Mesh, edges: &Edges) -> usize {
         let mut next = 0;
         while let Some(&t) = patch.get(next) {
             next += 1;
-            for &(other, agree) in &neighbours[t] {
+            for &(other, agree) in &neighbors[t] {
                 let other = other as usize;
                 if turned[other].is_none() {
                     // Together when they agree already, apart when not

@@ -1,10 +1,10 @@
-//! A grey flower before a blurred background, in a circle: a target with detail of all sizes and all grey levels.
+//! A gray flower before a blurred background, in a circle: a target with detail of all sizes and all gray levels.
 //!
-//! It stands in for the photograph that Li et al. 2023 (BCLP, section 3.4.2) print, which has another licence: five petals
+//! It stands in for the photograph that Li et al. 2023 (BCLP, section 3.4.2) print, which has another license: five petals
 //! and a leaf with veins, one petal dark in its middle, bright stamens, a stem. Petals are |s| < w(t) in coordinates t along
 //! and s across, w = width·√(sin π·t^1.4) with a ruffled edge; what lies farther in front covers what is behind, with soft
 //! edges. In the circle values run from 0.07 to 0.93 (mean 0.444, standard deviation 0.224; the photograph: 0.447,
-//! 0.194); beyond it they are 0. Grey values, not an inside fraction: no volume.
+//! 0.194); beyond it they are 0. Gray values, not an inside fraction: no volume.
 //!
 //! ```
 //! use tomolith_core::kind::Section;
@@ -13,12 +13,12 @@
 //! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
 //! use tomolith_core::grid::VolumeGrid;
 //! let slice = part.sample(&VolumeGrid::centered([1, 64, 64], 5.0 / 64.0)).unwrap();
-//! assert!(part.is_grey() && *slice.at(0, 0, 0) == 0.0); // a corner lies beyond the circle
+//! assert!(part.is_gray() && *slice.at(0, 0, 0) == 0.0); // a corner lies beyond the circle
 //! let brightest = slice.values.iter().copied().fold(0.0f32, f32::max);
 //! assert!(brightest > 0.8 && brightest <= 0.93); // the stamens
 //! ```
 
-use super::{Body, BuildForm, Form, GreyForm, positive, rims};
+use super::{Body, BuildForm, Form, GrayForm, positive, rims};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "flower",
-    summary: "A grey flower before a blurred background: a target of all grey levels",
+    summary: "A gray flower before a blurred background: a target of all gray levels",
     example: "[target]\nphantom.flower = { size_mm = 5.0, height_mm = 1.0 }",
     schema: || schemars::schema_for!(Params),
     build,
@@ -61,7 +61,7 @@ fn build(section: &Section) -> Result<Form> {
     )?;
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     Ok(Form {
-        body: Body::Grey(GreyForm {
+        body: Body::Grey(GrayForm {
             value: Box::new(move |p| picture(p.map(|v| v / radius))),
             z: [-half, half],
         }),
@@ -113,7 +113,7 @@ const STAMENS: [([f64; 2], [f64; 2], f64); 6] = [
     ([0.05, -0.3], [0.07, -0.2], 0.1),
 ];
 
-/// The grey value at a point of the unit disc.
+/// The gray value at a point of the unit disc.
 fn picture(p: [f64; 2]) -> f64 {
     if p[0].hypot(p[1]) > 1.0 {
         return 0.0;

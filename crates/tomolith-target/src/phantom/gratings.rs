@@ -1,9 +1,9 @@
-//! Four sinusoidal gratings of different grey depth: a grey target with known frequencies.
+//! Four sinusoidal gratings of different gray depth: a gray target with known frequencies.
 //!
-//! In each quarter of a square, ½·(1 − cos 2π·periods·s) with s from 0 to 1 along x, from 0 to 1 grey, rounded to the
+//! In each quarter of a square, ½·(1 − cos 2π·periods·s) with s from 0 to 1 along x, from 0 to 1 gray, rounded to the
 //! 2^bits levels k/(2^bits − 1); quarters are `gap_mm` apart. Counter-clockwise from the lower right: 1, 2, 4 and 12 bits,
 //! the order of Li et al. 2023 (BCLP), section 3.4; their period, gaps and orientation are in a figure only. Four times 1
-//! bit are the binary gratings of its supplement S.10. Grey values, not an inside fraction: no volume.
+//! bit are the binary gratings of its supplement S.10. Gray values, not an inside fraction: no volume.
 //!
 //! ```
 //! use tomolith_core::kind::Section;
@@ -12,13 +12,13 @@
 //! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
 //! use tomolith_core::grid::VolumeGrid;
 //! let grid = VolumeGrid { shape: [1, 1, 1], pitch_mm: 0.01, height_mm: 0.01, center_mm: [1.35, -1.35, 0.0] };
-//! assert!(part.is_grey());
+//! assert!(part.is_gray());
 //! // The middle of the lower right grating, 2.3 mm wide: half a period after the last dark line of 5
 //! assert_eq!(part.sample(&grid).unwrap().values[0], 1.0);
 //! ```
 
 use super::waves::wave;
-use super::{Body, BuildForm, Form, GreyForm, corners, positive};
+use super::{Body, BuildForm, Form, GrayForm, corners, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
@@ -27,7 +27,7 @@ use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "gratings",
-    summary: "Four sinusoidal gratings of 1, 2, 4 and 12 bit: a grey target",
+    summary: "Four sinusoidal gratings of 1, 2, 4 and 12 bit: a gray target",
     example: "[target]\nphantom.gratings = { size_mm = 5.0, height_mm = 1.0, periods = 5, gap_mm = 0.4, bits = [1, 2, 4, 12] }",
     schema: || schemars::schema_for!(Params),
     build,
@@ -45,7 +45,7 @@ struct Params {
     periods: u32,
     /// Between two gratings, mm (≥ 0, less than `size_mm`)
     gap_mm: Mm,
-    /// Grey depth of the gratings, counter-clockwise from the lower right (1 to 16)
+    /// Gray depth of the gratings, counter-clockwise from the lower right (1 to 16)
     bits: [u32; 4],
 }
 
@@ -99,7 +99,7 @@ fn build(section: &Section) -> Result<Form> {
         (0.5 * (1.0 - cos) * levels).round() / levels
     };
     Ok(Form {
-        body: Body::Grey(GreyForm {
+        body: Body::Grey(GrayForm {
             value: Box::new(value),
             z: [-half, half],
         }),

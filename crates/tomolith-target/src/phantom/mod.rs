@@ -48,11 +48,11 @@ pub struct Prism {
     pub z: [f64; 2],
 }
 
-/// Grey value at a point of the plane, 0…1.
+/// Gray value at a point of the plane, 0…1.
 pub type Grey = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
-/// Grey values drawn from the height `z[0]` to `z[1]`.
-pub struct GreyForm {
+/// Gray values drawn from the height `z[0]` to `z[1]`.
+pub struct GrayForm {
     /// The values, 0 beyond the form.
     pub value: Grey,
     /// Lower and upper end, mm.
@@ -66,7 +66,7 @@ pub enum Body {
     /// The inside of a surface.
     Solid(Surface),
     /// Values to be reproduced.
-    Grey(GreyForm),
+    Grey(GrayForm),
 }
 
 /// A part by formula, in a frame of its own.
@@ -137,7 +137,7 @@ impl Phantom {
         if matches!(form.body, Body::Grey(_)) && map.rotation[2] != [0.0, 0.0, 1.0] {
             return Err(Error::config(
                 format!("{target}.rotate_deg"),
-                format!("{:?} for grey values drawn along z", placement.rotate_deg),
+                format!("{:?} for gray values drawn along z", placement.rotate_deg),
                 "[0, 0, angle]: a turn about z only",
             ));
         }
@@ -169,7 +169,7 @@ impl Shape for Phantom {
         sampling::inside_fractions(&self.form.body, &self.map, grid, run)
     }
 
-    fn is_grey(&self) -> bool {
+    fn is_gray(&self) -> bool {
         matches!(self.form.body, Body::Grey(_))
     }
 
@@ -250,8 +250,8 @@ mod tests {
         Phantom::build(&Section::new("target.phantom", value), placement, "target").unwrap()
     }
 
-    fn is_grey(name: &str) -> bool {
-        phantom(json!(name), &Placement::default()).is_grey()
+    fn is_gray(name: &str) -> bool {
+        phantom(json!(name), &Placement::default()).is_gray()
     }
 
     fn sampled_volume(shape: &dyn Shape, longest: usize) -> f64 {
@@ -275,13 +275,13 @@ mod tests {
                 "resolution_chart" => (json!({}), [2e-2, 5e-3]),
                 "line_ladder" => (json!({ "narrowest_mm": 0.3 }), [5e-3, 1e-3]),
                 "square_posts" => (json!({ "post_mm": 1.25 }), [2e-2, 5e-3]),
-                // Bars of grey values begin between voxels of the coarse grid
+                // Bars of gray values begin between voxels of the coarse grid
                 "gratings" => (json!({}), [2e-2, 1e-3]),
                 "diamond" => (json!({ "cells": 1 }), [5e-3, 1e-3]),
                 _ => (json!({}), [5e-3, 1e-3]),
             };
             for placement in [Placement::default(), tilted] {
-                if placement == tilted && is_grey(kind.name) {
+                if placement == tilted && is_gray(kind.name) {
                     continue;
                 }
                 let shape = phantom(json!({ kind.name: parameters }), &placement);
@@ -303,7 +303,7 @@ mod tests {
             rotate_deg: [25.0, 40.0, -15.0],
             ..Placement::default()
         };
-        for kind in PHANTOMS.iter().filter(|kind| !is_grey(kind.name)) {
+        for kind in PHANTOMS.iter().filter(|kind| !is_gray(kind.name)) {
             let shape = phantom(json!(kind.name), &placement);
             let [low, high] = shape.bounds_mm();
             let grid = default_grid([low, high], Resolution::Shape([36; 3])).unwrap();
@@ -474,7 +474,7 @@ mod tests {
     }
 
     #[test]
-    fn grey_forms_turn_about_z_only() {
+    fn gray_forms_turn_about_z_only() {
         let section = Section::new("target.phantom", json!("flower"));
         let placement = |rotate_deg| Placement {
             rotate_deg,

@@ -6,7 +6,7 @@
 //! outline times the exact overlap of heights), and a cell of edge c at signed distance d counts clamp(½ − d/c, 0, 1).
 //! Over a wall in any direction the errors of the cells cancel, so that volumes converge with the square of the voxel.
 
-use super::{Body, GreyForm, Prism};
+use super::{Body, GrayForm, Prism};
 use crate::placing::Map;
 use crate::voxels::zeros;
 use rayon::prelude::*;
@@ -30,10 +30,10 @@ const BLOCK: usize = 16;
 /// Cells along the edge of a voxel of an outline.
 const OUTLINE_CELLS: usize = 8;
 
-/// Points along the edge of a pixel of grey values.
-const GREY_CELLS: usize = 4;
+/// Points along the edge of a pixel of gray values.
+const GRAY_CELLS: usize = 4;
 
-/// Inside fraction (or grey value) of every voxel of `grid` for a body placed by `map`.
+/// Inside fraction (or gray value) of every voxel of `grid` for a body placed by `map`.
 ///
 /// # Errors
 /// [`Error::Resources`](tomolith_core::Error::Resources) when the memory cannot be had; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
@@ -53,7 +53,7 @@ pub fn inside_fractions(
                 fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, run))
             }
             Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, run)),
-            Body::Grey(form) => fill_grey(form, map, grid, &mut values),
+            Body::Grey(form) => fill_gray(form, map, grid, &mut values),
         }
     }
     run.check()?;
@@ -64,7 +64,7 @@ pub fn inside_fractions(
 }
 
 impl Body {
-    /// Signed distance to the surface, or less; None for grey values.
+    /// Signed distance to the surface, or less; None for gray values.
     pub(super) fn distance(&self, p: [f64; 3]) -> Option<f64> {
         match self {
             Body::Prisms(prisms) => Some(nearest(prisms, p)),
@@ -126,22 +126,22 @@ fn height_shares(z: [f64; 2], map: &Map, grid: &VolumeGrid) -> Vec<f64> {
         .collect()
 }
 
-/// Grey values: the mean over 4² points of every pixel, times the share of its height.
-fn fill_grey(form: &GreyForm, map: &Map, grid: &VolumeGrid, values: &mut [f32]) {
+/// Gray values: the mean over 4² points of every pixel, times the share of its height.
+fn fill_gray(form: &GrayForm, map: &Map, grid: &VolumeGrid, values: &mut [f32]) {
     let [_, ny, nx] = grid.shape;
-    let cell = grid.pitch_mm / GREY_CELLS as f64;
+    let cell = grid.pitch_mm / GRAY_CELLS as f64;
     let mut layer = vec![0.0f64; nx * ny];
     layer.par_chunks_mut(nx).enumerate().for_each(|(iy, row)| {
         for (ix, value) in row.iter_mut().enumerate() {
-            let offset = |i| sample(i, GREY_CELLS, cell);
-            let sum: f64 = (0..GREY_CELLS * GREY_CELLS)
+            let offset = |i| sample(i, GRAY_CELLS, cell);
+            let sum: f64 = (0..GRAY_CELLS * GRAY_CELLS)
                 .map(|i| {
-                    let x = grid.x(ix) + offset(i % GREY_CELLS);
-                    let p = map.undo([x, grid.y(iy) + offset(i / GREY_CELLS), 0.0]);
+                    let x = grid.x(ix) + offset(i % GRAY_CELLS);
+                    let p = map.undo([x, grid.y(iy) + offset(i / GRAY_CELLS), 0.0]);
                     (form.value)([p[0], p[1]])
                 })
                 .sum();
-            *value = sum / (GREY_CELLS * GREY_CELLS) as f64;
+            *value = sum / (GRAY_CELLS * GRAY_CELLS) as f64;
         }
     });
     values

@@ -1,4 +1,4 @@
-//! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`fit`](super::fit).
+//! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`compatibility`](super::compatibility).
 
 use super::selection::selection_of;
 use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, ResinSpec, VialCommon};
@@ -46,12 +46,12 @@ pub(crate) struct Optics {
     pub(crate) dose_factor: f64,
     /// How far the target may reach into a wall, mm.
     pub(super) wall_tolerance_mm: f64,
-    /// Why light that scatters does not go order by order though it could ([`trial`](super::trial)).
+    /// Why light that scatters does not go order by order though it could ([`model_probe`](super::model_probe)).
     pub(crate) trial_failed: Option<&'static str>,
 }
 
 impl Optics {
-    /// The vial and the lights of a job, as the optimisation sees them.
+    /// The vial and the lights of a job, as the optimization sees them.
     ///
     /// # Errors
     /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
@@ -81,7 +81,7 @@ impl Optics {
         }
         let bath = bath_of(spec, vial.as_ref())?;
         let scattered = spec.resin.scattering_per_mm;
-        let map = spec.resin.map.as_ref();
+        let map = spec.resin.absorption_map.as_ref();
         let map = map.map(|map| map_of(map, scattered, base)).transpose()?;
         let map = map.map(Arc::new);
         let mut lights: Vec<Light> = spec
@@ -303,7 +303,7 @@ fn map_of(map: &MapSpec, scattered: f64, base: &Path) -> Result<AbsorptionMap> {
             let (other, total) = read_levels(&base.join(file))?;
             if other != shape {
                 return Err(Error::Shape {
-                    what: "resin.map.attenuation".into(),
+                    what: "resin.absorption_map.attenuation".into(),
                     expected: shape.to_vec(),
                     found: other.to_vec(),
                 });
@@ -553,7 +553,7 @@ pub(super) mod tests {
         let path = folder.path().join("mu.npy");
         let map = ndarray::array![[0.1f64, 0.2, 0.3], [0.1, 0.1, 0.1]];
         ndarray_npy::write_npy(&path, &map).unwrap();
-        let spec = spec(&["resin.map={ absorption = \"mu.npy\", pitch_mm = 1.0 }"]);
+        let spec = spec(&["resin.absorption_map={ absorption = \"mu.npy\", pitch_mm = 1.0 }"]);
         let optics = Optics::new(&spec, folder.path()).unwrap();
         let values = vec![0.1, 0.2, 0.3, 0.1, 0.1, 0.1];
         let expected = AbsorptionMap::new([1, 2, 3], 1.0, values.clone(), values).unwrap();
@@ -575,7 +575,7 @@ pub(super) mod tests {
         let map = ndarray::array![[0.1f64, 0.25, 0.5]];
         ndarray_npy::write_npy(folder.path().join("mu.npy"), &map).unwrap();
         let spec = spec(&[
-            "resin.map={ absorption = \"mu.npy\", pitch_mm = 1.0 }",
+            "resin.absorption_map={ absorption = \"mu.npy\", pitch_mm = 1.0 }",
             "resin.scattering_per_mm=0.5",
         ]);
         let optics = Optics::new(&spec, folder.path()).unwrap();

@@ -6,7 +6,7 @@ use crate::kind::Section;
 use crate::models::Family;
 use crate::models::rays::solid::Solid;
 use crate::objective::OBJECTIVES;
-use crate::objective::emphasis::Common;
+use crate::objective::voxel_weights::Common;
 use crate::optimize::OPTIMIZERS;
 use crate::target::Shape;
 
@@ -40,7 +40,9 @@ pub(super) fn must_fit(spec: &JobSpec, shape: &dyn Shape, model: Option<&Family>
     let method = (kind.build)(&optimizer)?;
     let whole_voxels = match model.filter(|model| !model.capabilities().has_cells) {
         Some(model) => Some(format!("[model.{}]", model.name())),
-        None if method.needs().target.is_some() => Some(format!("[optimizer.{}]", kind.name)),
+        None if method.requirements().target.is_some() => {
+            Some(format!("[optimizer.{}]", kind.name))
+        }
         None => None,
     };
     let (found, accepted) = if !Solid::has_surface(shape) {

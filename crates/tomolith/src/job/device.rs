@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::spec::{JobSpec, LightSpec, MovieCoding};
 use crate::error::{Error, Result};
 use crate::exposure::{
-    Budget, Exposure, Printer, Quantised, Rotation, frame_rate, movie_name, quantise,
+    Budget, Exposure, Printer, Quantized, Rotation, frame_rate, movie_name, quantize,
 };
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::frames::{FrameSet, Frames, read_frames, write_frames};
@@ -116,25 +116,25 @@ fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
 pub(crate) struct Written {
     /// The light that the frames put into the vial.
     pub(crate) shown: Vec<Patterns>,
-    /// What was wanted: before quantisation and machine.
+    /// What was wanted: before quantization and machine.
     pub(crate) raw: Option<Vec<Patterns>>,
     /// Levels, where they are small or were read; else they are made again when they are needed.
-    frames: Option<Vec<Quantised>>,
+    frames: Option<Vec<Quantized>>,
 }
 
 impl Written {
     /// Raw patterns and what the machine makes of them at its bit depth.
     ///
     /// # Errors
-    /// As [`quantise`] and [`Printer::expose`].
+    /// As [`quantize`] and [`Printer::expose`].
     pub(crate) fn of_raw(raw: Vec<Patterns>, scene: &Scene) -> Result<Self> {
         let bits = scene.spec.evaluate.bit_depth;
         let Some(printers) = &scene.printers else {
-            let frames: Vec<Quantised> = raw
+            let frames: Vec<Quantized> = raw
                 .iter()
-                .map(|raw| quantise(raw, bits))
+                .map(|raw| quantize(raw, bits))
                 .collect::<Result<_>>()?;
-            let shown = frames.iter().map(Quantised::patterns).collect();
+            let shown = frames.iter().map(Quantized::patterns).collect();
             return Ok(Written {
                 shown,
                 raw: Some(raw),
@@ -159,7 +159,7 @@ impl Written {
     ///
     /// # Errors
     /// As [`of_raw`](Self::of_raw).
-    pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantised]>> {
+    pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantized]>> {
         match (&self.frames, &self.raw, &scene.printers) {
             (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
             (None, Some(raw), Some(printers)) => {
@@ -175,7 +175,7 @@ pub(crate) fn exposed(
     printers: &[Printer],
     wanted: &[Patterns],
     bits: u32,
-) -> Result<Vec<Quantised>> {
+) -> Result<Vec<Quantized>> {
     let pairs = printers.iter().zip(wanted);
     pairs
         .map(|(printer, wanted)| printer.expose(wanted, bits))
@@ -201,7 +201,7 @@ pub(crate) fn read(scene: &Scene, given: &Path) -> Result<(Written, Vec<String>)
         };
         frames.push(found);
     }
-    let light = |(i, frames): (usize, &Quantised)| match &scene.printers {
+    let light = |(i, frames): (usize, &Quantized)| match &scene.printers {
         Some(printers) => printers[i].light_of(frames),
         None => Ok(frames.patterns()),
     };
@@ -235,7 +235,7 @@ fn of_patterns(scene: &Scene, shown: Vec<Patterns>, raw: Option<Vec<Patterns>>) 
     let bits = scene.spec.evaluate.bit_depth;
     let frames = shown
         .iter()
-        .map(|patterns| quantise(patterns, bits))
+        .map(|patterns| quantize(patterns, bits))
         .collect::<Result<_>>()?;
     Ok(Written {
         shown,
@@ -295,7 +295,7 @@ fn frames_of(
     i: usize,
     path: &Path,
     notes: &mut Vec<String>,
-) -> Result<Option<Quantised>> {
+) -> Result<Option<Quantized>> {
     let name = names(&scene.spec)[i];
     let grid = match &scene.printers {
         Some(printers) => printers[i].canvas_grid(),
@@ -334,7 +334,7 @@ fn frames_of(
             ));
             1.0
         });
-    Ok(Some(Quantised {
+    Ok(Some(Quantized {
         grid,
         bits,
         full_scale,
@@ -376,10 +376,10 @@ impl<'a> Shown<'a> {
         spec: &'a JobSpec,
         printers: Option<&[Printer]>,
         names: &'a [Option<&'a str>],
-        frames: &[Quantised],
+        frames: &[Quantized],
         gel_dose: Option<f64>,
     ) -> Self {
-        let light = |(i, frames): (usize, &Quantised)| {
+        let light = |(i, frames): (usize, &Quantized)| {
             let printer = printers.map(|printers| &printers[i]);
             let emitted = match printer {
                 Some(printer) => printer.emitted(frames),
@@ -479,7 +479,7 @@ impl<'a> Shown<'a> {
             .spec
             .printer
             .as_ref()
-            .and_then(|printer| printer.sense)
+            .and_then(|printer| printer.rotation)
             .unwrap_or(spec.rotation);
         let degrees: Vec<f64> = grid
             .azimuths

@@ -1,14 +1,14 @@
 //! What a job will cost: memory, disk and time, before any work.
 //!
-//! Memory counts the arrays the method needs. Time is the rates of this machine ([`rates`](super::rates)) times what the job
-//! asks for ([`Work::cost`]). An optimisation that ends before its last iteration takes less.
+//! Memory counts the arrays the method needs. Time is the rates of this machine ([`benchmark`](super::benchmark)) times what the job
+//! asks for ([`Work::cost`]). An optimization that ends before its last iteration takes less.
 
+use super::benchmark::{CallRates, Rates};
 use super::build::Optics;
-use super::rates::{CallRates, Rates};
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
-use crate::models::rays::kept::{self, Walks};
+use crate::models::rays::matrix_cache::{self, CachedEntries};
 use crate::optimize::levels;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -18,7 +18,7 @@ const BYTES_PER_VOXEL: f64 = 21.0;
 const BYTES_PER_FINE_VOXEL: f64 = 12.0;
 /// Voxels that the light of a pixel meets in a plane of voxels.
 const VOXELS_PER_PLANE: f64 = 1.7;
-/// Raw, quantised and as levels.
+/// Raw, quantized and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// Weight, lower and upper end of the band, where they differ from voxel to voxel.
 const BYTES_PER_VOXEL_OF_FIELDS: f64 = 12.0;
@@ -38,7 +38,7 @@ const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
 /// Bytes of print.stl and print.ply per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50
 /// and 22.5 bytes each) where the cube has one voxel's face on each of its six sides.
 const BYTES_PER_FACE_ON_DISK: f64 = 870.0;
-/// Pattern vectors of an optimiser beside its memory of 2m.
+/// Pattern vectors of an optimizer beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
@@ -60,7 +60,7 @@ const PASSES: f64 = 5.0;
 pub(crate) struct Extent {
     /// The job's voxels.
     pub(crate) grid: VolumeGrid,
-    /// The finest voxels of the optimisation.
+    /// The finest voxels of the optimization.
     pub(crate) finest: VolumeGrid,
     /// What its iterations cost, relative to as many on the job's voxels with frames that stand still.
     pub(crate) effort: f64,
@@ -76,19 +76,19 @@ pub(crate) struct Extent {
     pub(crate) columns: usize,
     /// Most rows of a light beside the grid, where the kernel may run along them.
     pub(crate) rows: Option<usize>,
-    /// The optimiser's memory m.
+    /// The optimizer's memory m.
     pub(crate) memory: usize,
     /// Objectives whose weights or bands differ from voxel to voxel.
     pub(crate) fields: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
     pub(crate) canvas: usize,
     /// The walks of its rays that the model keeps where they are few.
-    pub(crate) walks: Option<Walks>,
+    pub(crate) cached_entries: Option<CachedEntries>,
     /// Whether voxels take their own part of scattered light.
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
-    /// Memory of frames at work, MB: in the optimisation, and in the evaluation.
+    /// Memory of frames at work, MB: in the optimization, and in the evaluation.
     pub(crate) working_mb: [f64; 2],
 }
 
@@ -133,7 +133,7 @@ impl Extent {
             memory,
             fields: 0,
             canvas: 0,
-            walks: None,
+            cached_entries: None,
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             working_mb: [0.0; 2],
@@ -143,12 +143,12 @@ impl Extent {
     /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
     fn bytes_of_walks(&self) -> f64 {
         let planes = self.finest.shape.iter().copied().max().unwrap_or(0) as f64;
-        let ways = self.walks.map_or(0.0, |walks| walks.per_pixel);
+        let ways = self.cached_entries.map_or(0.0, |walks| walks.per_pixel);
         let entries = self.active_pixels as f64 * ways * VOXELS_PER_PLANE * planes;
-        let most = kept::MOST as f64;
+        let most = matrix_cache::MOST as f64;
         // It may turn out less than estimated
         if entries <= 2.0 * most {
-            entries.min(most) * kept::BYTES as f64
+            entries.min(most) * matrix_cache::BYTES as f64
         } else {
             0.0
         }
@@ -196,7 +196,7 @@ impl Extent {
         f64::from(u8::from(along_rows)) * self.work(1) * 4.0
     }
 
-    /// Memory of the optimisation, MB: of the voxels, of the pixels, of frames at work.
+    /// Memory of the optimization, MB: of the voxels, of the pixels, of frames at work.
     pub(crate) fn optimisation(&self) -> [f64; 3] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
@@ -226,7 +226,7 @@ impl Extent {
         self.canvas as f64 * BYTES_PER_CANVAS_PIXEL / 1e6
     }
 
-    /// Memory of the optimisation, MB.
+    /// Memory of the optimization, MB.
     pub(crate) fn optimisation_mb(&self) -> u64 {
         whole_mb(self.optimisation())
     }
@@ -282,20 +282,20 @@ pub(crate) struct Work<'a> {
     pub(crate) extent: &'a Extent,
     /// The most iterations there will be.
     pub(crate) iterations: usize,
-    /// Angles at which a frame of the optimisation and of the evaluation is averaged.
+    /// Angles at which a frame of the optimization and of the evaluation is averaged.
     pub(crate) sub_angles: [usize; 2],
-    /// Random paths of the evaluation for each of the optimisation, where light is followed along such.
+    /// Random paths of the evaluation for each of the optimization, where light is followed along such.
     pub(crate) random_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
     pub(crate) levels: bool,
-    /// Limit of the optimisation's time, s.
+    /// Limit of the optimization's time, s.
     pub(crate) wall_s: Option<f64>,
 }
 
 /// How long it will take, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cost {
-    /// The optimisation, when no iteration is saved.
+    /// The optimization, when no iteration is saved.
     pub(crate) optimisation_s: f64,
     /// Everything else: sampling, evaluation, files.
     pub(crate) rest_s: f64,
@@ -369,7 +369,7 @@ fn seconds(rates: &CallRates, frames: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::rates::CallRate;
+    use super::super::benchmark::CallRate;
     use super::*;
 
     fn extent() -> Extent {
@@ -386,7 +386,7 @@ mod tests {
             memory: 10,
             fields: 0,
             canvas: 0,
-            walks: None,
+            cached_entries: None,
             glows: false,
             stacked: 0,
             working_mb: [0.0; 2],
@@ -498,7 +498,7 @@ mod tests {
         );
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
-            walks: Some(Walks::SINGLE),
+            cached_entries: Some(CachedEntries::SINGLE),
             ..extent.clone()
         };
         let walks = keeping.optimisation()[1] - pixels;

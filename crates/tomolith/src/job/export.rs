@@ -1,4 +1,4 @@
-//! A run for another machine: its patterns through another `[printer]`, without a new optimisation.
+//! A run for another machine: its patterns through another `[printer]`, without a new optimization.
 
 use super::build::Optics;
 use super::device::{self, Shown};
@@ -9,7 +9,7 @@ use super::read::Job;
 use super::resources::{memory_budget_mb, require};
 use super::scene::Scene;
 use crate::error::{Error, Result};
-use crate::exposure::{Budget, Calibration, PrinterSpec, Quantised, quantise};
+use crate::exposure::{Budget, Calibration, PrinterSpec, Quantized, quantize};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
@@ -133,11 +133,11 @@ pub fn export(
     let names = device::names(spec);
     let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
-    let frames: Vec<Quantised> = match &printers {
+    let frames: Vec<Quantized> = match &printers {
         Some(printers) => device::exposed(printers, &wanted, bits)?,
         None => wanted
             .iter()
-            .map(|wanted| quantise(wanted, bits))
+            .map(|wanted| quantize(wanted, bits))
             .collect::<Result<_>>()?,
     };
     for text in printers

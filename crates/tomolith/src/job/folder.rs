@@ -16,7 +16,7 @@ pub const TAKEN: &str = "another run is working in it";
 const MARK: &str = "# A Tomolith run folder; this is its job with every default written out.\n";
 /// Published last: they say that the rest is complete.
 const LAST: [&str; 2] = ["report.json", JOB];
-/// What only an optimisation leaves.
+/// What only an optimization leaves.
 const RUN: [&str; 2] = ["history.csv", "checkpoint"];
 const JOB: &str = "job.toml";
 const NEW: &str = ".new";
@@ -87,7 +87,7 @@ impl RunFolder {
         is_finished.then(|| path.join(JOB))
     }
 
-    /// Whether an optimisation has left its outputs here: a simulation would mix with them.
+    /// Whether an optimization has left its outputs here: a simulation would mix with them.
     #[must_use]
     pub fn holds_a_run(path: &Path) -> bool {
         RUN.iter().any(|name| path.join(name).exists())

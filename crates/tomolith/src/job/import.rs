@@ -12,7 +12,7 @@
 //! | `projector` | `[[light]]`, `[start.patterns]` |
 //! | `loss` | `[objective]`, `[[penalties]]` |
 //! | `optimizer`, `n_steps` | `[optimizer]`, `[stop]` |
-//! | `spp`, `transmission_only` | `[model.rays]` or `[model.scatter]` |
+//! | `spp`, `transmission_only` | `[model.rays]` or `[model.monte_carlo]` |
 //!
 //! ```
 //! let theirs = r#"{ "target": { "filename": "part.ply", "size": 4 },
@@ -765,7 +765,7 @@ fn model(root: &mut Keys, scatters: bool, ours: &mut Ours) -> Result<()> {
     } else {
         let what = if scatters { "paths" } else { "rays" };
         ours.notes.push(format!(
-            "spp = {rays} {what} per pixel: the planner chooses the cheapest exact model; say [model.rays] or [model.scatter] for another"
+            "spp = {rays} {what} per pixel: the planner chooses the cheapest exact model; say [model.rays] or [model.monte_carlo] for another"
         ));
     }
     Ok(())

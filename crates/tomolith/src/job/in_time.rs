@@ -6,7 +6,7 @@
 //! **Limits** Walls are those of the vial and of inserts; with `diffusion = "spectral"` they are those of the grid's box. Light that is
 //! shaded takes the family that covers an absorption which changes from place to place, most often rays.
 
-use super::judge::{lit_rows, measure_at};
+use super::evaluate::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
 use super::refinement::Level;
 use super::scene::{Scene, Voxels};

@@ -22,7 +22,7 @@ pub(crate) struct Levelled {
 
 /// Whether a job's patterns are improved on their levels.
 pub(super) fn asked(evaluate: &EvaluateSpec) -> bool {
-    evaluate.bit_depth <= MOST_BITS && evaluate.levels == Levelling::Optimised
+    evaluate.bit_depth <= MOST_BITS && evaluate.levels == Levelling::Optimized
 }
 
 /// Improves patterns on the levels that the job's machine shows; None where the job rounds plainly, or has many levels.

@@ -6,7 +6,7 @@ use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::OpticalScene;
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
-use crate::optics::account::Account;
+use crate::optics::power_balance::PowerBalance;
 
 /// Frames, rows and columns that are looked at.
 const FRAMES: usize = 6;
@@ -35,9 +35,9 @@ pub(super) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<Stri
     let mut warnings = Vec::new();
     for (i, light) in few.iter().enumerate() {
         let frames = light.pixels.frames();
-        let mut account = Account::default();
+        let mut account = PowerBalance::default();
         for frame in 0..frames {
-            account.add(&model.account(i, frame), 1.0 / frames as f64);
+            account.add(&model.balance(i, frame), 1.0 / frames as f64);
         }
         if account.absorbed + account.transmitted == 0.0 {
             return Err(Error::config(
@@ -49,7 +49,7 @@ pub(super) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<Stri
         if account.cut > CUT {
             warnings.push(format!(
                 "light[{i}]: {:.2} % of its power is dropped after too many interfaces or scattering events \
-                 (model.scatter.orders)",
+                 (model.monte_carlo.orders)",
                 100.0 * account.cut
             ));
         }
@@ -83,7 +83,7 @@ fn thinned(light: &Light) -> Light {
 }
 
 /// Where power went that did not reach the resin.
-fn ends(account: &Account) -> String {
+fn ends(account: &PowerBalance) -> String {
     let parts = [
         ("is reflected at the walls", account.reflected),
         (
@@ -151,15 +151,15 @@ mod tests {
         let milk = [
             "resin.attenuation_per_mm=0.4",
             "resin.scattering_per_mm=0.3",
-            "model={ scatter = { orders = 1 } }",
+            "model={ monte_carlo = { orders = 1 } }",
         ];
         let warnings = found(&milk).unwrap();
         assert!(
-            warnings.len() == 1 && warnings[0].contains("model.scatter.orders"),
+            warnings.len() == 1 && warnings[0].contains("model.monte_carlo.orders"),
             "{warnings:?}"
         );
         assert!(
-            found(&[milk[0], milk[1], "model={ scatter = {} }"])
+            found(&[milk[0], milk[1], "model={ monte_carlo = {} }"])
                 .unwrap()
                 .is_empty()
         );

@@ -1,7 +1,7 @@
-//! What limits a print: the headline number from the optimisation's view to the print's, one step after the other.
+//! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
-use super::judge::{Judged, headline};
-use super::optimise::Optimised;
+use super::evaluate::{Evaluated, headline};
+use super::optimize::Optimized;
 use super::scene::{Scene, few_angles};
 use crate::grid::PatternGrid;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
@@ -17,7 +17,7 @@ const WORTH_CHANGING: f64 = 0.001;
 const STILL_FALLING: f64 = 0.01;
 
 /// What the patterns of a run or a simulation lose, and where.
-pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimised>) -> Limits {
+pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optimized>) -> Limits {
     let spec = &scene.spec;
     let kind = headline(judged.evaluation.half_width.is_some());
     let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
@@ -35,13 +35,13 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
         };
     }
     let best = judged.evaluation.curve.iter().map(|[_, iou]| *iou);
-    let converges = |o: &Optimised| {
+    let converges = |o: &Optimized| {
         o.gain_in_the_end()
             .is_some_and(|gain| gain < WORTH_CHANGING)
     };
     let found = Found {
         kind,
-        optimised: judged.optimisation.as_ref().and_then(get),
+        optimized: judged.optimisation.as_ref().and_then(get),
         written: judged.written,
         standing: get(&judged.standing),
         turning: get(&judged.evaluation),
@@ -49,7 +49,7 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
         bits: spec.evaluate.bit_depth,
         has_machine: spec.printer.is_some(),
         arc_deg,
-        is_optimised_turning: finest.is_some_and(|level| level.lights[0].sub_angles > 1),
+        is_optimized_turning: finest.is_some_and(|level| level.lights[0].sub_angles > 1),
         saw_finer: finest.is_some_and(|level| {
             level.grid.pitch_mm < scene.grid.pitch_mm
                 && level.grid.pitch_mm <= judged.evaluation.grid.pitch_mm
@@ -58,15 +58,15 @@ pub(crate) fn limits(scene: &Scene, judged: &Judged, optimised: Option<&Optimise
             || "light.projector".to_owned(),
             |kind| format!("light[0].projector.{kind}.pixel_pitch_mm"),
         ),
-        is_simulated: optimised.is_none(),
+        is_simulated: optimized.is_none(),
         has_few_angles: few_angles(spec).is_some(),
         best: spec.evaluate.threshold.and(best.reduce(f64::max)),
         ends: scene
             .shape
             .upright_mm()
-            .filter(|_| !scene.shape.is_grey() && scene.optics.scene().beyond_slices().is_none())
+            .filter(|_| !scene.shape.is_gray() && scene.optics.scene().beyond_slices().is_none())
             .map(|z| Ends::of(z, &scene.optics.lights[0].pixels)),
-        falling: optimised
+        falling: optimized
             .filter(|o| !converges(o))
             .and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
     };
@@ -143,7 +143,7 @@ impl fmt::Display for Fall {
     }
 }
 
-/// A loss function that was still falling when the optimisation ended.
+/// A loss function that was still falling when the optimization ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Falling {
     fall: Fall,
@@ -166,27 +166,27 @@ impl Falling {
 /// What was measured.
 struct Found {
     kind: &'static MetricKind,
-    /// Patterns as they were optimised, on the optimisation's grid.
-    optimised: Measure,
+    /// Patterns as they were optimized, on the optimization's grid.
+    optimized: Measure,
     /// Patterns as they were written, on the same grid.
     written: Measure,
     /// On the finer grid.
     standing: Measure,
     /// While the vial turns.
     turning: Measure,
-    /// Voxels of the optimisation and of the evaluation.
+    /// Voxels of the optimization and of the evaluation.
     pitches_mm: [f64; 2],
     bits: u32,
     has_machine: bool,
     /// Arc of a frame; None for a list of angles.
     arc_deg: Option<f64>,
-    /// Whether the optimisation counted the turning already.
-    is_optimised_turning: bool,
-    /// Whether the optimiser looked at voxels as fine as the evaluation's: the job's own then limit nothing.
+    /// Whether the optimization counted the turning already.
+    is_optimized_turning: bool,
+    /// Whether the optimizer looked at voxels as fine as the evaluation's: the job's own then limit nothing.
     saw_finer: bool,
     /// The key of the pixels' size.
     pixel_key: String,
-    /// Whether the patterns were given: nothing was optimised.
+    /// Whether the patterns were given: nothing was optimized.
     is_simulated: bool,
     /// Whether light comes from too few sides for any part.
     has_few_angles: bool,
@@ -266,8 +266,8 @@ impl Found {
         if self.saw_finer {
             return None;
         }
-        // An optimisation that counts the turning is compared with a print that turns
-        let to = if self.is_optimised_turning {
+        // An optimization that counts the turning is compared with a print that turns
+        let to = if self.is_optimized_turning {
             self.turning
         } else {
             self.standing
@@ -282,11 +282,11 @@ impl Found {
     }
 
     fn levels(&self) -> Option<Limit> {
-        let loss = self.loss(self.optimised, self.written)?;
+        let loss = self.loss(self.optimized, self.written)?;
         let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
         let found = format!(
             "Written with {bits}{machine} the patterns have {}.",
-            self.change(self.optimised?, self.written?),
+            self.change(self.optimized?, self.written?),
         );
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
     }
@@ -300,7 +300,7 @@ impl Found {
     }
 
     fn turning(&self) -> Option<Limit> {
-        if self.is_optimised_turning {
+        if self.is_optimized_turning {
             return None;
         }
         let loss = self.loss(self.standing, self.turning)?;
@@ -341,7 +341,7 @@ impl Found {
             .then(|| self.limit(Cause::Ends, loss, &self.pixel_key, found, action))
     }
 
-    /// What the patterns leave before they are written: the light's share, or that of an optimisation that was not at its end.
+    /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
     fn what_remains(&self) -> Option<Limit> {
         let perfect = match self.kind.better {
             Better::Lower => 0.0,
@@ -353,9 +353,9 @@ impl Found {
         } else {
             let reach = format!(
                 "Before they are written, the patterns reach {} on the job's own voxels",
-                self.value(self.optimised?)
+                self.value(self.optimized?)
             );
-            (self.optimised, reach)
+            (self.optimized, reach)
         };
         let loss = self.loss(Some(perfect), reached)?;
         // What other causes of the same print take is not the light's
@@ -404,7 +404,7 @@ impl Found {
 
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
-        let seen = match (self.optimised, self.is_simulated) {
+        let seen = match (self.optimized, self.is_simulated) {
             (Some(seen), _) if self.saw_finer => {
                 format!(" (on the job's own, coarser voxels {seen:.3})")
             }
@@ -421,7 +421,7 @@ impl Found {
                 Cause::Turning => "rotation".to_owned(),
                 Cause::Ends => "ends within rows of pixels".to_owned(),
                 Cause::Exposure => "exposure".to_owned(),
-                // What the optimiser saw says it
+                // What the optimizer saw says it
                 Cause::Optics | Cause::Iterations => return None,
             };
             let change = if self.kind.better == Better::Lower {
@@ -433,7 +433,7 @@ impl Found {
             (change != "0").then(|| format!("{name} {change}"))
         };
         let steps: Vec<String> = causes.iter().filter_map(step).collect();
-        // What light leaves of grey values may be left by finer pixels too
+        // What light leaves of gray values may be left by finer pixels too
         let is_certain =
             |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
         let worth = |limit: &&Limit| {
@@ -478,7 +478,7 @@ mod tests {
     fn found() -> Found {
         Found {
             kind: &iou::KIND,
-            optimised: Some(1.0),
+            optimized: Some(1.0),
             written: Some(1.0),
             standing: Some(0.9736),
             turning: Some(0.975),
@@ -486,7 +486,7 @@ mod tests {
             bits: 8,
             has_machine: false,
             arc_deg: Some(2.0),
-            is_optimised_turning: false,
+            is_optimized_turning: false,
             saw_finer: false,
             pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
             is_simulated: false,
@@ -541,7 +541,7 @@ mod tests {
     #[test]
     fn the_losses_of_a_run_add_up_to_what_is_missing() {
         let found = Found {
-            optimised: Some(0.95),
+            optimized: Some(0.95),
             written: Some(0.94),
             ..found()
         };
@@ -593,7 +593,7 @@ mod tests {
         assert_eq!(said(101.0), None);
         assert_eq!(Fall::of(&history(80.0)[..1]), None);
         let limits = Found {
-            optimised: Some(0.9),
+            optimized: Some(0.9),
             written: Some(0.9),
             standing: Some(0.9),
             turning: Some(0.9),
@@ -616,10 +616,10 @@ mod tests {
         let ends = Ends::of([-1.5, 1.5], &rows);
         assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
         let gear = Found {
-            optimised: Some(0.995),
+            optimized: Some(0.995),
             written: Some(0.995),
             turning: Some(0.985),
-            is_optimised_turning: true,
+            is_optimized_turning: true,
             saw_finer: true,
             ends: Some(ends),
             ..found()
@@ -647,7 +647,7 @@ mod tests {
             turning: Some(0.0),
             best: Some(0.98),
             saw_finer: true,
-            is_optimised_turning: true,
+            is_optimized_turning: true,
             ..found()
         };
         assert!(
@@ -660,7 +660,7 @@ mod tests {
         let few = Found {
             turning: Some(0.5),
             saw_finer: true,
-            is_optimised_turning: true,
+            is_optimized_turning: true,
             has_few_angles: true,
             ..found()
         };
@@ -674,7 +674,7 @@ mod tests {
             turning: Some(0.5),
             standing: Some(0.5),
             written: Some(0.5),
-            optimised: Some(0.5),
+            optimized: Some(0.5),
             is_simulated: true,
             ..found()
         };
@@ -687,7 +687,7 @@ mod tests {
 
     #[test]
     fn what_was_not_measured_is_not_said() {
-        // A simulation of patterns optimises nothing
+        // A simulation of patterns optimizes nothing
         let patterns = Found {
             is_simulated: true,
             ..found()
@@ -700,7 +700,7 @@ mod tests {
         // Of frames it is not known what was wanted
         let frames = Found {
             is_simulated: true,
-            optimised: None,
+            optimized: None,
             written: None,
             ..found()
         };
@@ -709,14 +709,14 @@ mod tests {
             frames.limits().sentence,
             "Predicted IoU 0.975: rotation +0.001."
         );
-        // An optimisation that averages its frames over their arcs
+        // An optimization that averages its frames over their arcs
         let turning = Found {
-            is_optimised_turning: true,
+            is_optimized_turning: true,
             ..found()
         };
         assert_eq!(losses(&turning.limits())[0], (Cause::Grid, 0.025));
         let empty = Found {
-            optimised: Some(0.0),
+            optimized: Some(0.0),
             written: None,
             standing: None,
             turning: None,
@@ -726,10 +726,10 @@ mod tests {
     }
 
     #[test]
-    fn the_error_of_a_grey_print_rises_where_an_iou_falls() {
+    fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
         let limits = Found {
             kind: &grey::RMS,
-            optimised: Some(0.126),
+            optimized: Some(0.126),
             written: Some(0.13),
             standing: Some(0.128),
             turning: Some(0.128),

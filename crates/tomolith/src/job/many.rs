@@ -1,6 +1,6 @@
 //! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and the bounds of its pixels.
 
-use super::optimise::Stage;
+use super::optimize::Stage;
 use super::progress::{Progress, Silent};
 use super::read::{Job, with_every_default};
 use super::resolved::ResolvedJob;
@@ -93,14 +93,14 @@ impl Job {
     /// The same job from the patterns of an earlier run, with the bounds that its own start gives it, so that it stays the same problem.
     ///
     /// # Errors
-    /// As [`ResolvedJob::new`]; [`Error::Config`] where the optimisation has no such bounds.
+    /// As [`ResolvedJob::new`]; [`Error::Config`] where the optimization has no such bounds.
     pub fn starting_from(mut self, patterns: &std::path::Path, run: &Run) -> Result<Self> {
         let own = ResolvedJob::new(&self)?;
         let limits = own.limits(run)?;
         let max = limits.iter().map(|limits| limits.max).reduce(f64::max);
         // A method with a scale of its own has no bound, whatever it starts from; another one would take that of the new start
-        let normalises = own.optimizer()?.normalises();
-        if !normalises {
+        let normalizes = own.optimizer()?.normalizes();
+        if !normalizes {
             self.spec.bounds.max = max.map(|max| max.min(MOST_LIGHT));
         }
         let file = std::path::absolute(patterns).map_err(|e| Error::io(patterns, e))?;
@@ -110,8 +110,8 @@ impl Job {
 }
 
 impl ResolvedJob {
-    /// The bounds of each light's pixels in the optimisation. Where the job sets no upper one it is the largest pixel of the start on the first
-    /// voxels that are optimised with the last pixels.
+    /// The bounds of each light's pixels in the optimization. Where the job sets no upper one it is the largest pixel of the start on the first
+    /// voxels that are optimized with the last pixels.
     ///
     /// # Errors
     /// As [`task`](ResolvedJob::task).

@@ -5,45 +5,46 @@
 //! | text → values that know their lines | [`document`] |
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
-//! | typed tables → objects, and whether these fit together | `build`, `fit` |
-//! | every row of every family's table | [`kinds`], [`schema`], [`page`] |
+//! | typed tables → objects, and whether these fit together | `build`, `compatibility` |
+//! | every row of every family's table | [`kinds`], [`schema`], [`reference_page`] |
 //! | a job as objects, for other programs | [`resolved`] |
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
 //! | what many runs ask of a job | `many` |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
-mod agreement;
+mod benchmark;
 mod build;
 mod cells;
 mod clip;
-mod coarse;
+mod compatibility;
+mod cross_check;
 mod device;
 pub mod document;
 mod doubts;
 mod estimate;
+mod evaluate;
 pub mod export;
-mod fit;
 pub mod folder;
 pub mod import;
 mod in_time;
-mod judge;
 pub mod kinds;
 mod levels;
 mod light;
 mod limits;
 mod many;
-mod named;
+mod model_probe;
+mod multiresolution;
 mod noise;
-mod optimise;
+mod optimize;
 pub mod outcome;
-pub mod page;
 pub mod progress;
 mod property;
-mod rates;
 pub mod read;
+pub mod reference_page;
 mod refinement;
 mod replace;
+mod resolve;
 pub mod resolved;
 pub mod resources;
 mod resume;
@@ -54,7 +55,6 @@ pub mod spec;
 mod species;
 mod stages;
 pub mod trace;
-mod trial;
 pub mod validate;
 mod write;
 
@@ -182,7 +182,7 @@ folder = "out/part"
                 let path = match name.as_str() {
                     "LightSpec" => format!("light.{key}"),
                     "BathSpec" => format!("bath.{key}"),
-                    "MapSpec" => format!("resin.map.{key}"),
+                    "MapSpec" => format!("resin.absorption_map.{key}"),
                     "ObstacleSpec" => format!("obstacles.{key}"),
                     _ => continue, // kinds have examples of their own
                 };
@@ -194,7 +194,7 @@ folder = "out/part"
     }
 
     #[test]
-    fn slips_are_named_with_key_line_and_neighbour() {
+    fn slips_are_named_with_key_line_and_neighbor() {
         for (from, to, mark, expected) in [
             (
                 "iterations = 40",
@@ -218,13 +218,13 @@ folder = "out/part"
                 "\"s\"",
                 "\"q\"",
                 "\"q\"",
-                ["light[0].polarisation", "unpolarised, s, p"],
+                ["light[0].polarisation", "unpolarized, s, p"],
             ),
             (
                 "0.95",
-                "0.95\n[coarse]\nlevles = 3",
+                "0.95\n[multiresolution]\nlevles = 3",
                 "levles",
-                ["coarse.levles", "did you mean `levels`?"],
+                ["multiresolution.levles", "did you mean `levels`?"],
             ),
             (
                 "iterations = 40",

@@ -1,10 +1,10 @@
 //! Noise that Monte Carlo paths leave in the dose of a resin that scatters.
 //!
-//! Patterns that were optimised on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
+//! Patterns that were optimized on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
 //! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
 //! difference of two such sets of paths, over √2, per voxel.
 
-use super::judge::{Room, dose_by, print};
+use super::evaluate::{Workspace, dose_by, print};
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::grid::{Patterns, Volume};
@@ -14,18 +14,18 @@ use crate::target::label;
 use serde::Serialize;
 use std::fmt;
 
-/// A dose by Monte Carlo paths, on the optimisation's voxels, standing still.
+/// A dose by Monte Carlo paths, on the optimization's voxels, standing still.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct Noise {
-    /// Paths of a pixel in a frame: in the optimisation, and in the judgement.
+    /// Paths of a pixel in a frame: in the optimization, and in the judgement.
     pub(crate) training_paths: usize,
     /// See `training_paths`.
     pub(crate) judging_paths: usize,
-    /// IoU on the paths of the optimisation.
+    /// IoU on the paths of the optimization.
     pub(crate) training_iou: Measure,
     /// IoU on independent paths.
     pub(crate) independent_iou: Measure,
-    /// Process window on the paths of the optimisation.
+    /// Process window on the paths of the optimization.
     pub(crate) training_pw: Measure,
     /// Process window on independent paths.
     pub(crate) independent_pw: Measure,
@@ -59,8 +59,16 @@ impl Noise {
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
             let lights = scene.optics.lights_turning(1);
-            let (model, room) = ((Some(family), purpose), &mut Room::default());
-            let (dose, ..) = dose_by(model, scene, lights, &scene.grid, patterns, room, cancel)?;
+            let (model, workspace) = ((Some(family), purpose), &mut Workspace::default());
+            let (dose, ..) = dose_by(
+                model,
+                scene,
+                lights,
+                &scene.grid,
+                patterns,
+                workspace,
+                cancel,
+            )?;
             scene.responses(dose)
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
@@ -101,7 +109,7 @@ impl Noise {
         (training - independent > WORTH_SAYING).then(|| {
             format!(
                 "the patterns are fitted to the noise of their {} paths a pixel: IoU {training:.4} on these paths, {independent:.4} on independent ones; \
-                 raise model.scatter.paths_per_pixel, or use more frames",
+                 raise model.monte_carlo.paths_per_pixel, or use more frames",
                 self.training_paths
             )
         })
@@ -119,7 +127,7 @@ impl Noise {
             };
             format!(
                 "Monte Carlo paths leave a noise of {:.1} % of the part's mean response in a voxel: IoU, PW and thresholds of this report are \
-                 blurred by it; raise model.scatter.paths_per_pixel (now {}; {advice})",
+                 blurred by it; raise model.monte_carlo.paths_per_pixel (now {}; {advice})",
                 100.0 * noise, self.training_paths
             )
         })

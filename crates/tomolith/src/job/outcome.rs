@@ -21,12 +21,12 @@ pub struct Quality {
     pub pw: Measure,
     /// The threshold.
     pub threshold: Measure,
-    /// How well grey values are reproduced; None for a target of part and void.
+    /// How well gray values are reproduced; None for a target of part and void.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grey: Option<Grey>,
 }
 
-/// The headline numbers of a grey print, in units of the response.
+/// The headline numbers of a gray print, in units of the response.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Grey {
     /// Half width of the band.
@@ -35,7 +35,7 @@ pub struct Grey {
     pub in_band: Measure,
     /// Root of the mean square error.
     pub rms_error: Measure,
-    /// Largest error where a grey value of at least ½ was asked for.
+    /// Largest error where a gray value of at least ½ was asked for.
     pub max_error_part: Measure,
     /// Largest error where less was asked for.
     pub max_error_void: Measure,
@@ -115,7 +115,7 @@ pub struct Summary {
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
     pub standing: Quality,
-    /// The unquantised patterns on the optimisation grid; None for a simulation of patterns that are quantised only.
+    /// The unquantized patterns on the optimization grid; None for a simulation of patterns that are quantized only.
     pub optimisation: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
     pub exposure: Option<ExposureWindow>,
@@ -252,7 +252,7 @@ pub struct Plan {
     pub seconds: f64,
     /// The most iterations there will be.
     pub iterations: usize,
-    /// Part of the time that is the optimisation's, s; less when it ends early.
+    /// Part of the time that is the optimization's, s; less when it ends early.
     pub optimisation_s: f64,
     /// Measured updates per second.
     pub updates_per_s: f64,
@@ -319,7 +319,7 @@ pub(crate) fn earlier(kept: Kept, iterations: usize) -> String {
     format!("iteration {iteration} of {iterations} ({why})")
 }
 
-/// Why an optimisation ended, in words.
+/// Why an optimization ended, in words.
 fn words(reason: StopReason) -> &'static str {
     match reason {
         StopReason::Iterations => "as many as were asked for",

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "snake_case")]
 pub enum Event {
-    /// A stage of the run begins: reading the target, optimising, evaluating, …
+    /// A stage of the run begins: reading the target, optimizing, evaluating, …
     Stage {
         /// Its name, for people.
         name: String,
@@ -27,7 +27,7 @@ pub enum Event {
         /// One sentence.
         text: String,
     },
-    /// An iteration of the optimiser has ended.
+    /// An iteration of the optimizer has ended.
     Iteration {
         /// Counted from 1; 0 is the start.
         iteration: usize,
@@ -37,7 +37,7 @@ pub enum Event {
         loss: f64,
         /// Norm of the projected gradient, relative to the first; none at the start.
         projected_gradient: Option<f64>,
-        /// Seconds since the optimisation began.
+        /// Seconds since the optimization began.
         elapsed_s: f64,
         /// Voxel-angle updates per second of model time.
         updates_per_s: f64,
@@ -122,7 +122,7 @@ struct Gauge {
     begin: Instant,
     /// What was told last, 0 before anything was.
     done: f64,
-    /// An optimisation tells its iterations instead.
+    /// An optimization tells its iterations instead.
     iterates: bool,
 }
 

@@ -8,8 +8,8 @@
 //! R is any response: a table or a logistic that was fitted to measured pairs (`tomolith calibrate`). Stiffness spans decades, so its
 //! logistic is one of log₁₀ (Wang et al. 2022, Supplementary Table 2).
 
-use super::judge::Judged;
-use super::named::response;
+use super::evaluate::Evaluated;
+use super::resolve::response;
 use super::scene::Scene;
 use super::spec::{JobSpec, PropertySpec};
 use crate::error::{Error, Result};
@@ -62,7 +62,7 @@ fn map_of(
 ///
 /// # Errors
 /// As [`must_fit`].
-pub(super) fn properties(scene: &Scene, judged: &Judged) -> Result<Vec<Property>> {
+pub(super) fn properties(scene: &Scene, judged: &Evaluated) -> Result<Vec<Property>> {
     if scene.spec.property.is_empty() {
         return Ok(Vec::new());
     }

@@ -132,7 +132,7 @@ impl Job {
         for mask in spec.light.iter_mut().flat_map(|l| &mut l.selection.mask) {
             *mask = absolute(&base.join(&*mask));
         }
-        if let Some(map) = &mut spec.resin.map {
+        if let Some(map) = &mut spec.resin.absorption_map {
             for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
                 *file = absolute(&self.base().join(&*file));
             }

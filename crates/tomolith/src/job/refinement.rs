@@ -1,4 +1,4 @@
-//! The voxels and pixels on which patterns are optimised, from coarse to fine.
+//! The voxels and pixels on which patterns are optimized, from coarse to fine.
 //!
 //! **Voxels finer than pixels.** A print has details that a voxel as large as a pixel does not see, so an objective that weighs a voxel by the
 //! share that is part (`surface = "fraction"`, the default) is asked on voxels of a quarter of a pixel, as far as [`BUDGET`] allows. Along z
@@ -16,14 +16,14 @@
 
 use super::build::Optics;
 use super::cells;
-use super::coarse::{coarser_grid, coarser_lights, is_large_enough};
-use super::named::optimizer;
+use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
+use super::resolve::optimizer;
 use super::spec::{Against, JobSpec};
 use crate::error::Result;
 use crate::grid::VolumeGrid;
 use crate::models::parallel::Light;
 use crate::models::{ModelFamily, Refines};
-use crate::objective::emphasis::Common;
+use crate::objective::voxel_weights::Common;
 use crate::objective::{OBJECTIVES, threshold};
 use crate::report::number::significant;
 
@@ -103,7 +103,7 @@ pub(super) fn levels(
 ) -> Result<Vec<Level>> {
     let lights = &optics.lights;
     let iterations = spec.stop.iterations;
-    if let Some(coarse) = &spec.coarse {
+    if let Some(coarse) = &spec.multiresolution {
         let mut levels: Vec<Level> = (1..=coarse.levels)
             .rev()
             .filter(|level| is_large_enough(optics, grid, 1 << level))
@@ -161,7 +161,7 @@ pub(super) const LEAST_REFINE: usize = 2;
 /// Voxels of an evaluation that is made finer than that.
 const JUDGED: usize = 30_000_000;
 
-/// How many times finer than the job's the voxels of the evaluation are: no coarser than the optimisation's, as far as they are not too many.
+/// How many times finer than the job's the voxels of the evaluation are: no coarser than the optimization's, as far as they are not too many.
 pub(super) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
     let finest = levels
         .last()
@@ -299,13 +299,13 @@ fn fit_angles(
     (1..=wanted).rev().find(|&n| fits(n)).unwrap_or(1)
 }
 
-/// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimises
+/// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimizes
 /// them: one that compares doses with the target itself knows part and void alone.
 ///
 /// # Errors
 /// [`Error::Config`](crate::Error::Config) for an objective that is none.
 pub(super) fn sees_fractions(spec: &JobSpec) -> Result<bool> {
-    if optimizer(spec)?.needs().target.is_some() {
+    if optimizer(spec)?.requirements().target.is_some() {
         return Ok(false);
     }
     for section in spec.objectives()? {

@@ -1,7 +1,7 @@
 //! A job as objects: model, objective, start and evaluation, for programs with a loop of their own.
 //!
 //! A [`Job`] says what is wanted; a [`ResolvedJob`] has read its files, built its shape, vial, lights and grid, and refused what does not fit
-//! together. Its [`Task`] is what an optimiser needs, on the finest voxels of the optimisation; what patterns print is
+//! together. Its [`Task`] is what an optimizer needs, on the finest voxels of the optimization; what patterns print is
 //! [`evaluate`](ResolvedJob::evaluate)d as `tomolith run` does it: written with the job's bits, the vial turning, on finer voxels.
 //!
 //! ```
@@ -44,8 +44,8 @@
 //! ```
 
 use super::device::Written;
-use super::judge::judge;
-use super::optimise::Stage;
+use super::evaluate::evaluate_patterns;
+use super::optimize::Stage;
 use super::progress::Silent;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -67,9 +67,9 @@ pub struct ResolvedJob {
     pub(super) voxels: Voxels,
 }
 
-/// What an optimiser needs.
+/// What an optimizer needs.
 pub struct Task {
-    /// F, on the finest voxels of the optimisation.
+    /// F, on the finest voxels of the optimization.
     pub model: Box<dyn DoseModel<Field = HostField>>,
     /// L, of that dose.
     pub objective: Sum<HostField>,
@@ -97,7 +97,7 @@ impl ResolvedJob {
         Ok(ResolvedJob { scene, voxels })
     }
 
-    /// The job's voxels; those of the optimisation and the evaluation are finer.
+    /// The job's voxels; those of the optimization and the evaluation are finer.
     #[must_use]
     pub fn grid(&self) -> &VolumeGrid {
         &self.scene.grid
@@ -182,7 +182,7 @@ impl ResolvedJob {
         }
         let written = Written::of_raw(patterns.to_vec(), &self.scene)?;
         let shown = &written.shown;
-        let judged = judge(&self.scene, &self.voxels, shown, None, &mut Silent, run)?;
+        let judged = evaluate_patterns(&self.scene, &self.voxels, shown, None, &mut Silent, run)?;
         Ok(judged.evaluation)
     }
 }

@@ -101,7 +101,7 @@ mod tests {
         require("grid", "memory", 10, None, "").unwrap();
         let message = require(
             "grid.pitch_mm",
-            "memory for the optimisation",
+            "memory for the optimization",
             11,
             Some(10),
             "a larger pitch",
@@ -110,7 +110,7 @@ mod tests {
         .to_string();
         assert_eq!(
             message,
-            "grid.pitch_mm: memory for the optimisation: 11 MB needed, 10 MB available; accepted: a larger pitch"
+            "grid.pitch_mm: memory for the optimization: 11 MB needed, 10 MB available; accepted: a larger pitch"
         );
     }
 }

@@ -1,19 +1,19 @@
 //! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
 
 use super::build::Optics;
+use super::compatibility::wall_tolerance_mm;
 use super::device;
 use super::estimate::{self, Extent};
-use super::fit::wall_tolerance_mm;
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
-use super::named::{
-    asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
-};
 use super::read::Job;
 use super::refinement::{self, Level};
+use super::resolve::{
+    asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
+};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, clip, coarse, in_time, light, property, species};
+use super::{cells, clip, in_time, light, multiresolution, property, species};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -22,10 +22,10 @@ use crate::io::npy::read_patterns;
 use crate::kind::Section;
 use crate::models::{DoseLayout, PatternLayout, Run};
 use crate::models::{OpticalScene, Purpose, planner};
-use crate::objective::emphasis::Common;
 use crate::objective::penalty::Penalties;
+use crate::objective::voxel_weights::Common;
 use crate::objective::{ObjectiveInput, Sum};
-use crate::optimize::start::{STARTS, Start};
+use crate::optimize::start::{InitialPatterns, STARTS};
 use crate::optimize::{Keep, Optimizer};
 use crate::report;
 use crate::response::{Response, dose_for};
@@ -44,7 +44,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// A job that can be run.
 pub(crate) struct Scene {
-    /// The tables; the optimiser's memory may have been lowered.
+    /// The tables; the optimizer's memory may have been lowered.
     pub(crate) spec: JobSpec,
     /// The folder that files of the tables begin in.
     pub(crate) base: PathBuf,
@@ -54,7 +54,7 @@ pub(crate) struct Scene {
     pub(crate) shape: Arc<dyn Shape>,
     /// Whether its objectives see which share of a voxel is part.
     pub(crate) sees_fractions: bool,
-    /// Whether its surface cuts voxels of the optimisation into cells.
+    /// Whether its surface cuts voxels of the optimization into cells.
     pub(crate) has_cells: bool,
     /// Vial and lights.
     pub(crate) optics: Optics,
@@ -62,7 +62,7 @@ pub(crate) struct Scene {
     pub(crate) printers: Option<Vec<Printer>>,
     /// The job's voxels.
     pub(crate) grid: VolumeGrid,
-    /// Voxels of the optimisation, from coarse to fine.
+    /// Voxels of the optimization, from coarse to fine.
     pub(crate) levels: Vec<Level>,
     /// How large it all is.
     pub(crate) extent: Extent,
@@ -128,11 +128,11 @@ impl Scene {
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
         let has_cells = cells::key(&spec)?.is_some();
-        try_kinds(&spec, optics.model.as_ref(), shape.is_grey(), &job.base())
+        try_kinds(&spec, optics.model.as_ref(), shape.is_gray(), &job.base())
             .map_err(known_elsewhere)?;
         cells::must_fit(&spec, shape.as_ref(), optics.model.as_ref())?;
         property::must_fit(&spec, &job.base())?;
-        counted_as(&spec, shape.is_grey())?;
+        counted_as(&spec, shape.is_gray())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
         let placed = match on {
             Some(grid) => Ok((grid.clone(), 0.0)),
@@ -167,7 +167,7 @@ impl Scene {
                 .check_files(&grid, &job.base())
                 .map_err(|e| e.under(&path))?;
         }
-        let lit = optimising(&optics, &shape, has_cells);
+        let lit = optimizing(&optics, &shape, has_cells);
         let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
         let of = (&optics, family.as_ref());
         let levels = refinement::levels(&spec, of, &grid, shape.bounds_mm())?;
@@ -179,9 +179,12 @@ impl Scene {
         let finest = levels[levels.len() - 1].grid.clone();
         let extent = Extent {
             effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
-            walks: family.cost(&lit, &finest).ok().and_then(|cost| cost.walks),
+            cached_entries: family
+                .cost(&lit, &finest)
+                .ok()
+                .and_then(|cost| cost.cached_entries),
             finest,
-            fields: with_fields(&spec, shape.is_grey())?
+            fields: with_fields(&spec, shape.is_gray())?
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
@@ -222,7 +225,7 @@ impl Scene {
         };
         let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
         scene.warnings.extend(notes.cloned());
-        scene.warnings.extend(coarse::left_out(&scene));
+        scene.warnings.extend(multiresolution::left_out(&scene));
         scene.bound_by_time()?;
         if scene.spec.resin.pure_radon
             && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
@@ -243,7 +246,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Notes on which voxels the patterns will be optimised.
+    /// Notes on which voxels the patterns will be optimized.
     pub(crate) fn note_levels(&mut self) {
         self.notes
             .extend(refinement::note(&self.levels, &self.grid));
@@ -273,7 +276,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Lowers the optimiser's memory and the refinement of the evaluation until both fit, and says so.
+    /// Lowers the optimizer's memory and the refinement of the evaluation until both fit, and says so.
     fn fit_memory(&mut self) -> Result<()> {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
         let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
@@ -304,7 +307,7 @@ impl Scene {
             ));
         }
         for (what, parts) in [
-            ("memory for the optimisation", self.extent.optimisation()),
+            ("memory for the optimization", self.extent.optimisation()),
             ("memory for the evaluation", self.extent.evaluation()),
         ] {
             let [voxels_mb, pixels_mb, frames_mb] = parts;
@@ -349,15 +352,15 @@ impl Scene {
         self.grid.refined(self.extent.refine)
     }
 
-    /// What light passes in the optimisation, and the surface where an objective has cells.
-    pub(crate) fn optimising(&self) -> OpticalScene<'_> {
-        optimising(&self.optics, &self.shape, self.has_cells)
+    /// What light passes in the optimization, and the surface where an objective has cells.
+    pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
+        optimizing(&self.optics, &self.shape, self.has_cells)
     }
 
     /// The target on a grid.
     ///
     /// # Errors
-    /// As [`target::voxelise`].
+    /// As [`target::voxelize`].
     pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
         self.voxels_under(grid, &Run::new())
     }
@@ -368,7 +371,7 @@ impl Scene {
     /// As [`voxels`](Self::voxels); [`Error::Cancelled`].
     pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
         let shape = self.shape.as_ref();
-        let target = target::voxelise_under(shape, &self.name, grid, &run.part(0.9))
+        let target = target::voxelize_under(shape, &self.name, grid, &run.part(0.9))
             .map_err(|e| at_grid(&self.spec, e))?;
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {
@@ -395,7 +398,7 @@ impl Scene {
         })
     }
 
-    /// Refuses a start that asks for doses which the material does not have, once the values of a grey target are known.
+    /// Refuses a start that asks for doses which the material does not have, once the values of a gray target are known.
     ///
     /// # Errors
     /// [`Error::Config`].
@@ -419,7 +422,7 @@ impl Scene {
     /// Share of each voxel that no light may pass, when the target has such bodies.
     ///
     /// # Errors
-    /// As [`target::voxelise`].
+    /// As [`target::voxelize`].
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.shape.body(Role::KeepDark);
         dark.map(|dark| target::sampled(dark, grid, &Run::new()))
@@ -429,7 +432,7 @@ impl Scene {
     /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.
     ///
     /// # Errors
-    /// As [`target::voxelise`].
+    /// As [`target::voxelize`].
     pub(crate) fn bodies(
         &self,
         grid: &VolumeGrid,
@@ -496,7 +499,7 @@ impl Scene {
         penalties(&self.spec, lights)
     }
 
-    /// The optimiser.
+    /// The optimizer.
     ///
     /// # Errors
     /// [`Error::Config`].
@@ -504,11 +507,11 @@ impl Scene {
         optimizer(&self.spec)
     }
 
-    /// Where the optimiser begins.
+    /// Where the optimizer begins.
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub(crate) fn start(&self) -> Result<Box<dyn Start>> {
+    pub(crate) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
         start(&self.spec)
     }
 
@@ -811,7 +814,7 @@ fn chosen(spec: &JobSpec) -> Vec<String> {
 /// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.
 ///
 /// Slices as high as the rows, but half a row beside them, see the mean of two rows: patterns whose rows alternate between
-/// bright and dark would look even to the optimisation, and nothing would damp them. On a gear with
+/// bright and dark would look even to the optimization, and nothing would damp them. On a gear with
 /// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
 /// target (`[low, high]` along z, mm) stays where it is.
 fn on_rows(grid: VolumeGrid, rows: &PatternGrid, target: [f64; 2]) -> VolumeGrid {
@@ -898,8 +901,8 @@ fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
     Ok(others.collect())
 }
 
-/// What light passes in an optimisation for a shape.
-fn optimising<'a>(
+/// What light passes in an optimization for a shape.
+fn optimizing<'a>(
     optics: &'a Optics,
     shape: &'a Arc<dyn Shape>,
     has_cells: bool,

@@ -8,7 +8,7 @@
 use super::kinds::{Family, families};
 use super::spec::{JobSpec, VialCommon};
 use crate::kind::KindPage;
-use crate::objective::emphasis::Common;
+use crate::objective::voxel_weights::Common;
 use serde_json::{Map, Value, json};
 
 /// The schema of a job file.

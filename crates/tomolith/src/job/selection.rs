@@ -36,7 +36,7 @@ pub(super) fn selection_of(
     }
     let selection = Selection {
         masks: masks.into_iter().map(Arc::new).collect(),
-        least_contribution: spec.least_contribution,
+        min_contribution: spec.min_contribution,
     };
     let [low, high] = selection.field_mm(pixels);
     if low[0] >= high[0] || low[1] >= high[1] {

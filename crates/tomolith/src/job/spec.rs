@@ -88,11 +88,11 @@ pub struct JobSpec {
     pub start: Value,
     /// Coarser levels that the optimization starts on; none when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub coarse: Option<CoarseSpec>,
+    pub multiresolution: Option<MultiresolutionSpec>,
     /// Limits of the pattern values.
     #[serde(default)]
     pub bounds: BoundsSpec,
-    /// When the optimisation ends.
+    /// When the optimization ends.
     #[serde(default)]
     pub stop: StopSpec,
     /// Checkpoints, from which an interrupted run continues.
@@ -193,7 +193,7 @@ pub struct ResinSpec {
     pub gradient: Option<gradient::Params>,
     /// Absorption that changes from place to place.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub map: Option<MapSpec>,
+    pub absorption_map: Option<MapSpec>,
     /// Napierian scattering, 1/mm; a part of the total attenuation.
     pub scattering_per_mm: f64,
     /// Phase function of the scattering, `[resin.phase.KIND]`.
@@ -218,8 +218,8 @@ pub enum DoseConvention {
     Drtvam,
 }
 
-/// Absorption per cell, centred on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of any number type, 1/mm:
-/// 2D [y, x], the same at all heights, or 3D [z, y, x], centred on z = 0; row 0 = most negative y, level 0 = lowest.
+/// Absorption per cell, centered on the axis; beyond the cells the resin has its plain numbers. Files are `.npy` of any number type, 1/mm:
+/// 2D [y, x], the same at all heights, or 3D [z, y, x], centered on z = 0; row 0 = most negative y, level 0 = lowest.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapSpec {
@@ -299,7 +299,7 @@ pub struct LightSpec {
     /// Sense in which the VIAL turns, seen from above.
     #[serde(default)]
     pub rotation: Rotation,
-    /// Polarisation before the vial: "s" has its electric field in the plane of ray and vial axis (along the axis where the ray is
+    /// Polarization before the vial: "s" has its electric field in the plane of ray and vial axis (along the axis where the ray is
     /// level), "p" normal to both; they tilt with the axis.
     #[serde(default)]
     pub polarisation: Polarisation,
@@ -498,7 +498,7 @@ pub struct SelectionSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<Mm>,
     /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
-    pub least_contribution: f64,
+    pub min_contribution: f64,
 }
 
 impl SelectionSpec {
@@ -574,7 +574,7 @@ pub struct ObstacleSpec {
     /// What it does to light: "black", "mirror", or { dielectric = { refractive_index = 1.5 } }.
     #[serde(default)]
     pub material: Material,
-    /// Millimetres per unit of the file.
+    /// Millimeters per unit of the file.
     #[serde(default = "unity")]
     pub scale: f64,
     /// Position of the file's origin [x, y, z].
@@ -601,16 +601,16 @@ pub enum Angles {
 /// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
-pub struct CoarseSpec {
+pub struct MultiresolutionSpec {
     /// Number of coarser levels, 1 to 6.
     pub levels: usize,
     /// Iterations on each of them.
     pub iterations: usize,
 }
 
-impl Default for CoarseSpec {
+impl Default for MultiresolutionSpec {
     fn default() -> Self {
-        CoarseSpec {
+        MultiresolutionSpec {
             levels: 1,
             iterations: 20,
         }
@@ -631,11 +631,11 @@ pub struct BoundsSpec {
     pub bits: Option<u32>,
 }
 
-/// When the optimisation ends: at the first of these.
+/// When the optimization ends: at the first of these.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StopSpec {
-    /// Iterations of the optimiser.
+    /// Iterations of the optimizer.
     pub iterations: usize,
     /// Norm of the projected gradient, relative to that of the start, at which it ends.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -690,7 +690,8 @@ pub struct EvaluateSpec {
 pub enum Levelling {
     /// They are improved on them.
     #[default]
-    Optimised,
+    #[serde(rename = "optimised")]
+    Optimized,
     /// Each pixel takes the nearest.
     Rounded,
 }
@@ -772,7 +773,7 @@ impl Default for ResinSpec {
             absorption_per_mm: None,
             attenuation_per_mm: None,
             gradient: None,
-            map: None,
+            absorption_map: None,
             scattering_per_mm: 0.0,
             phase: kind("rayleigh"),
             pure_radon: false,
@@ -800,7 +801,7 @@ impl Default for EvaluateSpec {
     fn default() -> Self {
         EvaluateSpec {
             bit_depth: 8,
-            levels: Levelling::Optimised,
+            levels: Levelling::Optimized,
             sub_angles: 4,
             refine: None,
             threshold: None,
@@ -1073,11 +1074,11 @@ const REQUIRED: [(&str, &str); 13] = [
         "where the bath ends, for example radius_mm = 20.0",
     ),
     (
-        "resin.map.absorption",
+        "resin.absorption_map.absorption",
         "a file, for example absorption = \"absorption.npy\"",
     ),
     (
-        "resin.map.pitch_mm",
+        "resin.absorption_map.pitch_mm",
         "the edge of a cell, for example pitch_mm = 0.1",
     ),
     ("obstacles.mesh", "a file, for example mesh = \"rod.stl\""),

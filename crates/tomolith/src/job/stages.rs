@@ -1,22 +1,22 @@
 //! The stages of a run: target → voxels → patterns → judgement → files.
 
+use super::benchmark;
 use super::device::{self, Written};
 use super::estimate::Work;
+use super::evaluate::evaluate_patterns;
 use super::folder::RunFolder;
 use super::in_time::InTime;
-use super::judge::judge;
 use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
-use super::optimise::{Optimised, optimise};
+use super::model_probe::try_orders;
+use super::optimize::{Optimized, optimize};
 use super::outcome::{Grey, Plan, Quality, Summary};
 use super::progress::{Event, Progress, watched};
-use super::rates;
 use super::read::Job;
 use super::replace::must_be_same;
 use super::resume::keep;
 use super::scene::{Scene, Voxels};
-use super::trial::try_orders;
 use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
 use crate::metrics::Evaluation;
@@ -29,7 +29,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// The stage whose parts are told apart.
-const OPTIMISING: &str = "optimising";
+const OPTIMIZING: &str = "optimising";
 
 /// Runs a job from end to end; outputs appear in its run folder.
 ///
@@ -75,25 +75,25 @@ pub(super) fn run_stages(
     let (voxels, mut warnings) = voxels(job, &scene, clock.progress, &stage)?;
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
     try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
-    let stage = clock.stage(OPTIMISING);
-    let optimised = optimise(&scene, &voxels, &folder, resume, clock.progress, &stage)
+    let stage = clock.stage(OPTIMIZING);
+    let optimized = optimize(&scene, &voxels, &folder, resume, clock.progress, &stage)
         .map_err(|e| job.locate(e))?;
-    warnings.extend(optimised.warnings.clone());
+    warnings.extend(optimized.warnings.clone());
     let stage = clock.stage("evaluating the written patterns");
-    let levels = optimised.levels.as_ref();
-    let asked = levels.map_or(&optimised.raw, |levels| &levels.asked);
+    let levels = optimized.levels.as_ref();
+    let asked = levels.map_or(&optimized.raw, |levels| &levels.asked);
     let patterns = Written::of_raw(asked.clone(), &scene)?;
-    let judged = judge(
+    let judged = evaluate_patterns(
         &scene,
         &voxels,
         &patterns.shown,
-        Some(&optimised.raw),
+        Some(&optimized.raw),
         clock.progress,
         &stage,
     );
     if judged.is_err() {
         // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
-        keep(&scene, &optimised.raw, &folder.checkpoint(), clock.progress)?;
+        keep(&scene, &optimized.raw, &folder.checkpoint(), clock.progress)?;
     }
     let judged = judged?;
     let done = Done {
@@ -102,7 +102,7 @@ pub(super) fn run_stages(
         voxels,
         patterns,
         judged,
-        optimised: Some(optimised),
+        optimized: Some(optimized),
         source: None,
         leaves,
         warnings,
@@ -110,7 +110,7 @@ pub(super) fn run_stages(
     finish(done, folder, clock)
 }
 
-/// Simulates patterns of an earlier run under a job; everything but the optimisation.
+/// Simulates patterns of an earlier run under a job; everything but the optimization.
 ///
 /// The outputs go beside the run, to its folder's name with `-simulated`, or to a folder that the command line names:
 /// never into the folder of a run, whose history and checkpoint belong to other patterns.
@@ -147,7 +147,7 @@ fn simulate_stages(
     let (voxels, warnings) = voxels(job, &scene, clock.progress, &stage)?;
     try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
     let stage = clock.stage("evaluating the patterns");
-    let judged = judge(
+    let judged = evaluate_patterns(
         &scene,
         &voxels,
         &patterns.shown,
@@ -161,7 +161,7 @@ fn simulate_stages(
         voxels,
         patterns,
         judged,
-        optimised: None,
+        optimized: None,
         source: Some(source),
         leaves: Leaves::All,
         warnings,
@@ -195,13 +195,13 @@ fn beside_the_run(job: &Job) -> Result<Job> {
 /// Writes everything, and makes it visible at once.
 fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Summary> {
     let stage = clock.stage("writing");
-    let timings = clock.timings(done.optimised.as_ref());
+    let timings = clock.timings(done.optimized.as_ref());
     let written = write::all(&done, &folder, timings, clock.progress, &stage)
         .map_err(|e| missing(e, &done.scene, &folder));
     let written = written.and_then(|headline| stage.check().map(|()| headline));
-    if let (Err(error), Some(optimised)) = (&written, &done.optimised) {
+    if let (Err(error), Some(optimized)) = (&written, &done.optimized) {
         let place = folder.checkpoint();
-        let kept = keep(&done.scene, &optimised.raw, &place, clock.progress);
+        let kept = keep(&done.scene, &optimized.raw, &place, clock.progress);
         // Where the disk is full, what could not be written first is the news
         if matches!(error, Error::Cancelled) {
             kept?;
@@ -261,14 +261,14 @@ impl<'p> Clock<'p> {
         stage(self.progress, self.cancel, name)
     }
 
-    /// The stages that are over, the optimisation in its parts.
-    fn timings(&self, optimised: Option<&Optimised>) -> Vec<Timing> {
+    /// The stages that are over, the optimization in its parts.
+    fn timings(&self, optimized: Option<&Optimized>) -> Vec<Timing> {
         let ends = self.stages.iter().skip(1).map(|(_, begin)| *begin);
         let mut timings = Vec::new();
         for ((name, begin), end) in self.stages.iter().zip(ends) {
             let seconds = (end - *begin).as_secs_f64();
-            let parts = optimised.filter(|_| *name == OPTIMISING);
-            match parts.and_then(|optimised| parts_of(seconds, optimised)) {
+            let parts = optimized.filter(|_| *name == OPTIMIZING);
+            match parts.and_then(|optimized| parts_of(seconds, optimized)) {
                 Some(parts) => timings.extend(parts),
                 None => timings.push(Timing {
                     name: (*name).to_owned(),
@@ -280,15 +280,15 @@ impl<'p> Clock<'p> {
     }
 }
 
-/// Where the time of an optimisation went; None when some of it was spent before a resume.
-fn parts_of(seconds: f64, optimised: &Optimised) -> Option<Vec<Timing>> {
-    let in_loop = optimised.outcome.history.last()?.seconds;
+/// Where the time of an optimization went; None when some of it was spent before a resume.
+fn parts_of(seconds: f64, optimized: &Optimized) -> Option<Vec<Timing>> {
+    let in_loop = optimized.outcome.history.last()?.seconds;
     let Counters {
         model_s,
         objective_s,
         ..
-    } = optimised.outcome.counters;
-    let (metrics_s, levels_s) = (optimised.metrics_s, optimised.levels_s);
+    } = optimized.outcome.counters;
+    let (metrics_s, levels_s) = (optimized.metrics_s, optimized.levels_s);
     let parts = [
         ("pixels and start", seconds - in_loop - levels_s),
         ("dose and adjoint", model_s),
@@ -301,14 +301,14 @@ fn parts_of(seconds: f64, optimised: &Optimised) -> Option<Vec<Timing>> {
         ("levels", levels_s),
     ];
     let is_known = parts.iter().all(|(_, seconds)| *seconds >= 0.0);
-    let done = if optimised.levels.is_some() {
+    let done = if optimized.levels.is_some() {
         &parts[..]
     } else {
         &parts[..5]
     };
     is_known.then(|| {
         let timing = |(name, seconds): &(&str, f64)| Timing {
-            name: format!("{OPTIMISING}: {name}"),
+            name: format!("{OPTIMIZING}: {name}"),
             seconds: *seconds,
         };
         done.iter().map(timing).collect()
@@ -344,7 +344,8 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     );
     // How much there is to time is not known beforehand
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
-    let rates = rates::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
+    let rates =
+        benchmark::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
     let paths = scene.optics.family(&scene.grid)?.random_paths();
     let work = Work {
         extent: &scene.extent,
@@ -431,17 +432,17 @@ fn voxels(
 }
 
 fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -> Summary {
-    let optimised = done.optimised.as_ref();
+    let optimized = done.optimized.as_ref();
     Summary {
         folder: folder.to_owned(),
-        iterations: optimised
+        iterations: optimized
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
-        stopped: optimised.map(|o| o.outcome.reason),
-        fall: optimised
+        stopped: optimized.map(|o| o.outcome.reason),
+        fall: optimized
             .filter(|o| o.outcome.kept.by == KeptBy::Loss)
             .and_then(|o| Fall::of(&o.outcome.history)),
-        kept: optimised.map(|o| o.outcome.kept),
+        kept: optimized.map(|o| o.outcome.kept),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
@@ -519,7 +520,7 @@ mod tests {
         let stages = [
             "reading the job",
             "sampling the target",
-            OPTIMISING,
+            OPTIMIZING,
             "evaluating the written patterns",
             "writing",
         ];

@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 use crate::grid::Volume;
 use crate::models::rays::Rays;
 use crate::models::{DoseModel, Run};
-use crate::optics::account::Account;
-use crate::optics::space::Leg;
+use crate::optics::power_balance::PowerBalance;
+use crate::optics::space::PathSegment;
 use serde::Serialize;
 
 /// A pixel of a job.
@@ -31,7 +31,7 @@ pub struct Traced {
     /// Pieces of its middle ray in the resin, in order.
     pub legs: Vec<TracedLeg>,
     /// Where its power went: mean of its rays, per emitted power.
-    pub account: Account,
+    pub account: PowerBalance,
 }
 
 /// A straight piece in the resin.
@@ -45,8 +45,8 @@ pub struct TracedLeg {
     pub power: f64,
 }
 
-impl From<Leg> for TracedLeg {
-    fn from(leg: Leg) -> Self {
+impl From<PathSegment> for TracedLeg {
+    fn from(leg: PathSegment) -> Self {
         TracedLeg {
             from_mm: leg.ray.from,
             to_mm: leg.ray.at(leg.length),
@@ -70,7 +70,7 @@ fn rays(scene: &Scene) -> Result<Rays> {
         .unwrap_or_else(none)
 }
 
-/// Traces pixels of a job by the `rays` model, or the `scatter` model where the resin scatters, and gives the dose of all of them at a value of 1.
+/// Traces pixels of a job by the `rays` model, or the `monte_carlo` model where the resin scatters, and gives the dose of all of them at a value of 1.
 ///
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 
 /// Fastest turn of a vial, 1/min.
 const MOST_RPM: f64 = 1000.0;
-/// Strongest absorption, 1/mm: light is gone within a hundredth of a millimetre.
+/// Strongest absorption, 1/mm: light is gone within a hundredth of a millimeter.
 const MOST_ABSORPTION: f64 = 100.0;
 
 /// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
@@ -322,7 +322,7 @@ fn selection(light: &LightSpec) -> Result<()> {
         columns,
         rows,
         corner_radius_mm,
-        least_contribution,
+        min_contribution,
         ..
     } = &light.selection;
     for (key, range, all) in [
@@ -344,13 +344,7 @@ fn selection(light: &LightSpec) -> Result<()> {
         positive("corner_radius_mm", mm, "mm")
     })?;
     let accepted = "a share of the best pixel's, 0 to 0.999";
-    within(
-        "least_contribution",
-        *least_contribution,
-        0.0,
-        0.999,
-        accepted,
-    )
+    within("min_contribution", *min_contribution, 0.0, 0.999, accepted)
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
@@ -370,9 +364,9 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     optional(bits.map(f64::from), |v| {
         within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
     })?;
-    if let Some(coarse) = &spec.coarse {
+    if let Some(coarse) = &spec.multiresolution {
         within(
-            "coarse.levels",
+            "multiresolution.levels",
             coarse.levels as f64,
             1.0,
             6.0,
@@ -562,7 +556,7 @@ mod tests {
             ("bounds.max=1e30", "bounds.max"),
             ("bounds.min=5", "bounds.max"),
             ("bounds.bits=0", "bounds.bits"),
-            ("coarse.levels=9", "coarse.levels"),
+            ("multiresolution.levels=9", "multiresolution.levels"),
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
             ("stop.iou=1.5", "stop.iou"),

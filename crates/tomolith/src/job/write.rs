@@ -1,13 +1,13 @@
 //! The files of a run folder.
 
 use super::device::{self, Written};
+use super::evaluate::Evaluated;
 use super::folder::RunFolder;
 use super::in_time::NetworkInTime;
-use super::judge::Judged;
 use super::levels::sentence;
 use super::limits::limits;
 use super::many::Leaves;
-use super::optimise::Optimised;
+use super::optimize::Optimized;
 use super::outcome::{earlier, large};
 use super::progress::Progress;
 use super::property::{Property, properties};
@@ -42,9 +42,9 @@ pub(crate) struct Done<'a> {
     pub(crate) scene: Scene,
     pub(crate) voxels: Voxels,
     pub(crate) patterns: Written,
-    pub(crate) judged: Judged,
+    pub(crate) judged: Evaluated,
     /// None for a simulation.
-    pub(crate) optimised: Option<Optimised>,
+    pub(crate) optimized: Option<Optimized>,
     /// Where the patterns of a simulation came from.
     pub(crate) source: Option<&'a Path>,
     /// Which files are asked for.
@@ -139,7 +139,7 @@ pub(crate) fn all(
     arrays?;
     let (movies, deviation) = movies?;
     write_time(done, &new, run)?;
-    let history = done.optimised.as_ref().map(history).unwrap_or_default();
+    let history = done.optimized.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
     }
@@ -166,7 +166,7 @@ fn numbers(
     shown: &device::Shown<'_>,
 ) -> Result<Headline> {
     let new = folder.new_files();
-    let history = done.optimised.as_ref().map(history).unwrap_or_default();
+    let history = done.optimized.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
     }
@@ -202,7 +202,7 @@ impl Headline {
         let response = scene.response()?;
         Ok(Headline {
             exposure: ExposureWindow::new(&judged.evaluation, response.as_ref(), time_s),
-            limits: limits(scene, judged, done.optimised.as_ref()),
+            limits: limits(scene, judged, done.optimized.as_ref()),
         })
     }
 }
@@ -218,10 +218,10 @@ struct Made<'a> {
 
 /// The models that gave the doses, by what they were asked for.
 fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
-    let optimised = done.optimised.as_ref();
-    let optimised = optimised.map(|optimised| ("optimisation", optimised.model.clone()));
+    let optimized = done.optimized.as_ref();
+    let optimized = optimized.map(|optimized| ("optimisation", optimized.model.clone()));
     let judged = ("evaluation", done.judged.model.clone());
-    optimised.into_iter().chain([judged]).collect()
+    optimized.into_iter().chain([judged]).collect()
 }
 
 /// `report.json` and `report.html`.
@@ -278,9 +278,9 @@ fn report(
         time: time(done),
         maps: made.properties.iter().map(map).collect(),
         history,
-        kept: done.optimised.as_ref().map(|o| o.outcome.kept),
+        kept: done.optimized.as_ref().map(|o| o.outcome.kept),
         levels: done
-            .optimised
+            .optimized
             .as_ref()
             .and_then(|o| o.levels.as_ref())
             .map(|levels| levels.gain),
@@ -454,7 +454,7 @@ fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec
 fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     let Done {
         scene,
-        optimised,
+        optimized,
         judged,
         source,
         ..
@@ -483,20 +483,20 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         ),
         ("Frames", scene.extent.frames.to_string()),
     ];
-    if let Some(optimised) = optimised {
-        let seconds = optimised.outcome.counters.model_s.max(1e-9);
-        let calls = optimised.outcome.counters.forward + optimised.outcome.counters.adjoint;
-        let speed = large(calls as f64 * optimised.updates as f64 / seconds);
+    if let Some(optimized) = optimized {
+        let seconds = optimized.outcome.counters.model_s.max(1e-9);
+        let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
+        let speed = large(calls as f64 * optimized.updates as f64 / seconds);
         facts.push(("Optimiser", kind(&spec.optimizer)));
-        let (kept, history) = (optimised.outcome.kept, &optimised.outcome.history);
+        let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {
             facts.push(("Kept", earlier(kept, last)));
         }
-        if let Some(levels) = &optimised.levels {
+        if let Some(levels) = &optimized.levels {
             facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
         }
-        facts.push(("Model", optimised.model.clone()));
+        facts.push(("Model", optimized.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
     }
     if let Some(source) = source {
@@ -574,7 +574,7 @@ fn date(now: std::time::SystemTime) -> String {
 
 /// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
 /// is off, as `print.ply`, where there is a target to compare it with.
-fn print(scene: &Scene, judged: &Judged, folder: &Path, run: Run) -> Result<Option<Deviation>> {
+fn print(scene: &Scene, judged: &Evaluated, folder: &Path, run: Run) -> Result<Option<Deviation>> {
     let writing = run.aside();
     let mut print = Print::under(&judged.fine.labels, &judged.response, run)?
         .with_inside(&judged.fine.target.inside)?;
@@ -595,10 +595,10 @@ fn print(scene: &Scene, judged: &Judged, folder: &Path, run: Run) -> Result<Opti
     Ok(deviation)
 }
 
-fn history(optimised: &Optimised) -> Vec<HistoryRow> {
-    let rows = &optimised.outcome.history;
+fn history(optimized: &Optimized) -> Vec<HistoryRow> {
+    let rows = &optimized.outcome.history;
     let line = |row: &Row| {
-        let quality = optimised.quality_at(row.iteration);
+        let quality = optimized.quality_at(row.iteration);
         HistoryRow {
             iteration: row.iteration,
             loss: row.loss,

@@ -260,7 +260,11 @@ fn brute_force(model: &Rays, x: &[f32]) -> Vec<f64> {
 }
 
 /// The same of those pieces of legs whose middle (mm along the leg) counts; legs are cut where they cross the ball, too.
-fn brute_force_where(model: &Rays, x: &[f32], counts: impl Fn(&Leg, f64) -> bool) -> Vec<f64> {
+fn brute_force_where(
+    model: &Rays,
+    x: &[f32],
+    counts: impl Fn(&PathSegment, f64) -> bool,
+) -> Vec<f64> {
     let layout = &model.outputs[0];
     let grid = &layout.grid;
     let low = grid.bounds_mm()[0];
@@ -272,7 +276,7 @@ fn brute_force_where(model: &Rays, x: &[f32], counts: impl Fn(&Leg, f64) -> bool
         for i in 0..run.count as usize {
             let value = f64::from(x[run.offset + i]);
             let row = run.bottom as usize + i;
-            model.sources[0].for_each_leg(pair / columns, pair % columns, row, |leg| {
+            model.sources[0].for_each_path_segment(pair / columns, pair % columns, row, |leg| {
                 let mut cuts = vec![0.0, leg.length];
                 for axis in 0..3 {
                     let planes = [grid.shape[2], grid.shape[1], grid.shape[0]][axis];
@@ -401,11 +405,11 @@ fn what_is_absorbed_is_what_the_account_says() {
             .map(|&v| f64::from(v))
             .sum::<f64>()
             * 1e-3;
-        let account = model.account(0, 0);
-        assert!((account.total() - 1.0).abs() < 1e-9, "{name}: {account:?}");
+        let balance = model.balance(0, 0);
+        assert!((balance.total() - 1.0).abs() < 1e-9, "{name}: {balance:?}");
         assert!(
-            (absorbed / sent - account.absorbed).abs() < 1e-4,
-            "{name}: {} {account:?}",
+            (absorbed / sent - balance.absorbed).abs() < 1e-4,
+            "{name}: {} {balance:?}",
             absorbed / sent
         );
     }
@@ -498,13 +502,17 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                     None => model,
                 }
             };
-            let (walked, kept) = (build(), build().keeping());
+            let (walked, kept) = (build(), build().cached());
             check::model::model(&kept, 3).unwrap();
-            assert!(walked.kept(&Run::new()).unwrap().is_none());
-            let (run, has_sheets) = (Run::new(), walked.has_sheets());
-            assert_eq!(kept.kept(&run).unwrap().is_none(), has_sheets, "{name}");
-            let sheets = kept.kept_sheets(&run).unwrap();
-            assert_eq!(sheets.is_some(), has_sheets, "{name}");
+            assert!(walked.cache(&Run::new()).unwrap().is_none());
+            let (run, has_column_rays) = (Run::new(), walked.has_column_rays());
+            assert_eq!(
+                kept.cache(&run).unwrap().is_none(),
+                has_column_rays,
+                "{name}"
+            );
+            let column_rays = kept.cached_column_rays(&run).unwrap();
+            assert_eq!(column_rays.is_some(), has_column_rays, "{name}");
             let mut x = LinearOperator::new_patterns(&kept).unwrap();
             x.copy_from_host(&check::model::noise(1, x.len()));
             // Some of the frames only, on top of what is there
@@ -527,8 +535,12 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                     assert!((a - b).abs() < 1e-5 * largest, "{name}: {a} {b}");
                 }
             }
-            assert!(kept::Kept::of(&walked, 100, &run).unwrap().is_none());
-            assert!(KeptSheets::of(&walked, 100, &run).unwrap().is_none());
+            assert!(
+                matrix_cache::RayMatrixCache::of(&walked, 100, &run)
+                    .unwrap()
+                    .is_none()
+            );
+            assert!(ColumnRaysCache::of(&walked, 100, &run).unwrap().is_none());
         }
     }
 }
@@ -566,7 +578,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
             };
             let build = || rays(vial.as_ref(), light.clone(), &aside, &params, grid.clone());
             let (together, single) = (build(), build().plain());
-            assert!(together.has_sheets() && !single.has_sheets());
+            assert!(together.has_column_rays() && !single.has_column_rays());
             let found = check::model::model(&together, 3).unwrap();
             assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
             let mut x = LinearOperator::new_patterns(&single).unwrap();
@@ -720,10 +732,10 @@ fn pixels_that_are_not_square_leave_the_energy_of_their_area() {
         x.fill(1.0);
         let dose = dose(&model, &x);
         let absorbed: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
-        let (sent, account) = (9.0 * 0.3 * 0.12, model.account(0, 0));
+        let (sent, balance) = (9.0 * 0.3 * 0.12, model.balance(0, 0));
         assert!(
-            (absorbed / sent - account.absorbed).abs() < 1e-4,
-            "{name}: {} {account:?}",
+            (absorbed / sent - balance.absorbed).abs() < 1e-4,
+            "{name}: {} {balance:?}",
             absorbed / sent
         );
     }

@@ -1,7 +1,7 @@
 //! Rays in a resin that scatters.
 
 use super::*;
-use crate::scatter;
+use crate::monte_carlo;
 
 /// A cube of resin's worth of voxels in a ball of light: all that is scattered is deposited or leaves.
 #[test]
@@ -14,14 +14,14 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         per_mm: 0.8,
         phase: Arc::new(Rayleigh {}),
     });
-    let params = scatter::Params {
+    let params = monte_carlo::Params {
         paths_per_pixel: 8,
-        ..scatter::Params::default()
+        ..monte_carlo::Params::default()
     };
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-    let build = |params: &scatter::Params, light: &Light, grid: &VolumeGrid| {
+    let build = |params: &monte_carlo::Params, light: &Light, grid: &VolumeGrid| {
         let (light, optics) = (std::slice::from_ref(light), std::slice::from_ref(&optics));
-        scatter::model(&GLASS, light, optics, params, grid.clone()).unwrap()
+        monte_carlo::model(&GLASS, light, optics, params, grid.clone()).unwrap()
     };
     let model = build(&params, &light, &grid);
     let found = check::model::model(&model, 3).unwrap();
@@ -36,7 +36,7 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         assert!((a - b).abs() < 1e-4 * largest, "{a} {b}");
     }
     // Another seed is another matrix with the same mean
-    let other = scatter::Params {
+    let other = monte_carlo::Params {
         seed: 2,
         ..params.clone()
     };
@@ -46,7 +46,7 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     assert!((sum(&other) / sum(&wide) - 1.0).abs() < 0.02);
     // Reflections at the glass: still a pair, and more of the light stays in the resin
     let mirrored = build(
-        &scatter::Params {
+        &monte_carlo::Params {
             reflections: true,
             ..params.clone()
         },
@@ -55,12 +55,12 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     );
     let found = check::model::model(&mirrored, 4).unwrap();
     assert!(found.adjoint_error < 1e-6, "{found:?}");
-    let account = mirrored.account(0, 0);
-    assert!((account.total() - 1.0).abs() < 1e-9, "{account:?}");
-    assert!(account.reflected == 0.0 && account.absorbed > 1.02 * model.account(0, 0).absorbed);
+    let balance = mirrored.balance(0, 0);
+    assert!((balance.total() - 1.0).abs() < 1e-9, "{balance:?}");
+    assert!(balance.reflected == 0.0 && balance.absorbed > 1.02 * model.balance(0, 0).absorbed);
     // Paths are drawn anew after two iterations, and are the same again in the same round
     let renewed = build(
-        &scatter::Params {
+        &monte_carlo::Params {
             renew: 2,
             ..params.clone()
         },
@@ -72,18 +72,18 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     assert!(second != wide && (sum(&second) / sum(&wide) - 1.0).abs() < 0.02);
     assert!(LinearOperator::renew(&renewed, 1));
     assert_eq!(dose(&renewed, &x), wide);
-    // In a grid that holds all the resin and the cells around it, dose is what the account says was absorbed
+    // In a grid that holds all the resin and the cells around it, dose is what the balance says was absorbed
     light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
     let tall = VolumeGrid::centered([150, 44, 44], 0.1);
     let model = build(&params, &light, &tall);
     let mut x = LinearOperator::new_patterns(&model).unwrap();
     x.fill(1.0);
     let active = sum(&dose(&model, &x)) * 1e-3 / (9.0 * 0.04);
-    let account = model.account(0, 0);
-    assert!((account.total() - 1.0).abs() < 1e-9);
+    let balance = model.balance(0, 0);
+    assert!((balance.total() - 1.0).abs() < 1e-9);
     assert!(
-        (active / account.absorbed - 1.0).abs() < 2e-3,
-        "{active} {account:?}"
+        (active / balance.absorbed - 1.0).abs() < 2e-3,
+        "{active} {balance:?}"
     );
 }
 
@@ -95,7 +95,7 @@ fn milk(
     light: &Light,
     map: Option<([usize; 3], f64, Vec<f32>)>,
     smooth: usize,
-) -> (Light, Optics, scatter::Params) {
+) -> (Light, Optics, monte_carlo::Params) {
     use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     let mut light = light.clone();
     light.resin.attenuation_per_mm = light.resin.absorption_per_mm + SCATTERED;
@@ -108,9 +108,9 @@ fn milk(
         per_mm: SCATTERED,
         phase: Arc::new(Rayleigh {}),
     });
-    let params = scatter::Params {
+    let params = monte_carlo::Params {
         smooth,
-        ..scatter::Params::default()
+        ..monte_carlo::Params::default()
     };
     (light, optics, params)
 }
@@ -139,13 +139,14 @@ fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
                 });
                 let model = || {
                     let (lights, optics) = ([light.clone()], [optics.clone()]);
-                    scatter::model(vial.as_ref(), &lights, &optics, &params, grid.clone()).unwrap()
+                    monte_carlo::model(vial.as_ref(), &lights, &optics, &params, grid.clone())
+                        .unwrap()
                 };
                 for model in [model(), model().with_cells(Arc::clone(&solid))] {
                     let found = check::model::model(&model, 3).unwrap();
                     assert!(found.adjoint_error < 1e-6, "{vial:?} {smooth}: {found:?}");
-                    let account = model.account(0, 0);
-                    assert!((account.total() - 1.0).abs() < 1e-9, "{account:?}");
+                    let balance = model.balance(0, 0);
+                    assert!((balance.total() - 1.0).abs() < 1e-9, "{balance:?}");
                 }
             }
         }
@@ -158,7 +159,7 @@ fn an_even_map_in_a_resin_that_scatters_changes_nothing() {
     for smooth in [1, 4] {
         let of = |map| {
             let (light, optics, params) = milk(&light(4, 5, 9, 0.2), map, smooth);
-            lit(&scatter::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap())
+            lit(&monte_carlo::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap())
         };
         let (plain, mapped) = (of(None), of(Some(([3, 4, 5], 0.5, vec![0.3; 60]))));
         let most = plain.values.iter().copied().fold(0.0, f32::max);
@@ -178,11 +179,11 @@ fn scattered_light_leaves_what_the_map_takes_of_it_on_either_side_of_a_face() {
         let (light, optics, mut params) = milk(&light, map, smooth);
         params.paths_per_pixel = 64;
         let (lights, optics) = ([light], [optics]);
-        let model = scatter::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let straight = scatter::straight(&GLASS, &lights, &optics, &params, grid.clone());
+        let model = monte_carlo::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
+        let straight = monte_carlo::straight(&GLASS, &lights, &optics, &params, grid.clone());
         let (all, straight) = (lit(&model), lit(&straight.unwrap()));
         let energy: f64 = all.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
-        let frames = (0..6).map(|frame| model.account(0, frame).absorbed);
+        let frames = (0..6).map(|frame| model.balance(0, frame).absorbed);
         let balance = energy / (45.0 * 0.04 * frames.sum::<f64>());
         // Scattered light by planes of x
         let mut planes = [0.0; 44];
@@ -193,7 +194,7 @@ fn scattered_light_leaves_what_the_map_takes_of_it_on_either_side_of_a_face() {
     };
     let (exact, whole) = of(1);
     assert!((whole - 1.0).abs() < 1e-3, "{whole}");
-    // The dose leaps by what is taken; fluence falls by a tenth in the tenth of a millimetre between these planes
+    // The dose leaps by what is taken; fluence falls by a tenth in the tenth of a millimeter between these planes
     let leap = exact[22] / exact[21] / 12.0;
     assert!((0.8..1.0).contains(&leap), "{leap} {exact:?}");
     for (smooth, allowed) in [(2, 0.04), (4, 0.08)] {
@@ -216,8 +217,9 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
         params.paths_per_pixel = 64;
         params.is_sharp = true;
         let (lights, optics) = ([light], [optics]);
-        let model = scatter::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let straight = scatter::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
+        let model = monte_carlo::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
+        let straight =
+            monte_carlo::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
         let mut x = LinearOperator::new_patterns(&model).unwrap();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             *x = f32::from(u8::from(i % 24 < 12));
@@ -254,11 +256,11 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
         per_mm: 0.3,
     });
     let whole = |smooth| {
-        let params = scatter::Params {
+        let params = monte_carlo::Params {
             smooth,
-            ..scatter::Params::default()
+            ..monte_carlo::Params::default()
         };
-        scatter::model(
+        monte_carlo::model(
             &GLASS,
             &[light.clone()],
             &[optics.clone()],

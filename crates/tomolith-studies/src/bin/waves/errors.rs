@@ -206,7 +206,7 @@ pub(super) fn rotation() -> Result<(), Error> {
                 .map(|[iz, iy, ix]| {
                     let at = [grid.x(ix) / pitch, grid.y(iy) / pitch];
                     let z = (grid.z(iz) / pitch + (n as f64 - 1.0) / 2.0).round() as usize;
-                    let parts = twin.neighbours(at, 0.4f64.sin_cos());
+                    let parts = twin.neighbors(at, 0.4f64.sin_cos());
                     let value = |(k, j, w): (usize, usize, f64)| w * volume[(k * n + j) * n + z];
                     parts.map(value).iter().sum()
                 })

@@ -292,7 +292,7 @@ impl<T: FftNum> Twin<T> {
     }
 
     /// Planes and columns about that place, and their weights.
-    pub(super) fn neighbours(&self, at: [f64; 2], turn: (f64, f64)) -> [(usize, usize, f64); 4] {
+    pub(super) fn neighbors(&self, at: [f64; 2], turn: (f64, f64)) -> [(usize, usize, f64); 4] {
         let [d, u] = self.place(at, turn);
         let (planes, columns) = (self.pair(d), self.pair(u));
         [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(a, b)| {
@@ -327,7 +327,7 @@ impl<T: FftNum> Twin<T> {
                 let parts = self.parts(k).into_iter();
                 parts.map(move |(node, part)| (node, j, Self::of(weight) * part))
             };
-            return (self.neighbours(at, turn).into_iter())
+            return (self.neighbors(at, turn).into_iter())
                 .flat_map(read)
                 .collect();
         };
@@ -393,7 +393,7 @@ impl<T: FftNum> Twin<T> {
         let middle = (n as f64 - 1.0) / 2.0;
         for place in 0..n * n {
             let at = [place % n, place / n].map(|i| i as f64 - middle);
-            for (k, j, weight) in self.neighbours(at, turn) {
+            for (k, j, weight) in self.neighbors(at, turn) {
                 take(place * n, (k * n + j) * n, Self::of(weight));
             }
         }

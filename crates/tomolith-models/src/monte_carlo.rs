@@ -1,0 +1,300 @@
+//! The `monte_carlo` dose model: rays in a resin that scatters, by frozen Monte Carlo paths.
+//!
+//! # Model
+//! Straight light is followed as by [`rays`](super::rays), exactly. Along each leg of it the part that is scattered goes on
+//! from one random point in a random direction, and so on ([`SpaceTracer`](tomolith_optics::space::SpaceTracer)); every leg
+//! leaves its expected absorption in all the voxels it passes. Points and directions are frozen by (seed, frame, pixel,
+//! path, event): a seed is one matrix, of which dose and adjoint are an exact pair. Another seed is another matrix.
+//!
+//! # Equation
+//! dose(v) = Σ x·A/(n·V) Σ_paths Σ_legs P·(μ_a/μ_t)·(e^(−μ_t·s_in) − e^(−μ_t·s_out)), μ_t = μ_a + μ_s + what else absorbs;
+//! a leg of length L hands on the power P·(μ_s/μ_t)·(1 − e^(−μ_t·L)). Its mean over seeds is the volume rendering equation.
+//!
+//! # Resin that differs from place to place
+//! With an absorption map the terms of a leg are those of its pieces in the cells, with their μ_a and μ_t; with an index that changes
+//! with the radius legs are the chords of curves ([`optics::space`](tomolith_optics::space)). μ_s is the same everywhere.
+//! Where there is a map and `smooth` > 1, cells hold fluence instead of energy, and a voxel takes the map's mean over it.
+//!
+//! # Source
+//! Nicolet et al. 2024, § 4.2 (path sampling, expected absorption along segments).
+//!
+//! # Parameters
+//! | key | range | default | meaning |
+//! |---|---|---|---|
+//! | `paths_per_pixel` | 1 to 4096 | 4 | paths of a pixel in a frame |
+//! | `accumulation` | `rays/accumulation.rs` | `"integral"` | how energy is accumulated along a path |
+//! | `seed` | – | 1 | which paths |
+//! | `renew` | 0 to 10000 | 10 | iterations of an optimization after which other paths are drawn; 0: never |
+//! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
+//! | `reflections` | bool | false | whether light reflected at walls is followed |
+//! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
+//! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them, and in what is reported they are half as large |
+//!
+//! # Limits
+//! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
+//! paths and cells half as large, so that a pattern that fits its own noise, or what cells smooth away, shows.
+//!
+//! Scattered light is smoothed over cells of `smooth` voxels, which takes structure of a few cells away. In what is reported
+//! `models/cell_blur.rs` brings most of it back; an optimization goes without, as the noise of its few paths would grow by 1.4 and costs more.
+//! Near a wall some scattered light lies beyond the resin (1 % of the absorbed energy in a vial of 32 voxels across), where it counts
+//! nowhere.
+//!
+//! # Cost
+//! Paths are traced again in every call, so memory does not grow with their number.
+//!
+//! # Example
+//! A pixel of light through 4 mm of a resin that scatters: e^(−4.4) of it passes untouched, and much more leaves scattered.
+//! ```
+//! use std::sync::Arc;
+//! use tomolith_core::grid::{PatternGrid, VolumeGrid};
+//! use tomolith_models::{parallel::Light, rays::Optics, monte_carlo};
+//! use tomolith_optics::phase::{Scattering, isotropic::Isotropic};
+//! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
+//! let mut light = Light::new(PatternGrid::full_turn(1, 0.0, 1, 1, 0.1), Resin::absorbing(1.5, 0.1));
+//! light.resin.attenuation_per_mm = 1.1;
+//! let mut optics = Optics::collimated(0.1);
+//! optics.scattering = Some(Scattering { per_mm: 1.0, phase: Arc::new(Isotropic {}) });
+//! let params = monte_carlo::Params { paths_per_pixel: 64, ..Default::default() };
+//! let vial = IndexMatched { radius_mm: 2.0 };
+//! let model = monte_carlo::model(&vial, &[light], &[optics], &params, VolumeGrid::centered([8, 8, 8], 0.5)).unwrap();
+//! let balance = model.balance(0, 0);
+//! assert!((balance.total() - 1.0).abs() < 1e-12);
+//! assert!(balance.transmitted > 10.0 * (-4.4f64).exp());
+//! ```
+
+use super::parallel::Light;
+use super::rays::accumulation::Accumulation;
+use super::rays::{Emission, Optics, Rays, Scattered};
+use super::{
+    Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind, OpticalScene,
+    Purpose, RandomPaths,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::VolumeGrid;
+use tomolith_core::kind::Section;
+use tomolith_core::units::exact;
+use tomolith_optics::space::Limits;
+use tomolith_optics::vial::Vial;
+
+/// Keys of `[model.monte_carlo]`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Paths of a pixel in a frame, 1 to 4096.
+    pub paths_per_pixel: usize,
+    /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
+    pub accumulation: Accumulation,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Iterations of an optimization after which new paths are drawn, 0 to 10000; 0: never.
+    pub renew: usize,
+    /// Share of the emitted power below which a path may end by Russian roulette, 1e-6 to 0.5.
+    pub least_power: f64,
+    /// Whether light reflected at walls is followed.
+    pub reflections: bool,
+    /// Largest number of scattering events of a path, 0 to 1000.
+    pub orders: usize,
+    /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
+    pub smooth: usize,
+    /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgement does, which has paths enough.
+    #[serde(skip)]
+    pub is_sharp: bool,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            paths_per_pixel: 4,
+            accumulation: Accumulation::Integral,
+            seed: 1,
+            renew: 10,
+            least_power: 0.05,
+            reflections: false,
+            orders: 64,
+            smooth: 4,
+            is_sharp: false,
+        }
+    }
+}
+
+/// Paths of the judgement for each of the optimization.
+const JUDGING: usize = 16;
+
+impl Params {
+    /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
+    /// back what they smear out, so that what the optimization's cells smooth away shows like noise does.
+    fn for_judging(&self, refine: usize) -> Self {
+        Params {
+            paths_per_pixel: JUDGING * self.paths_per_pixel,
+            seed: !self.seed,
+            smooth: (self.smooth * refine).div_ceil(2),
+            is_sharp: true,
+            ..self.clone()
+        }
+    }
+}
+
+/// Row of [`MODELS`](super::MODELS).
+pub const KIND: ModelKind = ModelKind {
+    name: "monte_carlo",
+    summary: "Scattering by Monte Carlo paths, fixed during an optimization, with their exact adjoint.",
+    example: "[model.monte_carlo]\npaths_per_pixel = 4\n",
+    schema: || schemars::schema_for!(Params),
+    build: MakeFamily {
+        read: |section| Ok(Arc::new(params_of(section)?)),
+        unasked: Some(|| Arc::new(Params::default())),
+    },
+};
+
+fn params_of(section: &Section) -> Result<Params> {
+    let params: Params = section.parse()?;
+    let refuse = |key: &str, found: String, accepted: &str| {
+        Err(Error::config(
+            format!("{}.{key}", section.path),
+            found,
+            accepted,
+        ))
+    };
+    if !(1..=4096).contains(&params.paths_per_pixel) {
+        let found = format!("found {}", params.paths_per_pixel);
+        return refuse("paths_per_pixel", found, "1 to 4096");
+    }
+    if !(1e-6..=0.5).contains(&params.least_power) {
+        let found = format!("found {}", exact(params.least_power));
+        return refuse("least_power", found, "1e-6 to 0.5");
+    }
+    if params.renew > 10_000 {
+        return refuse("renew", format!("found {}", params.renew), "0 to 10000");
+    }
+    if params.orders > 1000 {
+        return refuse("orders", format!("found {}", params.orders), "0 to 1000");
+    }
+    if !(1..=32).contains(&params.smooth) {
+        return refuse("smooth", format!("found {}", params.smooth), "1 to 32");
+    }
+    Ok(params)
+}
+
+impl ModelFamily for Params {
+    fn name(&self) -> &'static str {
+        KIND.name
+    }
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            is_traced: true,
+            has_cells: true,
+            ..Capabilities::default()
+        }
+    }
+
+    fn unsupported(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
+        None
+    }
+
+    fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let params = match input.scene.purpose {
+            Purpose::Evaluate { refine } => &self.for_judging(refine),
+            _ => self,
+        };
+        let scene = &input.scene;
+        let (lights, grid) = (scene.lights, input.grid.clone());
+        let model = model(scene.vial, lights, scene.optics, params, grid)?;
+        Ok(input.with_cells(model))
+    }
+
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let scene = &input.scene;
+        let (lights, grid) = (scene.lights, input.grid.clone());
+        let model = straight(scene.vial, lights, scene.optics, self, grid)?;
+        Ok(input.with_cells(model))
+    }
+
+    fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
+        let (lights, optics) = (scene.lights, scene.optics);
+        Some(model(scene.vial, lights, optics, self, grid.clone()))
+    }
+
+    fn random_paths(&self) -> Option<RandomPaths> {
+        // Seeds of evaluations count up where those of optimizations count down
+        let redrawn: Family = Arc::new(Params {
+            seed: self.seed.wrapping_sub(1),
+            ..self.clone()
+        });
+        Some(RandomPaths {
+            optimizing: self.paths_per_pixel,
+            evaluating: self.for_judging(1).paths_per_pixel,
+            redrawn,
+        })
+    }
+
+    fn despite(&self, cheaper: &str, scene: &OpticalScene<'_>) -> String {
+        match scene.scatterer() {
+            None => "as asked; nothing scatters".to_owned(),
+            Some(reason) => {
+                format!("{reason}; as asked, [model.{cheaper}] covers it without noise")
+            }
+        }
+    }
+}
+
+/// The model of a vial, its lights with their optics, and the voxels where dose is wanted.
+///
+/// # Errors
+/// As [`Rays::new`].
+pub fn model(
+    vial: &dyn Vial,
+    lights: &[Light],
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<Rays> {
+    let scattered = Scattered {
+        seed: params.seed,
+        smooth: params.smooth,
+        is_sharp: params.is_sharp,
+        renew: params.renew,
+    };
+    Rays::build(
+        vial,
+        lights,
+        optics,
+        &emission(params, Some(scattered)),
+        grid,
+    )
+}
+
+/// The unscattered light of [`model`] alone.
+///
+/// # Errors
+/// As [`Rays::new`].
+pub(crate) fn straight(
+    vial: &dyn Vial,
+    lights: &[Light],
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<Rays> {
+    let whole = Params {
+        accumulation: Accumulation::Integral,
+        ..params.clone()
+    };
+    Rays::build(vial, lights, optics, &emission(&whole, None), grid)
+}
+
+fn emission(params: &Params, scattered: Option<Scattered>) -> Emission {
+    Emission {
+        rays_per_pixel: params.paths_per_pixel,
+        accumulation: params.accumulation,
+        limits: Limits {
+            reflections: params.reflections,
+            least_power: params.least_power,
+            orders: params.orders,
+            ..Limits::default()
+        },
+        scattered,
+    }
+}

@@ -1,0 +1,199 @@
+//! Cached ray matrix: what every pixel leaves in every voxel, stored where it fits.
+//!
+//! Rays on coarse voxels, those through the cells of a solid above all, take far longer to trace than to sum. Up to [`MOST`]
+//! entries their walks are done once, the rays of a pixel are added up, and dose and adjoint are sums along stored rows
+//! (those of [`matrix`](crate::matrix)). Whether walks are kept depends on the job alone, so a resumed run has the bits
+//! of the uninterrupted one.
+//!
+//! # Cost
+//! 16 bytes an entry, while they are made and after, 2.1 GB at most; what is walked before it is known to be too much, at most a
+//! sixteenth of one call and some more.
+
+use super::Rays;
+use super::batch::RayBatch;
+use super::segment::Segment;
+use super::traversal::{self, Ways};
+use crate::matrix::Rows;
+use crate::{PatternLayout, Run};
+use rayon::prelude::*;
+use std::ops::Range;
+use tomolith_core::error::{Error, Result};
+use tomolith_io::csr::Csr;
+
+/// Largest number of cached entries.
+pub const MOST: usize = 1 << 27;
+
+/// Bytes of an entry, by place and by pixel.
+pub const BYTES: usize = 16;
+
+/// What is kept, in entries: for each pixel, for each voxel that its light crosses in a plane, and for each update.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CachedEntries {
+    /// Of a pixel.
+    pub per_pixel: f64,
+    /// Of an update of a dose.
+    pub per_update: f64,
+}
+
+impl CachedEntries {
+    /// Every pixel's own.
+    pub const SINGLE: CachedEntries = CachedEntries {
+        per_pixel: 1.0,
+        per_update: 1.0,
+    };
+}
+
+/// Pixels that are walked at a time.
+const BLOCK: usize = 64;
+
+/// What one pixel leaves in one place: (place, pixel, energy per voxel volume). Places are voxels, those inside a solid behind
+/// all others.
+type Entry = (u32, u32, f32);
+
+/// Stored walks, by place and by pixel.
+#[derive(Debug)]
+pub(super) struct RayMatrixCache {
+    places: Rows,
+    pixels: Rows,
+    updates: u64,
+}
+
+impl RayMatrixCache {
+    /// The walks of all rays of a model; None when they have more than `most` entries, or seem to have twice as many.
+    pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
+        let places = model.outputs[0].voxels() * (1 + usize::from(model.solid.is_some()));
+        let pixels: usize = model.patterns.iter().map(PatternLayout::len).sum();
+        let mut by_pixel = Csr {
+            columns: places,
+            starts: vec![0; pixels + 1],
+            ..Csr::default()
+        };
+        for (light, layout) in model.patterns.iter().enumerate() {
+            let chunks = model.chunks(light, 0..layout.grid.frames());
+            let count = chunks.len();
+            for (i, pairs) in chunks.into_iter().enumerate() {
+                if run.is_cancelled() {
+                    return Err(Error::Cancelled);
+                }
+                let lit = model.bundles(light, pairs.clone(), |_| true);
+                // A chunk has all rays of its pixels, and later ones have later pixels
+                for (place, pixel, deposit) in
+                    model.entries(&lit, layout.elements_of_columns(pairs))
+                {
+                    by_pixel.starts[pixel as usize + 1] += 1;
+                    by_pixel.indices.push(place);
+                    by_pixel.values.push(deposit);
+                }
+                let found = by_pixel.entries();
+                // The first chunk tells of the others, and many tell it better
+                let expected = found * count / (i + 1);
+                if found > most || expected > 2 * most || 16 * i > count && 8 * expected > 9 * most
+                {
+                    return Ok(None);
+                }
+            }
+        }
+        let mut end = 0;
+        for start in &mut by_pixel.starts {
+            end += *start;
+            *start = end;
+        }
+        by_pixel.indices.shrink_to_fit();
+        by_pixel.values.shrink_to_fit();
+        Ok(Some(RayMatrixCache {
+            updates: by_pixel.entries() as u64,
+            places: Rows::of(by_pixel.transposed(), |pixel| pixel),
+            pixels: Rows::of(by_pixel, |place| place),
+        }))
+    }
+
+    /// Entries.
+    pub(super) fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    /// sums[place] += what the pixels of a range leave there, for the places from `first` on.
+    pub(super) fn add(&self, first: usize, x: &[f32], pixels: &Range<usize>, sums: &mut [f32]) {
+        let each = |(i, sum): (usize, &mut f32)| {
+            (self.places).add(first + i, x, pixels, std::slice::from_mut(sum));
+        };
+        sums.par_iter_mut()
+            .with_min_len(256)
+            .enumerate()
+            .for_each(each);
+    }
+
+    /// grad[pixel] = Σ entries · c[place]
+    pub(super) fn collect(&self, c: &[f32], grad: &mut [f32]) {
+        let each = |(pixel, sum): (usize, &mut f32)| {
+            *sum = 0.0;
+            (self.pixels).add(pixel, c, &(0..usize::MAX), std::slice::from_mut(sum));
+        };
+        grad.par_iter_mut()
+            .with_min_len(256)
+            .enumerate()
+            .for_each(each);
+    }
+}
+
+impl Rays {
+    /// What the rays of some pixels leave, in the order of pixels and places; `lit` has all segments of these.
+    fn entries(&self, lit: &RayBatch, pixels: Range<usize>) -> impl Iterator<Item = Entry> {
+        let inside = self.outputs[0].voxels() as u32;
+        let bundles: Vec<(Ways, &[Segment], u32)> = [(&lit.straight, 0), (&lit.inside, inside)]
+            .into_iter()
+            .flat_map(|(bundles, first)| (0..3).map(move |axis| (axis, &bundles[axis], first)))
+            .map(|(axis, segments, first)| {
+                let ways = Ways::new(&self.lattice, axis);
+                (ways, segments.as_slice(), first)
+            })
+            .collect();
+        let of_block = |begin: usize| {
+            let end = pixels.end.min(begin + BLOCK);
+            // Segments come in the order of pixels
+            let before = |segments: &[Segment], pixel: usize| {
+                segments.partition_point(|segment| (segment.pixel as usize) < pixel)
+            };
+            let mut left: Vec<&[Segment]> = (bundles.iter())
+                .map(|(_, segments, _)| &segments[before(segments, begin)..])
+                .collect();
+            let (mut all, mut found) = (Vec::new(), Vec::new());
+            for pixel in begin..end {
+                found.clear();
+                for ((ways, _, first), left) in bundles.iter().zip(&mut left) {
+                    let own = left.iter().take_while(|s| s.pixel as usize == pixel);
+                    let count = own.count();
+                    for segment in &left[..count] {
+                        traversal::for_each(self.gait, *ways, segment, |voxel, deposit| {
+                            found.push((first + voxel as u32, deposit));
+                        });
+                    }
+                    *left = &left[count..];
+                }
+                add_up(&mut found);
+                all.extend(found.iter().map(|&(place, sum)| (place, pixel as u32, sum)));
+            }
+            all
+        };
+        let blocks: Vec<Vec<Entry>> = pixels
+            .clone()
+            .into_par_iter()
+            .step_by(BLOCK)
+            .map(of_block)
+            .collect();
+        blocks.into_iter().flatten()
+    }
+}
+
+/// Sorts by place, and makes one of those at one place.
+fn add_up(found: &mut Vec<(u32, f32)>) {
+    // Not stable, but the same for the same rays
+    found.sort_unstable_by_key(|&(place, _)| place);
+    found.dedup_by(|next, sum| {
+        let same = next.0 == sum.0;
+        if same {
+            sum.1 += next.1;
+        }
+        same
+    });
+}

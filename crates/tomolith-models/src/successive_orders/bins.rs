@@ -1,0 +1,230 @@
+//! Patterns on pixels as large as the cells that they light.
+
+use crate::PatternLayout;
+use crate::cell_blur::CellBlur;
+use crate::parallel::Light;
+use rayon::prelude::*;
+use std::ops::Range;
+use tomolith_core::grid::PatternGrid;
+
+/// Pixels of a light, and the larger ones that share out their energy.
+pub(super) struct Bins {
+    pixels: PatternLayout,
+    /// The larger pixels: as many rows of each (frame, column), from the lowest lit one.
+    pub(super) layout: PatternLayout,
+    columns: Vec<Share>,
+    rows: Vec<Share>,
+}
+
+/// The two bins that share a pixel: the first of them, and its part; the next one has the rest.
+#[derive(Clone, Copy, Debug)]
+struct Share {
+    bin: usize,
+    parts: [f32; 2],
+}
+
+/// Bins of `factor` pixels along an axis of `count`, centered on it like the pixels.
+fn shares(count: usize, factor: usize) -> (usize, Vec<Share>) {
+    let bins = count.div_ceil(factor);
+    // In halves of a pixel, where every edge of pixels and bins is whole
+    let before = bins * factor - count;
+    let of_pixel = |i: usize| {
+        let low = 2 * i + before;
+        let bin = low / (2 * factor);
+        let room = 2 * factor * (bin + 1) - low;
+        let in_first = room.min(2) as f32 / 2.0;
+        Share {
+            bin,
+            parts: [in_first, 1.0 - in_first],
+        }
+    };
+    (bins, (0..count).map(of_pixel).collect())
+}
+
+impl Bins {
+    /// Bins of about `edge_mm`, never smaller than pixels; the light of bins.
+    pub(super) fn new(light: &Light, edge_mm: f64) -> (Self, Light) {
+        let pixels = light.layout(0);
+        let grid = &pixels.grid;
+        let [across, along] = grid
+            .pitch_mm
+            .map(|pitch| ((edge_mm / pitch).floor() as usize).max(1));
+        let (columns, of_column) = shares(grid.columns, across);
+        let (rows, of_row) = shares(grid.rows, along);
+        // Rows are counted from below, and the shares are symmetric
+        let lit = lit_rows(&pixels).map_or(0..0, |lit| {
+            of_row[lit.start].bin..(of_row[lit.end - 1].bin + 2).min(rows)
+        });
+        let active = (lit.start as u32, lit.len() as u32);
+        let larger = PatternGrid {
+            columns,
+            rows,
+            pitch_mm: [
+                across as f64 * grid.pitch_mm[0],
+                along as f64 * grid.pitch_mm[1],
+            ],
+            ..grid.clone()
+        };
+        let light = Light {
+            active: Some(vec![active; larger.frames() * columns]),
+            pixels: larger,
+            ..light.clone()
+        };
+        let bins = Bins {
+            layout: light.layout(0),
+            pixels,
+            columns: of_column,
+            rows: of_row,
+        };
+        (bins, light)
+    }
+
+    /// (Frame, column) pairs of the pixels.
+    pub(super) fn slots(&self) -> usize {
+        self.pixels.runs.len()
+    }
+
+    /// Lowest and highest edge of what is lit, mm.
+    pub(super) fn heights_mm(&self) -> [f64; 2] {
+        let grid = &self.layout.grid;
+        let run = self.layout.runs.first().copied().unwrap_or_default();
+        let low = grid.field_mm()[0][1];
+        let edge = |row: u32| low + f64::from(row) * grid.pitch_mm[1];
+        [edge(run.bottom), edge(run.bottom + run.count)]
+    }
+
+    /// What becomes of pixels that are taken together.
+    pub(super) fn blur(&self) -> CellBlur {
+        CellBlur::bins(self.pixels.grid.pitch_mm, self.layout.grid.pitch_mm)
+    }
+
+    /// Calls `visit(pixel, bin, part)` for what the pixels of a (frame, column) share out; elements of the fields.
+    fn for_each_part(&self, slot: usize, mut visit: impl FnMut(usize, usize, f32)) {
+        let (columns, larger) = (self.pixels.grid.columns, self.layout.grid.columns);
+        let run = self.pixels.runs[slot];
+        let share = self.columns[slot % columns];
+        for (next, part) in lit_parts(share) {
+            let to = self.layout.runs[slot / columns * larger + share.bin + next];
+            for (i, row) in self.rows[run.bottom as usize..][..run.count as usize]
+                .iter()
+                .enumerate()
+            {
+                for (next, of_row) in lit_parts(*row) {
+                    let bin = to.offset + row.bin + next - to.bottom as usize;
+                    visit(run.offset + i, bin, part * of_row);
+                }
+            }
+        }
+    }
+
+    /// Value of a bin per value of a pixel that lies in it.
+    fn scale(&self) -> f32 {
+        (self.pixels.grid.pixel_mm2() / self.layout.grid.pixel_mm2()) as f32
+    }
+
+    /// Bins of mean values of pixels, these times the weight of their (frame, column).
+    pub(super) fn fill(&self, x: &[f32], weights: &[f32], bins: &mut [f32]) {
+        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
+        let scale = self.scale();
+        let len = self.layout.len() / frames;
+        bins.par_chunks_mut(len.max(1))
+            .enumerate()
+            .for_each(|(frame, bins)| {
+                bins.fill(0.0);
+                let slots = frame * columns..(frame + 1) * columns;
+                for (slot, weight) in slots.clone().zip(&weights[slots]) {
+                    let weight = scale * weight;
+                    self.for_each_part(slot, |pixel, bin, part| {
+                        bins[bin - frame * len] += weight * part * x[pixel];
+                    });
+                }
+            });
+    }
+
+    /// Transpose of [`fill`](Self::fill), added.
+    pub(super) fn add_back(&self, bins: &[f32], weights: &[f32], mut x: &mut [f32]) {
+        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
+        let scale = self.scale();
+        let mut by_frame = Vec::with_capacity(frames);
+        for frame in 0..frames {
+            let runs = &self.pixels.runs[frame * columns..(frame + 1) * columns];
+            let len = runs.iter().map(|run| run.count as usize).sum();
+            let (own, rest) = x.split_at_mut(len);
+            by_frame.push((runs[0].offset, own));
+            x = rest;
+        }
+        by_frame
+            .into_par_iter()
+            .enumerate()
+            .for_each(|(frame, (first, own))| {
+                let slots = frame * columns..(frame + 1) * columns;
+                for (slot, weight) in slots.clone().zip(&weights[slots]) {
+                    let weight = scale * weight;
+                    self.for_each_part(slot, |pixel, bin, part| {
+                        own[pixel - first] += weight * part * bins[bin];
+                    });
+                }
+            });
+    }
+}
+
+/// Which of the two bins have a part, and how much.
+fn lit_parts(share: Share) -> impl Iterator<Item = (usize, f32)> {
+    let parts = share.parts.into_iter().enumerate();
+    parts.filter(|&(_, part)| part > 0.0)
+}
+
+/// Rows from the lowest to the highest that any column lights, counted from below.
+fn lit_rows(pixels: &PatternLayout) -> Option<Range<usize>> {
+    let lit = pixels.runs.iter().filter(|run| run.count > 0);
+    let low = lit.clone().map(|run| run.bottom).min()?;
+    let high = lit.map(|run| run.bottom + run.count).max()?;
+    Some(low as usize..high as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::check::model::noise;
+    use tomolith_optics::resin::Resin;
+
+    #[test]
+    fn bins_hold_the_energy_of_their_pixels_and_adding_back_is_the_transpose() {
+        // 11 columns in 4 bins of 3: half a pixel of the first bin lies beside the pixels; 6 rows in 2
+        let mut light = Light::new(
+            PatternGrid::full_turn(2, 0.0, 6, 11, 0.1),
+            Resin::absorbing(1.5, 0.1),
+        );
+        let runs: Vec<(u32, u32)> = (0..22).map(|i| (1 + i % 2, 1 + i % 3)).collect();
+        light.active = Some(runs);
+        let (bins, larger) = Bins::new(&light, 0.31);
+        assert_eq!((larger.pixels.columns, larger.pixels.rows), (4, 2));
+        let len = light.layout(0).len();
+        let (x, weights) = (noise(1, len), noise(2, 22));
+        let mut found = vec![f32::NAN; larger.layout(0).len()];
+        bins.fill(&x, &[1.0; 22], &mut found);
+        let (energy, binned): (f32, f32) = (x.iter().sum(), found.iter().sum());
+        assert!((energy - 9.0 * binned).abs() < 1e-5, "{energy} {binned}");
+        bins.fill(&x, &weights, &mut found);
+        let back = noise(3, found.len());
+        let mut sum = vec![0.0; len];
+        bins.add_back(&back, &weights, &mut sum);
+        let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
+        assert!((dot(&found, &back) - dot(&x, &sum)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_pixel_astride_two_bins_is_shared_by_its_length_in_each() {
+        let (bins, shares) = shares(5, 2);
+        assert_eq!(bins, 3);
+        let parts: Vec<(usize, [f32; 2])> = shares.iter().map(|s| (s.bin, s.parts)).collect();
+        let (whole, half) = ([1.0, 0.0], [0.5, 0.5]);
+        // Bins that end with the pixels have nothing beyond
+        let (bins, shares) = super::shares(12, 3);
+        assert!(shares.iter().all(|s| s.parts == whole && s.bin < bins));
+        assert_eq!(
+            parts,
+            [(0, whole), (0, half), (1, whole), (1, half), (2, whole)]
+        );
+    }
+}

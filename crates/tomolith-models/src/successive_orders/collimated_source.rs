@@ -1,0 +1,144 @@
+//! Collimated light normal to the axis as a source: one field for each order of its azimuth.
+//!
+//! All harmonics of one order m of the azimuth φ are cos mφ, or sin |m|φ, times a number in the plane of the light; so `parallel` with
+//! patterns weighted by these serves them all, and those that are odd in z are 0.
+
+use super::bins::Bins;
+use super::harmonics::Harmonic;
+use super::scattered_light::DeltaScaledPhase;
+use super::unscattered_source::{Channel, UnscatteredSource};
+use crate::parallel::{Light, Parallel};
+use crate::{LinearOperator, Run};
+use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
+use tomolith_core::error::Result;
+use tomolith_core::field::HostField;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::trace::Tracer;
+use tomolith_optics::vial::Vial;
+
+/// See the [module page](self).
+pub(super) struct CollimatedSource {
+    bins: Bins,
+    /// Light of bins on cells.
+    parallel: Parallel,
+    channels: Vec<Channel>,
+    /// Of each channel cos mφ, or sin |m|φ for m < 0, of each (frame, column).
+    weights: Vec<Vec<f32>>,
+}
+
+impl CollimatedSource {
+    /// Of a light, its pixels in bins and the light of these, on cells.
+    ///
+    /// # Errors
+    /// As [`Parallel::new`].
+    pub(super) fn new(
+        vial: &dyn Vial,
+        light: &Light,
+        (bins, binned): (Bins, Light),
+        delta_scaled: &DeltaScaledPhase,
+        cells: VolumeGrid,
+    ) -> Result<Self> {
+        let azimuths = azimuths(vial, light);
+        let orders = orders_of_azimuth(delta_scaled);
+        let of_column = |&m: &isize| azimuths.iter().map(|&phi| around(m, phi) as f32).collect();
+        Ok(CollimatedSource {
+            bins,
+            parallel: Parallel::new(vial, vec![binned], cells)?,
+            weights: orders.iter().map(of_column).collect(),
+            channels: orders.iter().map(|&m| channel(delta_scaled, m)).collect(),
+        })
+    }
+}
+
+impl UnscatteredSource for CollimatedSource {
+    fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
+        let mut weighted = LinearOperator::new_patterns(&self.parallel)?;
+        let of_channel = |weights: &Vec<f32>| {
+            self.bins.fill(x, weights, weighted.as_mut_slice());
+            let mut field = LinearOperator::new_dose(&self.parallel)?;
+            self.parallel
+                .add_forward(frames.clone(), &weighted, &mut field, run)?;
+            Ok(field)
+        };
+        self.weights.iter().map(of_channel).collect()
+    }
+
+    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()> {
+        let mut own = LinearOperator::new_patterns(&self.parallel)?;
+        for (field, weights) in fields.iter().zip(&self.weights) {
+            self.parallel.adjoint(field, &mut own, run)?;
+            self.bins.add_back(own.as_slice(), weights, grad);
+        }
+        Ok(())
+    }
+
+    fn updates(&self) -> u64 {
+        self.channels.len() as u64 * LinearOperator::updates(&self.parallel)
+    }
+}
+
+/// cos mφ, or sin |m|φ for m < 0.
+fn around(m: isize, phi: f64) -> f64 {
+    if m < 0 {
+        (m.unsigned_abs() as f64 * phi).sin()
+    } else {
+        (m as f64 * phi).cos()
+    }
+}
+
+/// Orders m of the azimuth that light normal to the axis has.
+fn orders_of_azimuth(delta_scaled: &DeltaScaledPhase) -> Vec<isize> {
+    let mut orders: Vec<isize> = Vec::new();
+    for harmonic in delta_scaled.harmonics() {
+        if level(harmonic) != 0.0 && !orders.contains(&harmonic.m) {
+            orders.push(harmonic.m);
+        }
+    }
+    orders
+}
+
+/// What the unscattered light of one order of the azimuth tells.
+fn channel(delta_scaled: &DeltaScaledPhase, m: isize) -> Channel {
+    let own = delta_scaled.harmonics().into_iter().filter(|h| h.m == m);
+    let weighted = own.map(|harmonic| (harmonic, level(harmonic)));
+    Channel(weighted.filter(|&(_, weight)| weight != 0.0).collect())
+}
+
+/// A harmonic in the plane z = 0, over cos mφ or sin |m|φ.
+fn level(harmonic: Harmonic) -> f64 {
+    if (harmonic.l + harmonic.m.unsigned_abs()) % 2 == 1 {
+        return 0.0;
+    }
+    let phi = if harmonic.m < 0 {
+        FRAC_PI_2 / harmonic.m.unsigned_abs() as f64
+    } else {
+        0.0
+    };
+    harmonic.at([phi.cos(), phi.sin(), 0.0])
+}
+
+/// The azimuth of light in the resin, of each (frame, column); 0 where none arrives.
+fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
+    let tracer = Tracer::new(
+        vial,
+        light.resin,
+        light.surrounding_index,
+        light.polarisation,
+    )
+    .in_bath(light.bath);
+    let pixels = &light.pixels;
+    (0..pixels.frames() * pixels.columns)
+        .map(|i| {
+            let (frame, column) = (i / pixels.columns, i % pixels.columns);
+            let path = tracer.trace(pixels.column_u(column), pixels.azimuths[frame]);
+            path.legs
+                .first()
+                .map_or(0.0, |leg| leg.direction[1].atan2(leg.direction[0]))
+        })
+        .collect()
+}

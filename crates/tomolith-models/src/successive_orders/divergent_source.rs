@@ -1,0 +1,75 @@
+//! Light of any directions as a source: one field for each harmonic, by rays that are weighted by their direction in the resin.
+//!
+//! Without a gradient of the index a ray keeps its direction in the resin, so the moment a of its light is its dose times Y_a of
+//! that direction: rays are traced once for all a, and walked once for each.
+
+use super::bins::Bins;
+use super::scattered_light::DeltaScaledPhase;
+use super::unscattered_source::{Channel, UnscatteredSource};
+use crate::rays::Rays;
+use crate::rays::weighted::Weight;
+use crate::{LinearOperator, Run};
+use std::ops::Range;
+use tomolith_core::error::Result;
+use tomolith_core::field::HostField;
+
+/// See the [module page](self).
+pub(super) struct DivergentSource {
+    bins: Bins,
+    /// Light of bins on cells.
+    rays: Rays,
+    channels: Vec<Channel>,
+    weights: Vec<Box<Weight>>,
+    /// 1 for each (frame, column): bins of pixels as bright as these.
+    even: Vec<f32>,
+}
+
+impl DivergentSource {
+    /// Of a light's pixels in bins, and the rays of these on cells.
+    pub(super) fn new(bins: Bins, rays: Rays, delta_scaled: &DeltaScaledPhase) -> Self {
+        let harmonics = delta_scaled.harmonics();
+        let even = vec![1.0; bins.slots()];
+        let channel = |&harmonic| Channel(vec![(harmonic, 1.0)]);
+        DivergentSource {
+            channels: harmonics.iter().map(channel).collect(),
+            weights: harmonics
+                .into_iter()
+                .map(|harmonic| -> Box<Weight> {
+                    let norm = harmonic.norm();
+                    Box::new(move |direction| norm * harmonic.form(direction))
+                })
+                .collect(),
+            bins,
+            rays,
+            even,
+        }
+    }
+}
+
+impl UnscatteredSource for DivergentSource {
+    fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
+        let mut binned = LinearOperator::new_patterns(&self.rays)?;
+        self.bins.fill(x, &self.even, binned.as_mut_slice());
+        let dark = |_| LinearOperator::new_dose(&self.rays);
+        let mut fields: Vec<HostField> = (self.channels.iter()).map(dark).collect::<Result<_>>()?;
+        self.rays
+            .add_weighted(frames, &binned, &self.weights, &mut fields, run)?;
+        Ok(fields)
+    }
+
+    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()> {
+        let mut own = LinearOperator::new_patterns(&self.rays)?;
+        self.rays
+            .collect_weighted(fields, &self.weights, &mut own, run)?;
+        self.bins.add_back(own.as_slice(), &self.even, grad);
+        Ok(())
+    }
+
+    fn updates(&self) -> u64 {
+        self.channels.len() as u64 * LinearOperator::updates(&self.rays)
+    }
+}

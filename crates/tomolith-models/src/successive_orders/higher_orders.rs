@@ -1,0 +1,384 @@
+//! Light that was scattered twice or more, on large cells.
+
+use super::convolver::{Convolver, Kernel, Spectrum};
+use super::free_flight::{FreeFlightKernel, Pattern};
+use super::harmonics::Harmonic;
+use super::scattered_light::DeltaScaledPhase;
+use super::unscattered_source::Channel;
+use crate::DoseLayout;
+use crate::cell_blur::{CellBlur, Sharpen, full_cells};
+use crate::coarse::Coarse;
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+use std::sync::Arc;
+use tomolith_core::field::HostField;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::vial::Vial;
+
+/// Orders are summed until one adds less than this part of all.
+const ENOUGH: f64 = 1e-3;
+/// Orders that are summed at most.
+const MOST: usize = 64;
+
+/// See the [module page](self).
+pub(super) struct HigherOrders {
+    /// Cells of order 1.
+    near: DoseLayout,
+    /// Cells of order 1 along an edge of one here.
+    factor: usize,
+    convolver: Convolver,
+    /// From these cells to voxels.
+    coarse: Coarse,
+    moments: Vec<Moment>,
+    /// Of each pair of moments a ≤ b, row by row.
+    kernels: Vec<Kernel>,
+    /// Part of each (y, x) of cells that is resin.
+    resin: Vec<f32>,
+    /// For unscattered light as a source, light from cell to cell, and what voxels see.
+    given: Sharpen,
+    between: Sharpen,
+    seen: Sharpen,
+    /// The orders 2 … that are summed, with their weights: 1, and for the last that of a geometric series.
+    weights: Vec<f32>,
+}
+
+/// A moment of scattered light.
+struct Moment {
+    harmonic: Harmonic,
+    /// μ_s·f_l, 1/mm.
+    scattered: f32,
+    /// Of unscattered light: the channel that tells it, and its scattered part of that field; None where it is 0.
+    straight: Option<(usize, f32)>,
+}
+
+/// Fields of all moments.
+type Moments = Vec<Vec<f32>>;
+
+impl HigherOrders {
+    pub(super) fn new(
+        vial: &dyn Vial,
+        (delta_scaled, channels, of_bins): (&DeltaScaledPhase, &[Channel], CellBlur),
+        mu: f64,
+        near: &DoseLayout,
+        factor: usize,
+        (fine, shares): (&DoseLayout, &Arc<Vec<f32>>),
+    ) -> Self {
+        let grid = VolumeGrid {
+            shape: near.grid.shape.map(|n| n / factor),
+            pitch_mm: near.grid.pitch_mm * factor as f64,
+            height_mm: near.grid.pitch_mm * factor as f64,
+            center_mm: near.grid.center_mm,
+        };
+        let coarse = Coarse::of_grid(grid.clone(), fine).with_shares(Arc::clone(shares));
+        let [nz, ny, nx] = grid.shape;
+        let convolver = Convolver::new([nx, ny, nz], coarse.layout.row);
+        let free_flight = FreeFlightKernel {
+            mu,
+            edge: grid.pitch_mm,
+        };
+        let moments: Vec<Moment> = delta_scaled
+            .harmonics()
+            .into_iter()
+            .map(|harmonic| {
+                let scattered =
+                    (delta_scaled.per_mm * delta_scaled.coefficients[harmonic.l]) as f32;
+                let told = |(i, channel): (usize, &Channel)| {
+                    let weight = channel.weight(harmonic)?;
+                    Some((i, scattered * weight as f32))
+                };
+                Moment {
+                    harmonic,
+                    scattered,
+                    straight: channels.iter().enumerate().find_map(told),
+                }
+            })
+            .collect();
+        let mut patterns = Vec::new();
+        for (i, a) in moments.iter().enumerate() {
+            for b in &moments[i..] {
+                patterns.push(Pattern(vec![(1.0, a.harmonic, b.harmonic)]));
+            }
+        }
+        let octants = free_flight.octants(&patterns, [nx, ny, nz]);
+        let kernels = octants.iter().zip(&patterns);
+        let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let resin = resin_of(vial, &grid);
+        let (mean, line) = (
+            CellBlur::mean(free_flight.edge),
+            CellBlur::interpolation(free_flight.edge),
+        );
+        let is_full = full_cells(&coarse.layout, |at| vial.in_resin(at));
+        let sharpen = |blur| Sharpen::new(&coarse.layout, &is_full, blur);
+        let mut higher = HigherOrders {
+            near: near.clone(),
+            factor,
+            given: sharpen(of_bins + mean + mean),
+            between: sharpen(mean + mean),
+            seen: sharpen(mean + line),
+            resin,
+            coarse,
+            moments,
+            kernels: kernels.collect(),
+            convolver,
+            weights: Vec::new(),
+        };
+        higher.weights = higher.count_orders();
+        higher
+    }
+
+    pub(super) fn edge_mm(&self) -> f64 {
+        self.coarse.layout.grid.pitch_mm
+    }
+
+    /// Orders that are summed one by one.
+    pub(super) fn orders(&self) -> usize {
+        self.weights.len() + 1
+    }
+
+    /// How many orders even light in the whole resin needs, and the weight of each.
+    fn count_orders(&self) -> Vec<f32> {
+        let mut moments = self.dark();
+        self.for_each_line(&mut moments[0], |resin, line| line.fill(resin));
+        let size = |moments: &Moments| moments[0].iter().map(|&v| f64::from(v)).sum::<f64>();
+        let (mut before, mut sum) = (size(&moments), 0.0);
+        let mut weights = Vec::new();
+        loop {
+            moments = self.scatter(&moments);
+            let now = size(&moments);
+            sum += now;
+            let ratio = (now / before).clamp(0.0, 0.99);
+            let is_last = now < ENOUGH * sum || weights.len() + 1 == MOST;
+            if is_last {
+                weights.push((1.0 / (1.0 - ratio)) as f32);
+                return weights;
+            }
+            weights.push(1.0);
+            before = now;
+        }
+    }
+
+    fn dark(&self) -> Moments {
+        vec![vec![0.0; self.coarse.layout.len()]; self.moments.len()]
+    }
+
+    fn kernel(&self, a: usize, b: usize) -> &Kernel {
+        let (low, high) = (a.min(b), a.max(b));
+        let row: usize = (0..low).map(|i| self.moments.len() - i).sum();
+        &self.kernels[row + high - low]
+    }
+
+    /// Calls `change` with the resin's part and the cells of each (y, x).
+    fn for_each_line(&self, field: &mut [f32], change: impl Fn(f32, &mut [f32]) + Sync) {
+        field
+            .par_chunks_mut(self.coarse.layout.row)
+            .zip(&self.resin)
+            .for_each(|(line, &resin)| change(resin, line));
+    }
+
+    fn no_spectrum(&self) -> Spectrum {
+        vec![Complex::new(0.0, 0.0); self.convolver.len()]
+    }
+
+    /// Free flight of what these sources send out; the first `count` moments of where it arrives.
+    fn fly(&self, sources: &[Spectrum], count: usize) -> Moments {
+        (0..count)
+            .map(|a| {
+                let mut sum = self.no_spectrum();
+                for (b, source) in sources.iter().enumerate() {
+                    self.kernel(a, b).add(source, false, &mut sum);
+                }
+                let mut field = vec![0.0; self.coarse.layout.len()];
+                self.convolver.add_field(sum, 1.0, &mut field);
+                field
+            })
+            .collect()
+    }
+
+    /// The next order: light is scattered by the resin and flies on.
+    fn scatter(&self, moments: &[Vec<f32>]) -> Moments {
+        self.fly(&self.emitted(moments), self.moments.len())
+    }
+
+    /// Spectra of what the resin sends out in this light.
+    fn emitted(&self, moments: &[Vec<f32>]) -> Vec<Spectrum> {
+        moments
+            .iter()
+            .zip(&self.moments)
+            .map(|(field, moment)| {
+                let mut field = self.between.of(field);
+                self.for_each_line(&mut field, |resin, line| {
+                    line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
+                });
+                self.convolver.transform(&field)
+            })
+            .collect()
+    }
+
+    /// Transpose of [`scatter`](Self::scatter).
+    fn scatter_back(&self, moments: &[Vec<f32>]) -> Moments {
+        let mut back = self.fly_back(moments);
+        for (field, moment) in back.iter_mut().zip(&self.moments) {
+            self.for_each_line(field, |resin, line| {
+                line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
+            });
+            *field = self.between.of(field);
+        }
+        back
+    }
+
+    /// Transpose of free flight, from the moments given (all, or the first alone).
+    fn fly_back(&self, moments: &[Vec<f32>]) -> Moments {
+        let spectra: Vec<Spectrum> = moments
+            .iter()
+            .map(|field| self.convolver.transform(field))
+            .collect();
+        (0..self.moments.len())
+            .map(|b| {
+                let mut sum = self.no_spectrum();
+                for (a, spectrum) in spectra.iter().enumerate() {
+                    self.kernel(a, b).add(spectrum, true, &mut sum);
+                }
+                let mut field = vec![0.0; self.coarse.layout.len()];
+                self.convolver.add_field(sum, 1.0, &mut field);
+                field
+            })
+            .collect()
+    }
+
+    /// dose += light scattered twice or more, of these fields of unscattered light
+    pub(super) fn add_forward(&self, sources: &[HostField], dose: &mut [f32]) {
+        let fields: Vec<Vec<f32>> = (sources.iter())
+            .map(|source| self.given.of(&self.restrict(source.as_slice())))
+            .collect();
+        let spectra: Vec<Spectrum> = self
+            .moments
+            .iter()
+            .map(|moment| {
+                let Some((channel, weight)) = moment.straight else {
+                    return self.no_spectrum();
+                };
+                let field: Vec<f32> = fields[channel].iter().map(|v| weight * v).collect();
+                self.convolver.transform(&field)
+            })
+            .collect();
+        let mut moments = self.fly(&spectra, self.moments.len());
+        let mut sum = vec![0.0; self.coarse.layout.len()];
+        for (i, &weight) in self.weights.iter().enumerate() {
+            let is_last = i + 1 == self.weights.len();
+            let count = if is_last { 1 } else { self.moments.len() };
+            moments = self.fly(&self.emitted(&moments), count);
+            let weight = weight * FLUENCE;
+            sum.iter_mut()
+                .zip(&moments[0])
+                .for_each(|(sum, value)| *sum += weight * value);
+        }
+        self.coarse.spread(&self.seen.of(&sum), dose);
+    }
+
+    /// Transpose of [`add_forward`](Self::add_forward): what each field of unscattered light gets.
+    pub(super) fn adjoint(&self, cotangent: &[f32]) -> Back<'_> {
+        let mut cells = vec![0.0; self.coarse.layout.len()];
+        self.coarse.gather(cotangent, &mut cells);
+        let mut cells = self.seen.of(&cells);
+        cells.iter_mut().for_each(|v| *v *= FLUENCE);
+        // The last order has one moment that counts
+        let mut moments = vec![vec![0.0; cells.len()]];
+        for &weight in self.weights.iter().rev() {
+            moments[0]
+                .iter_mut()
+                .zip(&cells)
+                .for_each(|(v, cell)| *v += weight * cell);
+            moments = self.scatter_back(&moments);
+        }
+        Back {
+            higher: self,
+            moments: self.fly_back(&moments),
+        }
+    }
+
+    /// Means over the cells of order 1 in each cell here.
+    fn restrict(&self, near: &[f32]) -> Vec<f32> {
+        let mut field = vec![0.0; self.coarse.layout.len()];
+        let (row, near_row) = (self.coarse.layout.row, self.near.row);
+        let [nz, _, nx] = self.coarse.layout.grid.shape;
+        let near_nx = self.near.grid.shape[2];
+        let (k, share) = (self.factor, 1.0 / (self.factor.pow(3)) as f32);
+        field.par_chunks_mut(row).enumerate().for_each(|(i, line)| {
+            let (y, x) = (i / nx, i % nx);
+            for dy in 0..k {
+                for dx in 0..k {
+                    let from = ((k * y + dy) * near_nx + k * x + dx) * near_row;
+                    let near = &near[from..from + k * nz];
+                    for (sum, values) in line.iter_mut().zip(near.chunks_exact(k)) {
+                        *sum += share * values.iter().sum::<f32>();
+                    }
+                }
+            }
+        });
+        field
+    }
+
+    /// Transpose of [`restrict`](Self::restrict), added.
+    fn add_prolonged(&self, field: &[f32], near: &mut [f32]) {
+        let (row, near_row) = (self.coarse.layout.row, self.near.row);
+        let [nz, _, nx] = self.coarse.layout.grid.shape;
+        let near_nx = self.near.grid.shape[2];
+        let (k, share) = (self.factor, 1.0 / (self.factor.pow(3)) as f32);
+        near.par_chunks_mut(near_row)
+            .enumerate()
+            .for_each(|(i, near)| {
+                let (y, x) = (i / near_nx / k, i % near_nx / k);
+                let line = &field[(y * nx + x) * row..][..nz];
+                for (values, value) in near.chunks_exact_mut(k).zip(line) {
+                    values.iter_mut().for_each(|v| *v += share * value);
+                }
+            });
+    }
+}
+
+/// Fluence per moment 00: √(4π).
+const FLUENCE: f32 = 3.544_907_7;
+
+/// What comes back from light scattered twice or more.
+pub(super) struct Back<'a> {
+    higher: &'a HigherOrders,
+    moments: Moments,
+}
+
+impl Back<'_> {
+    /// Adds what belongs to one channel.
+    pub(super) fn add_to(&self, channel: usize, near: &mut [f32]) {
+        let higher = self.higher;
+        let mut sum = vec![0.0; higher.coarse.layout.len()];
+        for (moment, field) in higher.moments.iter().zip(&self.moments) {
+            if let Some((_, weight)) = moment.straight.filter(|(own, _)| *own == channel) {
+                sum.iter_mut()
+                    .zip(field)
+                    .for_each(|(sum, value)| *sum += weight * value);
+            }
+        }
+        higher.add_prolonged(&higher.given.of(&sum), near);
+    }
+}
+
+/// Part of each (y, x) of cells or voxels that is resin, by 8 × 8 points; the resin is convex.
+pub(super) fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
+    const POINTS: usize = 8;
+    let [_, ny, nx] = grid.shape;
+    let at = |i: usize| ((i as f64 + 0.5) / POINTS as f64 - 0.5) * grid.pitch_mm;
+    let half = grid.pitch_mm / 2.0;
+    (0..ny * nx)
+        .into_par_iter()
+        .map(|i| {
+            let (x, y) = (grid.x(i % nx), grid.y(i / nx));
+            let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
+            if (corners.iter()).all(|(dx, dy)| vial.in_resin([x + dx, y + dy, 0.0])) {
+                return 1.0;
+            }
+            let inside = (0..POINTS * POINTS)
+                .filter(|j| vial.in_resin([x + at(j % POINTS), y + at(j / POINTS), 0.0]))
+                .count();
+            inside as f32 / (POINTS * POINTS) as f32
+        })
+        .collect()
+}

@@ -1,0 +1,348 @@
+//! The scattered part of one light: unscattered light on cells, and what becomes of it.
+
+use super::bins::Bins;
+use super::collimated_source::CollimatedSource;
+use super::convolver::{Convolver, Kernel};
+use super::divergent_source::DivergentSource;
+use super::free_flight::{FreeFlightKernel, Pattern};
+use super::harmonics::{Harmonic, coefficients};
+use super::higher_orders::{HigherOrders, resin_of};
+use super::unscattered_source::{Channel, UnscatteredSource};
+use super::{Params, by_rays};
+use crate::cell_blur::{CellBlur, Sharpen, full_cells};
+use crate::coarse::Coarse;
+use crate::parallel::Light;
+use crate::rays::Optics;
+use crate::{DoseLayout, Run};
+use realfft::num_complex::Complex;
+use std::f64::consts::PI;
+use std::ops::Range;
+use std::sync::Arc;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::HostField;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::phase::Scattering;
+use tomolith_optics::vial::Vial;
+
+/// A phase function by harmonics, its forward lobe folded into the unscattered light.
+#[derive(Clone, Debug)]
+pub(super) struct DeltaScaledPhase {
+    /// Part of the scattered light that counts as straight.
+    pub(super) forward_fraction: f64,
+    /// Scattering that is left, 1/mm.
+    pub(super) per_mm: f64,
+    /// Scattering that counts as unscattered light, 1/mm.
+    pub(super) straight_per_mm: f64,
+    /// f_l for l = 0 …; f_0 = 1.
+    pub(super) coefficients: Vec<f64>,
+}
+
+/// Degree at which phase functions are cut.
+const DEGREE: usize = 3;
+/// Coefficients below this are none.
+const NOTHING: f64 = 1e-6;
+
+impl DeltaScaledPhase {
+    pub(super) fn new(scattering: &Scattering) -> Self {
+        let mut all = coefficients(scattering.phase.as_ref(), DEGREE + 1);
+        let forward_fraction = all.pop().filter(|&f| f > NOTHING).unwrap_or(0.0);
+        let mut coefficients: Vec<f64> = all
+            .iter()
+            .map(|f| (f - forward_fraction) / (1.0 - forward_fraction))
+            .collect();
+        while coefficients.last().is_some_and(|f| f.abs() < NOTHING) {
+            coefficients.pop();
+        }
+        DeltaScaledPhase {
+            forward_fraction,
+            per_mm: (1.0 - forward_fraction) * scattering.per_mm,
+            straight_per_mm: forward_fraction * scattering.per_mm,
+            coefficients,
+        }
+    }
+
+    /// The harmonics that scattered light has, 00 first.
+    pub(super) fn harmonics(&self) -> Vec<Harmonic> {
+        let has = |l: usize| self.coefficients[l].abs() >= NOTHING;
+        (0..self.coefficients.len())
+            .filter(|&l| has(l))
+            .flat_map(|l| (-(l as isize)..=l as isize).map(move |m| Harmonic { l, m }))
+            .collect()
+    }
+}
+
+/// See the [module page](self).
+pub(super) struct ScatteredLight {
+    /// Where this light's pixels lie in a pattern field, and its frames among all.
+    pixels: Range<usize>,
+    frames: Range<usize>,
+    /// Straight light on cells.
+    straight: Box<dyn UnscatteredSource>,
+    /// For unscattered light as a source, and what voxels see of order 1.
+    given: Sharpen,
+    seen: Sharpen,
+    /// Of each of its fields: to the dose of order 1.
+    kernels: Vec<Kernel>,
+    convolver: Convolver,
+    /// From the cells of order 1 to voxels.
+    coarse: Coarse,
+    higher: HigherOrders,
+}
+
+impl ScatteredLight {
+    /// Of a light and its optics, None where `parallel` follows it; with the place of its pixels and frames among all.
+    pub(super) fn new(
+        vial: &dyn Vial,
+        (light, cone): (Light, Option<&Optics>),
+        delta_scaled: &DeltaScaledPhase,
+        params: &Params,
+        fine: &DoseLayout,
+        (offset, first_frame): (usize, usize),
+    ) -> Result<Self> {
+        let edges = cell_edges(vial, delta_scaled, params);
+        let edge = edges[0];
+        let (bins, binned) = Bins::new(&light, edge);
+        let rays = |optics| by_rays(vial, vec![binned.clone()], &[optics], params, &fine.grid);
+        let rays = cone.cloned().map(rays).transpose()?;
+        let lit = rays.as_ref();
+        let lit = lit.map_or_else(|| bins.heights_mm(), |rays| rays.heights_mm());
+        let mu = light.resin.attenuation_per_mm;
+        let cells = Cells::new(vial, (delta_scaled, edges, mu), lit, &fine.grid);
+        cells.must_be_few()?;
+        let layout = DoseLayout::new("dose", cells.grid.clone(), 0);
+        let [nz, ny, nx] = cells.grid.shape;
+        let convolver = Convolver::new([nx, ny, nz], layout.row);
+        let free_flight = FreeFlightKernel {
+            mu,
+            edge: cells.grid.pitch_mm,
+        };
+        let frames = first_frame..first_frame + light.pixels.frames();
+        let len = light.layout(0).len();
+        let of_bins = bins.blur();
+        let straight: Box<dyn UnscatteredSource> = match rays {
+            Some(rays) => Box::new(DivergentSource::new(
+                bins,
+                rays.on(cells.grid.clone()),
+                delta_scaled,
+            )),
+            None => {
+                let grid = cells.grid.clone();
+                Box::new(CollimatedSource::new(
+                    vial,
+                    &light,
+                    (bins, binned),
+                    delta_scaled,
+                    grid,
+                )?)
+            }
+        };
+        let channels = straight.channels();
+        let patterns: Vec<Pattern> = channels
+            .iter()
+            .map(|c| order_one(delta_scaled, c))
+            .collect();
+        let octants = free_flight.octants(&patterns, [nx, ny, nz]);
+        let kernels = octants.iter().zip(&patterns);
+        let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let is_full = full_cells(&layout, |at| vial.in_resin(at));
+        let (mean, line) = (
+            CellBlur::mean(free_flight.edge),
+            CellBlur::interpolation(free_flight.edge),
+        );
+        let shares = Arc::new(resin_of(vial, &fine.grid));
+        Ok(ScatteredLight {
+            pixels: offset..offset + len,
+            frames,
+            given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
+            seen: Sharpen::new(&layout, &is_full, mean + line),
+            kernels: kernels.collect(),
+            higher: HigherOrders::new(
+                vial,
+                (delta_scaled, channels, of_bins),
+                mu,
+                &layout,
+                cells.factor,
+                (fine, &shares),
+            ),
+            straight,
+            convolver,
+            coarse: Coarse::of_grid(cells.grid, fine).with_shares(shares),
+        })
+    }
+
+    pub(super) fn updates(&self) -> u64 {
+        self.straight.updates()
+    }
+
+    pub(super) fn describe(&self) -> String {
+        format!(
+            "cells of {:.3} mm, from order 2 on of {:.3} mm, {} orders",
+            self.coarse.layout.grid.pitch_mm,
+            self.higher.edge_mm(),
+            self.higher.orders()
+        )
+    }
+
+    /// dose += scattered light of these frames
+    pub(super) fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &[f32],
+        dose: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let first = self.frames.start;
+        let own = frames.start.clamp(first, self.frames.end) - first
+            ..frames.end.clamp(first, self.frames.end) - first;
+        if own.is_empty() {
+            return Ok(());
+        }
+        let sources = self.straight.fields(own, &x[self.pixels.clone()], run)?;
+        let mut once = vec![Complex::new(0.0, 0.0); self.convolver.len()];
+        for (kernel, source) in self.kernels.iter().zip(&sources) {
+            let spectrum = self.convolver.transform(&self.given.of(source.as_slice()));
+            kernel.add(&spectrum, false, &mut once);
+        }
+        let mut cells = vec![0.0; self.coarse.layout.len()];
+        self.convolver.add_field(once, 1.0, &mut cells);
+        self.coarse.spread(&self.seen.of(&cells), dose);
+        self.higher.add_forward(&sources, dose);
+        Ok(())
+    }
+
+    /// grad += transpose of the scattered light on a cotangent
+    pub(super) fn add_adjoint(&self, cotangent: &[f32], grad: &mut [f32], run: &Run) -> Result<()> {
+        let mut cells = vec![0.0; self.coarse.layout.len()];
+        self.coarse.gather(cotangent, &mut cells);
+        let once = self.convolver.transform(&self.seen.of(&cells));
+        let higher = self.higher.adjoint(cotangent);
+        let source = |(channel, kernel): (usize, &Kernel)| {
+            let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
+            kernel.add(&once, true, &mut sum);
+            let mut cells = vec![0.0; self.coarse.layout.len()];
+            self.convolver.add_field(sum, 1.0, &mut cells);
+            let mut source = HostField::zeros(cells.len());
+            source
+                .as_mut_slice()
+                .copy_from_slice(&self.given.of(&cells));
+            higher.add_to(channel, source.as_mut_slice());
+            source
+        };
+        let sources: Vec<HostField> = self.kernels.iter().enumerate().map(source).collect();
+        let grad = &mut grad[self.pixels.clone()];
+        self.straight.add_adjoint(&sources, grad, run)
+    }
+}
+
+/// What turns a field of unscattered light into the dose of light scattered once.
+fn order_one(delta_scaled: &DeltaScaledPhase, Channel(terms): &Channel) -> Pattern {
+    let zero = Harmonic { l: 0, m: 0 };
+    let fluence = (4.0 * PI).sqrt() * delta_scaled.per_mm;
+    let scattered = |&(h, weight): &(Harmonic, f64)| {
+        let strength = fluence * delta_scaled.coefficients[h.l] * weight;
+        (strength, zero, h)
+    };
+    Pattern(terms.iter().map(scattered).collect())
+}
+
+/// Edges of the cells of order 1, mm: in use, and where a job asks for none.
+fn cell_edges(vial: &dyn Vial, delta_scaled: &DeltaScaledPhase, params: &Params) -> [f64; 2] {
+    let radius = vial.resin_wall().inscribed_radius();
+    let usual = (0.04 / delta_scaled.per_mm).clamp(radius / 32.0, radius / 12.0);
+    let usual = usual.min(0.2 / delta_scaled.per_mm);
+    let asked = params.cell_mm.map(|edge| edge.min(radius / 4.0));
+    [asked.unwrap_or(usual), usual]
+}
+
+/// Cells of order 1 along an edge of one of the later orders: as long as 0.4 mm at μ = 1, and 20 of them across, but no more than where
+/// no edge is asked for, so that smaller cells are smaller in all orders.
+fn cells_of_later_orders([edge, usual]: [f64; 2], mu: f64, radius: f64) -> usize {
+    let longest = (0.4 / mu).min(radius / 10.0);
+    let count = |edge: f64| (longest / edge).floor().max(1.0);
+    count(edge).min(count(usual)) as usize
+}
+
+/// How far above and below what is lit or wanted light may go and come back, mm.
+///
+/// Diffusion in a cylinder decays along z as e^(−κz), κ² = 3μ_a(μ_a + μ_s′) + (2.4/R)², μ_s′ = μ_s(1 − f₁). Five lengths, fewer where much
+/// light is absorbed before it is scattered again: 0.1 to 0.3 % of the dose are missing (docs/measured/scattering.md).
+fn margin_mm(delta_scaled: &DeltaScaledPhase, mu: f64, radius: f64) -> f64 {
+    const LENGTHS: f64 = 5.0;
+    /// First zero of the Bessel function J₀.
+    const ZERO: f64 = 2.405;
+    let turned =
+        delta_scaled.per_mm * (1.0 - delta_scaled.coefficients.get(1).copied().unwrap_or(0.0));
+    let absorbed = (mu - delta_scaled.per_mm).max(0.0);
+    let decay = 3.0 * absorbed * (absorbed + turned) + (ZERO / radius).powi(2);
+
+    LENGTHS * (delta_scaled.per_mm / mu).powi(2) / decay.sqrt()
+}
+
+/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty.
+const MOST_CELLS: usize = 1 << 24;
+
+/// The cells of order 1, and how many of them make one of the later orders.
+struct Cells {
+    grid: VolumeGrid,
+    factor: usize,
+}
+
+impl Cells {
+    /// Cells over the resin, from below to above what is lit or wanted.
+    fn new(
+        vial: &dyn Vial,
+        (delta_scaled, edges, mu): (&DeltaScaledPhase, [f64; 2], f64),
+        [lit_low, lit_high]: [f64; 2],
+        fine: &VolumeGrid,
+    ) -> Self {
+        let radius = vial.resin_wall().inscribed_radius();
+        let edge = edges[0];
+        let factor = cells_of_later_orders(edges, mu, radius);
+        let margin = margin_mm(delta_scaled, mu, radius);
+        let [low, high] = fine.bounds_mm();
+        let (low, high) = (low[2].min(lit_low) - margin, high[2].max(lit_high) + margin);
+        let count =
+            |length: f64| (length / (edge * factor as f64)).ceil().max(2.0) as usize * factor;
+        let across = count(2.0 * radius);
+        Cells {
+            grid: VolumeGrid {
+                shape: [count(high - low), across, across],
+                pitch_mm: edge,
+                height_mm: edge,
+                center_mm: [0.0, 0.0, (low + high) / 2.0],
+            },
+            factor,
+        }
+    }
+
+    /// Refuses more cells than a machine can hold.
+    fn must_be_few(&self) -> Result<()> {
+        let [nz, ny, nx] = self.grid.shape;
+        let found = nz.saturating_mul(ny).saturating_mul(nx);
+        if found <= MOST_CELLS {
+            return Ok(());
+        }
+        let edge = self.grid.pitch_mm * (found as f64 / MOST_CELLS as f64).cbrt();
+        let edge = (edge * 1e3).ceil() / 1e3;
+        Err(Error::config(
+            "model.successive_orders.cell_mm",
+            format!("{nz} × {ny} × {nx} cells of {} mm", self.grid.pitch_mm),
+            format!("at most {MOST_CELLS} cells: about {edge} mm or more, or [model.monte_carlo]"),
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smaller_cells_are_smaller_in_all_orders() {
+        // Of its own 0.125 mm cells, a vial of 3.75 mm has later ones of 0.375 mm
+        let later = |edge: f64| edge * cells_of_later_orders([edge, 0.125], 0.3, 3.75) as f64;
+        assert_eq!(later(0.125), 0.375);
+        assert_eq!(later(0.0625), 0.1875);
+        // Larger ones never exceed that
+        assert_eq!((later(0.25), later(0.1875)), (0.25, 0.375));
+    }
+}

@@ -1,0 +1,195 @@
+//! From samples of the light of every frame to voxels that turn, and back.
+//!
+//! # Equation
+//! A voxel at (X, Y) lies at depth d = −(X cos α + Y sin α) along the light of azimuth α and at u = −X sin α + Y cos α across it:
+//! ```text
+//! dose(X, Y, z) += a·e^(−μ_t·way) Σ_k Σ_j c_k(|d − d₀|/h − ½)·b_j(u)·I[k][j][z]
+//! ```
+//! with the weights of [`Taps`](super::taps::Taps) along and across. Depths are mirrored about the focal plane d₀: |ψ(−x)|² = |ψ(x)|² for real patterns.
+//! Dose and pullback enumerate the same entries, the first by voxel, the second sorted by sample.
+
+use super::number::Number;
+use super::resample::{Places, mirrored};
+use super::sampling::Sampling;
+use std::ops::Range;
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
+
+/// Voxels along an edge of a tile.
+pub(super) const TILE: usize = 16;
+
+/// What the resin takes of light on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Uptake {
+    /// Dose per fluence.
+    pub(super) active: f64,
+    /// Total attenuation, 1/mm.
+    pub(super) attenuation: f64,
+    /// Radius of the resin where the way begins at its wall; None: it begins at a plane.
+    pub(super) wall: Option<f64>,
+    /// Depth of that plane, mm.
+    pub(super) entrance: f64,
+}
+
+impl Uptake {
+    /// Dose of a fluence of 1 at a depth and a lateral place, mm.
+    fn dose(&self, depth: f64, u: f64) -> f64 {
+        if self.attenuation == 0.0 {
+            return self.active;
+        }
+        let enter = self
+            .wall
+            .map_or(self.entrance, |r| -(r * r - u * u).max(0.0).sqrt());
+        self.active * (-self.attenuation * (depth - enter).max(0.0)).exp()
+    }
+}
+
+/// The turning voxels of one light.
+pub(super) struct FrameRotation {
+    /// Azimuths, `sub_angles` of each frame.
+    azimuths: Vec<f64>,
+    sub_angles: usize,
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// Whether a column of voxels lies in the resin.
+    in_resin: Vec<bool>,
+    uptake: Uptake,
+    focus: f64,
+    /// Lateral samples.
+    lateral: Places,
+}
+
+/// What one frame brings to the voxels of a tile.
+#[derive(Default)]
+pub(super) struct TileEntries<T> {
+    /// Voxel columns (iy·nx + ix) that are lit.
+    pub(super) voxels: Vec<u32>,
+    /// First entry of each, and the end.
+    pub(super) starts: Vec<u32>,
+    pub(super) slots: Vec<u32>,
+    pub(super) weights: Vec<T>,
+    along: Vec<f64>,
+    across: Vec<f64>,
+}
+
+impl FrameRotation {
+    pub(super) fn new(
+        (pixels, sub_angles): (&PatternGrid, usize),
+        grid: &VolumeGrid,
+        in_resin: Vec<bool>,
+        (uptake, focus): (Uptake, f64),
+        lateral: Places,
+    ) -> Self {
+        let [_, ny, nx] = grid.shape;
+        let within = |sub: usize| (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
+        let azimuths = pixels.azimuths.iter();
+        FrameRotation {
+            azimuths: azimuths
+                .flat_map(|a| (0..sub_angles).map(move |sub| a + within(sub) * pixels.frame_arc))
+                .collect(),
+            sub_angles,
+            x: (0..nx).map(|i| grid.x(i)).collect(),
+            y: (0..ny).map(|i| grid.y(i)).collect(),
+            in_resin,
+            uptake,
+            focus,
+            lateral,
+        }
+    }
+
+    /// Columns of voxels in the resin.
+    pub(super) fn columns(&self) -> usize {
+        self.in_resin.iter().filter(|r| **r).count()
+    }
+
+    /// Enumerates what a frame brings to a tile; its sample [k][j] is slot `first + k·width + j`.
+    pub(super) fn enumerate<T: Number>(
+        &self,
+        (frame, first): (usize, usize),
+        (xs, ys): (Range<usize>, Range<usize>),
+        sampling: &Sampling,
+        entries: &mut TileEntries<T>,
+    ) {
+        entries.voxels.clear();
+        entries.starts.clear();
+        entries.slots.clear();
+        entries.weights.clear();
+        let subs = frame * self.sub_angles..(frame + 1) * self.sub_angles;
+        let turns: Vec<(f64, f64)> = self.azimuths[subs].iter().map(|a| a.sin_cos()).collect();
+        let share = 1.0 / self.sub_angles as f64;
+        let depths = sampling.along.last();
+        for iy in ys {
+            for ix in xs.clone() {
+                let column = iy * self.x.len() + ix;
+                if !self.in_resin[column] {
+                    continue;
+                }
+                entries.voxels.push(column as u32);
+                entries.starts.push(entries.slots.len() as u32);
+                for &(sin, cos) in &turns {
+                    let depth = -(self.x[ix] * cos + self.y[iy] * sin);
+                    let u = self.y[iy] * cos - self.x[ix] * sin;
+                    let weight = share * self.uptake.dose(depth, u);
+                    let place = depths.place((depth - self.focus).abs());
+                    let k0 = sampling.along.taps.at(place, &mut entries.along);
+                    let place = (u - self.lateral.from) / self.lateral.step;
+                    let j0 = sampling.across.taps.at(place, &mut entries.across);
+                    for (k, a) in (k0..).zip(&entries.along) {
+                        let row = first + mirrored(k) * self.lateral.count;
+                        for (j, b) in (j0..).zip(&entries.across) {
+                            entries.slots.push((row as i64 + j) as u32);
+                            entries.weights.push(T::of(weight * a * b));
+                        }
+                    }
+                }
+            }
+        }
+        entries.starts.push(entries.slots.len() as u32);
+    }
+}
+
+/// The same entries by sample.
+#[derive(Default)]
+pub(super) struct Sorted<T> {
+    /// Samples that are met.
+    pub(super) samples: Vec<u32>,
+    pub(super) starts: Vec<u32>,
+    pub(super) voxels: Vec<u32>,
+    pub(super) weights: Vec<T>,
+    counts: Vec<u32>,
+}
+
+impl<T: Number> Sorted<T> {
+    /// Counting sort; voxels of a sample keep their order.
+    pub(super) fn sort(&mut self, entries: &TileEntries<T>) {
+        self.samples.clear();
+        self.starts.clear();
+        let Some((&low, &high)) = entries.slots.iter().min().zip(entries.slots.iter().max()) else {
+            self.starts.push(0);
+            return;
+        };
+        self.counts.clear();
+        self.counts.resize((high - low) as usize + 1, 0);
+        for &slot in &entries.slots {
+            self.counts[(slot - low) as usize] += 1;
+        }
+        let mut next = 0;
+        for (i, count) in self.counts.iter_mut().enumerate() {
+            if *count > 0 {
+                self.samples.push(low + i as u32);
+                self.starts.push(next);
+            }
+            next += std::mem::replace(count, next);
+        }
+        self.starts.push(next);
+        self.voxels.resize(next as usize, 0);
+        self.weights.resize(next as usize, T::zero());
+        for (i, &voxel) in entries.voxels.iter().enumerate() {
+            for e in entries.starts[i] as usize..entries.starts[i + 1] as usize {
+                let at = &mut self.counts[(entries.slots[e] - low) as usize];
+                self.voxels[*at as usize] = voxel;
+                self.weights[*at as usize] = entries.weights[e];
+                *at += 1;
+            }
+        }
+    }
+}

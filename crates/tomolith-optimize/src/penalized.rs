@@ -1,0 +1,170 @@
+//! A problem with penalties on its patterns: gradient, searches and optimizers see the whole of it.
+
+use crate::{Limits, OPTIMIZERS, Problem, Stop};
+use serde_json::json;
+use std::sync::Arc;
+use tomolith_core::check::noise;
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::Section;
+use tomolith_core::response::Identity;
+use tomolith_objective::penalty::{PENALTIES, PatternPenalty, Penalties};
+use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+
+const LIMITS: Limits = Limits { min: 0.0, max: 2.0 };
+
+fn objective(model: &SmallModel) -> Box<dyn Objective<HostField>> {
+    let (target, labels) = model.ring();
+    let input = ObjectiveInput {
+        layout: model.layout(),
+        labels: &labels,
+        target: &target,
+        response: Arc::new(Identity),
+    };
+    let row = OBJECTIVES
+        .iter()
+        .find(|row| row.name == "threshold")
+        .unwrap();
+    (row.build)(&Section::new("objective.threshold", json!({})), &input).unwrap()
+}
+
+fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<HostField> {
+    let build = |name: &str, json| {
+        let row = PENALTIES.iter().find(|row| row.name == name).unwrap();
+        (row.build)(
+            &Section::new("penalties[0]", json),
+            DoseModel::patterns(model),
+        )
+        .unwrap()
+    };
+    let sparse = build("sparsity", json!({"exponent": 4.0}));
+    let smooth = build("smoothness", json!({"angles": 1.0}));
+    Penalties::new(vec![(sparsity, sparse), (smoothness, smooth)]).unwrap()
+}
+
+fn patterns(model: &SmallModel) -> HostField {
+    let len = DoseModel::new_patterns(model).unwrap().len();
+    let values: Vec<f32> = noise(len, 3).iter().map(|v| 0.5 + 0.4 * v).collect();
+    HostField::from_slice(&values)
+}
+
+#[test]
+fn loss_and_gradient_are_those_of_the_sum() {
+    let model = SmallModel::new(18, 12, 5);
+    let (objective, run) = (objective(&model), Run::new());
+    let mut problem = Problem::new(&model, &*objective, &[LIMITS], &run)
+        .unwrap()
+        .with_penalties(penalties(&model, 0.3, 0.2));
+    let mut x = patterns(&model);
+    let at = problem.evaluate_at(&mut x).unwrap();
+    let alone = objective.value(&at.dose);
+    let expected = alone + penalties(&model, 0.3, 0.2).value(&x);
+    assert!(expected > 1.1 * alone && (at.loss - expected).abs() < 1e-9 * expected);
+    let mut gradient = x.zeros_like();
+    problem.gradient(&x, &at, &mut gradient).unwrap();
+    let direction = HostField::from_slice(&noise(x.len(), 8));
+    let mut loss = |h: f32| {
+        let mut moved = x.clone();
+        moved.axpy(h, &direction);
+        problem.evaluate_at(&mut moved).unwrap().loss
+    };
+    let difference = (loss(1e-2) - loss(-1e-2)) / 2e-2;
+    let slope = gradient.dot(&direction);
+    assert!(
+        (difference - slope).abs() < 2e-3 * slope.abs().max(1.0),
+        "{slope}, differences {difference}"
+    );
+}
+
+#[test]
+fn a_search_ends_where_the_whole_sum_is_lowest() {
+    let model = SmallModel::new(18, 12, 5);
+    let (objective, run) = (objective(&model), Run::new());
+    let mut problem = Problem::new(&model, &*objective, &[LIMITS], &run)
+        .unwrap()
+        .with_penalties(penalties(&model, 30.0, 2.0));
+    let mut x = patterns(&model);
+    let mut at = problem.evaluate_at(&mut x).unwrap();
+    let mut gradient = x.zeros_like();
+    problem.gradient(&x, &at, &mut gradient).unwrap();
+    let mut step = x.zeros_like();
+    let sums = step.project_step(&x, &gradient, 1.0, problem.bounds(&x));
+    let (from, before) = (x.clone(), at.loss);
+    let found = problem.search(&mut x, &step, sums.slope, &mut at).unwrap();
+    assert!(
+        found.alpha > 0.0 && found.alpha < 1.0 && at.loss < before,
+        "{found:?}"
+    );
+    // What it says is what there is
+    let mut again = x.clone();
+    let placed = problem.evaluate_at(&mut again).unwrap();
+    assert!(
+        (placed.loss - at.loss).abs() < 1e-6 * at.loss,
+        "{} {}",
+        placed.loss,
+        at.loss
+    );
+    // No other place on the segment is much lower
+    for alpha in (1..20).map(|i| i as f32 / 20.0) {
+        let mut there = from.clone();
+        there.axpy(alpha, &step);
+        let loss = problem.evaluate_at(&mut there).unwrap().loss;
+        assert!(
+            loss > at.loss - 0.02 * (before - at.loss),
+            "{alpha}: {loss} below {}",
+            at.loss
+        );
+    }
+}
+
+#[test]
+fn every_optimizer_pays_for_light_and_for_roughness() {
+    let model = SmallModel::new(18, 12, 5);
+    let objective = objective(&model);
+    let parts = [penalties(&model, 1.0, 0.0), penalties(&model, 0.0, 1.0)];
+    for row in OPTIMIZERS {
+        let example = tomolith_core::check::example(row);
+        let needs = (row.build)(&example).unwrap().requirements();
+        if needs.unpenalized.is_some() {
+            let flag = Run::new();
+            let problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
+                .unwrap()
+                .with_penalties(penalties(&model, 1.0, 0.0));
+            let refused = needs.check(&problem).unwrap_err().to_string();
+            assert!(refused.contains("penalties"), "{}: {refused}", row.name);
+            continue;
+        }
+        let run = |sparsity: f64, smoothness: f64| {
+            let flag = Run::new();
+            let mut problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
+                .unwrap()
+                .with_penalties(penalties(&model, sparsity, smoothness));
+            let section = tomolith_core::check::example(row);
+            let mut optimizer = (row.build)(&section).unwrap();
+            let mut x = patterns(&model);
+            let stop = Stop {
+                iterations: 25,
+                ..Stop::default()
+            };
+            crate::run(
+                &mut problem,
+                optimizer.as_mut(),
+                &mut x,
+                &stop,
+                None,
+                &mut [],
+            )
+            .unwrap();
+            parts.each_ref().map(|part| part.value(&x))
+        };
+        let [plain, sparse, smooth] =
+            [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]].map(|[a, b]| run(a, b));
+        let left = [sparse[0] / plain[0], smooth[1] / plain[1]];
+        assert!(left[0] < 0.8, "{}: sparsity {left:?}", row.name);
+        // The raw step of bclp's example is too long for the curvature that this smoothness adds
+        if row.name != "bclp" {
+            assert!(left[1] < 0.5, "{}: smoothness {left:?}", row.name);
+        }
+    }
+}

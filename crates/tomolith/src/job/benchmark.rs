@@ -1,0 +1,491 @@
+//! Benchmark of a job on this machine with its present load, before any work.
+//!
+//! The model that the optimizer asks and the one that judges are made for few of the job's frames, and for some more: the line
+//! through both tells what a call costs at any size from what grows with it. The optimizer's adjoint is asked for what
+//! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
+//! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two copies of the
+//! target.
+//!
+//! # Cost
+//! Some seconds; memory below what the run needs.
+
+use super::scene::{Scene, Voxels};
+use crate::error::Result;
+use crate::field::{Field, HostField};
+use crate::grid::{Volume, VolumeGrid};
+use crate::metrics::evaluate;
+use crate::metrics::print::Print;
+use crate::models::layout::PatternLayout;
+use crate::models::parallel::Light;
+use crate::models::planner::{self, Plan};
+use crate::models::rays::matrix_cache;
+use crate::models::selection::Selection;
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
+use crate::objective::Objective;
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// Updates of the calls that are timed, about; and neighboring frames, as many as the kernel does at once: they share what
+/// they light.
+const TRIAL_UPDATES: usize = 50_000_000;
+const TRIAL_FRAMES: usize = 8;
+/// Groups of neighboring frames at least: one and the opposite one.
+const TRIAL_GROUPS: usize = 2;
+/// Seconds above which the least number of frames is enough to time, and above which a call is timed once.
+const TRIAL_S: f64 = 0.3;
+const LONG_S: f64 = 1.0;
+/// The same as the first for frames that are taken alone, which are as few as threads.
+const ENOUGH_S: f64 = 10.0;
+/// How many times more frames the second of the timed calls has, where these take long and where not.
+const SOME_MORE: usize = 2;
+const MANY_MORE: usize = 4;
+/// Voxels along the longest edge of the larger of the copies whose metrics are timed, at most; the other one has half as many.
+const TRIAL_EDGE: usize = 160;
+/// Voxels of the evaluation up to which its own grid is tried; beyond, the job's.
+const TRIAL_VOXELS: usize = 20_000_000;
+/// What the dose that the adjoint is timed with has of the wanted one, and what it has everywhere.
+const GOOD: [f32; 2] = [0.99, 0.005];
+
+/// How fast this machine is with this job.
+#[derive(Clone, Debug)]
+pub(crate) struct Rates {
+    /// Which model.
+    pub(crate) model: String,
+    /// Calls of the optimization's model.
+    pub(crate) calls: CallRates,
+    /// Calls of the model that judges.
+    pub(crate) judging: CallRates,
+    /// How many times finer than the job's the voxels of these are.
+    pub(crate) judging_refine: usize,
+    /// Doses of one step: the coefficients of the dose along it.
+    pub(crate) doses_per_step: f64,
+    /// One pass of the objective, s.
+    pub(crate) objective_s: f64,
+    /// One step of a pattern vector, s per pixel.
+    pub(crate) vector_s: f64,
+    /// Sampling the target, s per voxel.
+    pub(crate) sampling_s: f64,
+    /// Measuring a print, above all the distances of surfaces, s per voxel.
+    pub(crate) measuring_s: f64,
+}
+
+/// How fast a model is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallRates {
+    /// Updates of one dose call per frame: what masks leave.
+    pub(crate) updates_per_frame: f64,
+    /// Making the model, pixels chosen.
+    pub(crate) making: CallRate,
+    /// What the first call takes beyond others: walks that are kept.
+    pub(crate) first: CallRate,
+    /// Dose calls.
+    pub(crate) dose: CallRate,
+    /// Adjoint calls.
+    pub(crate) adjoint: CallRate,
+}
+
+/// What a call costs, by its updates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallRate {
+    /// With any number of frames, s.
+    pub(crate) begin_s: f64,
+    /// Beside that, s per update.
+    pub(crate) per_update_s: f64,
+}
+
+impl CallRate {
+    /// From two calls (updates, seconds): the line through both. Where the second is not larger or did not take longer, all
+    /// is put on its size.
+    fn through([few, more]: [(f64, f64); 2]) -> Self {
+        let per_update_s = (more.1 - few.1) / (more.0 - few.0);
+        let begin_s = few.1 - per_update_s * few.0;
+        if more.0 > few.0 && per_update_s > 0.0 && begin_s >= 0.0 {
+            return CallRate {
+                begin_s,
+                per_update_s,
+            };
+        }
+        CallRate {
+            begin_s: 0.0,
+            per_update_s: more.1 / more.0.max(1.0),
+        }
+    }
+
+    pub(super) fn seconds(&self, updates: f64) -> f64 {
+        self.begin_s + updates * self.per_update_s
+    }
+}
+
+/// Measures the rates of this machine with a job's own optics, grid, objective and target; `sampling_s` is how long
+/// the target's voxels took.
+///
+/// # Errors
+/// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
+    let mut optics = scene.optimizing();
+    let (mut trials, mut plan) = by_optimizer(scene, optics, voxels, run)?;
+    let updates = trials[0].updates_per_frame() * scene.extent.frames as f64;
+    let walks = scene.extent.cached_entries;
+    if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64) {
+        // What few frames can keep is too much for all
+        optics.purpose = Purpose::Probe;
+        (trials, plan) = by_optimizer(scene, optics, voxels, run)?;
+    }
+    // A line has one coefficient that is not known, a quadratic two
+    let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
+    let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
+    drop(plan.model);
+    let fine = scene.fine_grid();
+    let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
+    let (judging_refine, grid) = if is_small {
+        (scene.extent.refine, fine)
+    } else {
+        (1, scene.grid.clone())
+    };
+    let judged = by_judge(scene, judging_refine, &grid, &trials, run)?;
+    Ok(Rates {
+        calls: CallRates::of(&trials),
+        judging: CallRates::of(&judged),
+        judging_refine,
+        doses_per_step,
+        objective_s,
+        vector_s,
+        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
+        measuring_s: measuring(voxels, scene.extent.refine)?,
+        model: plan.reason,
+    })
+}
+
+/// Calls of the optimizer's model with few frames and with some more, and the second of these models.
+fn by_optimizer(
+    scene: &Scene,
+    optics: OpticalScene<'_>,
+    voxels: &Voxels,
+    run: &Run,
+) -> Result<([Calls; 2], Plan)> {
+    let asked = computed(scene);
+    let joins_frames = joins_frames(scene)?;
+    let trial = |frames| -> Result<(Calls, Plan)> {
+        let lights = &some_frames(scene, frames, joins_frames);
+        let optics = OpticalScene { lights, ..optics };
+        let wanted = voxels.wanted();
+        let (making_s, plan) =
+            timed(|| planner::plan(asked, optics, &scene.grid, Some(&wanted), run));
+        let plan = plan?;
+        let cotangent = cotangent_of_a_good_dose(&plan, scene, voxels)?;
+        let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
+        Ok((calls, plan))
+    };
+    let least = if joins_frames {
+        TRIAL_GROUPS * TRIAL_FRAMES
+    } else {
+        rayon::current_num_threads()
+    };
+    let frames = TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
+    let (mut few, _) = trial(least)?;
+    let mut times = SOME_MORE;
+    if few.seconds() < TRIAL_S {
+        times = MANY_MORE;
+        if frames > least {
+            (few, _) = trial(frames.next_multiple_of(least))?;
+        }
+    }
+    let (more, plan) = trial(few.asked * times)?;
+    Ok(([few, more], plan))
+}
+
+/// Calls of the model that judges on a grid, with the same pixels lit; Monte Carlo paths as many as the optimizer's.
+fn by_judge(
+    scene: &Scene,
+    refine: usize,
+    grid: &VolumeGrid,
+    [few, more]: &[Calls; 2],
+    run: &Run,
+) -> Result<[Calls; 2]> {
+    let family = scene.optics.family(grid)?;
+    let purpose = match family.random_paths() {
+        Some(_) => Purpose::Probe,
+        None => Purpose::Evaluate { refine },
+    };
+    let joins_frames = joins_frames(scene)?;
+    let trial = |calls: &Calls| -> Result<Calls> {
+        let mut lights = some_frames(scene, calls.asked, joins_frames);
+        for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
+            let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
+            (light.active, light.selection) = (Some(lit.collect()), Selection::default());
+        }
+        let optics = OpticalScene {
+            lights: &lights,
+            purpose,
+            ..scene.optics.scene()
+        };
+        let (making_s, plan) = timed(|| planner::plan(computed(scene), optics, grid, None, run));
+        Calls::of(&plan?, calls.asked, making_s, None, run)
+    };
+    let few = trial(few)?;
+    // Few frames that are taken alone say nothing of what making the model takes
+    let enough = if joins_frames { TRIAL_S } else { ENOUGH_S };
+    if few.seconds() > enough {
+        return Ok([few.clone(), few]);
+    }
+    Ok([few, trial(more)?])
+}
+
+/// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.
+fn computed(scene: &Scene) -> Option<&Family> {
+    let asked = scene.optics.model.as_ref();
+    asked.filter(|family| !family.capabilities().is_stored)
+}
+
+/// Whether the model takes neighboring frames together.
+fn joins_frames(scene: &Scene) -> Result<bool> {
+    let optics = scene.optics.scene();
+    let family = planner::choose(computed(scene), &optics, &scene.grid)?;
+    Ok(family.capabilities().joins_frames)
+}
+
+/// The job's lights with about so many of their frames.
+fn some_frames(scene: &Scene, frames: usize, joins_frames: bool) -> Vec<Light> {
+    let mut lights = scene.optics.lights_turning(1);
+    let together = if joins_frames { TRIAL_FRAMES } else { 1 };
+    for light in &mut lights {
+        let chosen = in_groups(light.pixels.frames(), (frames, together));
+        let azimuths = &mut light.pixels.azimuths;
+        *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
+        light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
+    }
+    lights
+}
+
+/// About so many of `frames` frames: evenly spaced groups of so many neighbors.
+fn in_groups(frames: usize, (wanted, together): (usize, usize)) -> Vec<usize> {
+    if wanted >= frames {
+        return (0..frames).collect();
+    }
+    let groups = wanted.div_ceil(together);
+    let mut chosen: Vec<usize> = (0..groups)
+        .flat_map(|group| {
+            let first = group * frames / groups;
+            first..(first + together).min(frames)
+        })
+        .collect();
+    chosen.dedup();
+    chosen
+}
+
+/// What the calls of a model take.
+#[derive(Clone)]
+struct Calls {
+    /// Frames of a light that were asked for, and those of all lights that there are.
+    asked: usize,
+    frames: usize,
+    layouts: Vec<PatternLayout>,
+    updates: u64,
+    /// Making it, what the first dose takes beyond others, a dose, an adjoint (0 if none was asked for).
+    seconds: [f64; 4],
+}
+
+impl Calls {
+    fn of(
+        plan: &Plan,
+        asked: usize,
+        making_s: f64,
+        cotangent: Option<&HostField>,
+        run: &Run,
+    ) -> Result<Self> {
+        let model = plan.model.as_ref();
+        let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+        let mut gradient = x.zeros_like();
+        x.fill(1.0);
+        // Caches, threads and pages wake up, walks are kept
+        let (first, done) = timed(|| model.dose(&x, &mut dose, run));
+        done?;
+        // The better of two: what disturbs a clock makes it longer
+        let mut dose_s = f64::INFINITY;
+        for _ in 0..2 {
+            let (seconds, done) = timed(|| model.dose(&x, &mut dose, run));
+            done?;
+            dose_s = dose_s.min(seconds);
+            if seconds > LONG_S {
+                break;
+            }
+        }
+        let mut adjoint_s: Option<f64> = None;
+        for cotangent in cotangent.iter().cycle().take(2) {
+            let (seconds, done) = timed(|| model.pullback(&x, cotangent, &mut gradient, run));
+            done?;
+            adjoint_s = Some(adjoint_s.map_or(seconds, |least| least.min(seconds)));
+            if seconds > LONG_S {
+                break;
+            }
+        }
+        let first_s = (first - dose_s).max(0.0);
+        Ok(Calls {
+            asked,
+            frames: model.patterns().iter().map(|p| p.grid.frames()).sum(),
+            layouts: model.patterns().to_vec(),
+            updates: model.updates(),
+            seconds: [making_s, first_s, dose_s, adjoint_s.unwrap_or(0.0)],
+        })
+    }
+
+    /// Of one of each.
+    fn seconds(&self) -> f64 {
+        self.seconds.iter().sum()
+    }
+
+    fn updates_per_frame(&self) -> f64 {
+        self.updates as f64 / self.frames.max(1) as f64
+    }
+}
+
+impl CallRates {
+    /// From calls with few frames and with some more.
+    fn of(trials: &[Calls; 2]) -> Self {
+        let rate = |i: usize| {
+            let point = |calls: &Calls| (calls.updates as f64, calls.seconds[i]);
+            CallRate::through(trials.each_ref().map(point))
+        };
+        CallRates {
+            updates_per_frame: trials[0].updates_per_frame(),
+            making: rate(0),
+            first: rate(1),
+            dose: rate(2),
+            adjoint: rate(3),
+        }
+    }
+}
+
+/// Seconds of one pass of the objective, and of one step of a pattern vector per pixel.
+fn passes(
+    model: &dyn DoseModel<Field = HostField>,
+    scene: &Scene,
+    voxels: &Voxels,
+    run: &Run,
+) -> Result<(f64, f64)> {
+    let (mut x, mut dose, mut gradient) =
+        (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
+    x.fill(1.0);
+    let zeros = x.zeros_like();
+    let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
+    let objective = scene.objective(&scene.spec, &model.outputs()[0], voxels)?;
+    model.dose(&x, &mut dose, run)?;
+    objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
+    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    Ok((objective_s, vector_s / x.len().max(1) as f64))
+}
+
+/// What the objective says of a dose that is nearly the wanted one.
+fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
+    let layout = &plan.model.outputs()[0];
+    let response = scene.response()?;
+    let wanted = Volume {
+        grid: layout.grid.clone(),
+        values: (voxels.target.inside.values.par_iter())
+            .map(|&inside| response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0))
+            .collect(),
+    };
+    let mut dose = plan.model.new_dose()?;
+    dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
+    let mut cotangent = plan.model.new_dose()?;
+    scene
+        .objective(&scene.spec, layout, voxels)?
+        .value_and_gradient(&dose, &mut cotangent);
+    Ok(cotangent)
+}
+
+/// Seconds, and what came out.
+fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let result = work();
+    (start.elapsed().as_secs_f64().max(1e-7), result)
+}
+
+/// Seconds per voxel to measure a print on voxels `refine` times finer, beside what measuring any print takes: the target is
+/// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
+fn measuring(voxels: &Voxels, refine: usize) -> Result<f64> {
+    let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
+    let edge = (longest * refine).min(TRIAL_EDGE);
+    let mut found = [(0.0, 0.0); 2];
+    for (found, edge) in found.iter_mut().zip([edge.div_ceil(2), edge]) {
+        let labels = resampled(&voxels.labels, edge);
+        let inside = resampled(&voxels.target.inside, edge);
+        let (seconds, measured) = timed(|| -> Result<_> {
+            let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
+            Ok(evaluate(&print))
+        });
+        drop(measured?);
+        *found = (labels.values.len() as f64, seconds);
+    }
+    Ok(CallRate::through(found).per_update_s)
+}
+
+/// The same volume with `edge` voxels along its longest axis: every n-th voxel, or some of them several times.
+fn resampled<T: Copy>(volume: &Volume<T>, edge: usize) -> Volume<T> {
+    let shape = volume.grid.shape;
+    let longest = shape.iter().copied().max().unwrap_or(1);
+    let grid = VolumeGrid {
+        shape: shape.map(|n| (n * edge).div_ceil(longest)),
+        pitch_mm: volume.grid.pitch_mm * longest as f64 / edge as f64,
+        height_mm: volume.grid.pitch_mm * longest as f64 / edge as f64,
+        center_mm: volume.grid.center_mm,
+    };
+    let [nz, ny, nx] = grid.shape;
+    let source = |i: usize| i * longest / edge;
+    let mut values = Vec::with_capacity(grid.len());
+    for z in 0..nz {
+        for y in 0..ny {
+            let row = &volume.values[volume.grid.index(source(z), source(y), 0)..];
+            values.extend((0..nx).map(|x| row[source(x)]));
+        }
+    }
+    Volume { grid, values }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_measurements_tell_what_grows_from_what_does_not() {
+        let line = |measured| {
+            let rate = CallRate::through(measured);
+            (rate.begin_s, rate.per_update_s)
+        };
+        let (begin, slope) = line([(10.0, 3.0), (40.0, 6.0)]);
+        assert!((begin - 2.0).abs() < 1e-12 && (slope - 0.1).abs() < 1e-12);
+        // A job that is too small for two sizes, and a clock that was disturbed
+        assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
+        assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
+    }
+
+    #[test]
+    fn frames_of_a_trial_are_neighbors_all_around() {
+        assert_eq!(in_groups(5, (16, 8)), [0, 1, 2, 3, 4]);
+        let chosen = in_groups(400, (16, 8));
+        let expected: Vec<usize> = (0..8).chain(200..208).collect();
+        assert_eq!(chosen, expected);
+        assert_eq!(in_groups(400, (2, 1)), [0, 200]);
+        assert!(
+            in_groups(17, (16, 8))
+                .windows(2)
+                .all(|pair| pair[0] < pair[1])
+        );
+    }
+
+    #[test]
+    fn a_copy_has_every_nth_voxel_or_each_several_times() {
+        let grid = VolumeGrid::centered([3, 2, 5], 0.1);
+        let values: Vec<u32> = (0..30).collect();
+        let volume = Volume { grid, values };
+        // 5 voxels become 3: those at 0, ⌊5/3⌋ and ⌊10/3⌋
+        let thin = resampled(&volume, 3);
+        assert_eq!(thin.grid.shape, [2, 2, 3]);
+        assert_eq!(thin.values, [0, 1, 3, 5, 6, 8, 10, 11, 13, 15, 16, 18]);
+        assert!((thin.grid.pitch_mm - 0.5 / 3.0).abs() < 1e-15);
+        let fine = resampled(&volume, 10);
+        assert_eq!(fine.grid.shape, [6, 4, 10]);
+        assert_eq!(fine.values[..6], [0, 0, 1, 1, 2, 2]);
+        assert_eq!(fine.values[6 * 4 * 10 - 1], 29);
+    }
+}

@@ -1,0 +1,650 @@
+//! Whether what a job has built fits together: the target into vial and light, a stored matrix to voxels and frames.
+
+use super::build::Optics;
+use super::refinement::LEAST_REFINE;
+use super::spec::JobSpec;
+use crate::error::{Error, Result};
+use crate::grid::{PatternGrid, Volume, VolumeGrid};
+use crate::models::parallel::Light;
+use crate::target::{Shape, label};
+use crate::units::{concise, exact};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
+const STRAY: f64 = 1e-3;
+/// Part of a voxel that a target may reach into a wall where a job does not say how far.
+const TOUCH: f64 = 0.01;
+
+/// How far the target of a job may reach into a wall, mm.
+///
+/// # Errors
+/// [`Error::Config`] for less than nothing.
+pub(super) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Result<f64> {
+    match spec.target.wall_tolerance_mm {
+        Some(asked) if !(asked.0.is_finite() && asked.0 >= 0.0) => Err(Error::config(
+            "target.wall_tolerance_mm",
+            format!("found {asked}"),
+            "a length ≥ 0",
+        )),
+        Some(asked) => Ok(asked.0),
+        None => Ok(grid.map_or(0.0, |grid| TOUCH * grid.pitch_mm)),
+    }
+}
+
+impl Optics {
+    /// Refuses an evaluation that a model with voxels and frames of its own cannot give.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
+        let evaluate = &spec.evaluate;
+        let model = self.model.as_ref();
+        let Some(stored) = model.filter(|model| model.capabilities().is_stored) else {
+            return Ok(());
+        };
+        if (evaluate.refine, evaluate.sub_angles) == (Some(1), 1) {
+            return Ok(());
+        }
+        let name = stored.name();
+        Err(Error::config(
+            "evaluate",
+            format!(
+                "refine = {} and sub_angles = {}, but a {name} is known for its own voxels and frames only",
+                evaluate.refine.unwrap_or(LEAST_REFINE),
+                evaluate.sub_angles
+            ),
+            format!("refine = 1 and sub_angles = 1 with [model.{name}]"),
+        ))
+    }
+
+    /// Refuses a target whose box is larger than the vial or the field: known before it is voxelized. Says by how much it touches the
+    /// vial's wall.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with both sizes.
+    pub(crate) fn must_hold(&self, spec: &JobSpec, shape: &dyn Shape) -> Result<Vec<String>> {
+        let [low, high] = shape.bounds_mm();
+        // A shape touches every face of its box, so some of it is this far from the axis
+        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
+        let resin = self.vial.resin_wall().inscribed_radius();
+        let over = out - resin * (1.0 + 1e-9);
+        if over > self.wall_tolerance_mm {
+            return Err(Error::config(
+                "target",
+                format!(
+                    "reaches {} mm from the axis, but the resin ends at {} mm",
+                    exact(out),
+                    exact(resin)
+                ),
+                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial; \
+                 target.wall_tolerance_mm lets it reach a little into the wall",
+            ));
+        }
+        let touching = (over > 0.0).then(|| {
+            format!(
+                "the target reaches {} mm into the wall of the vial, where nothing prints: that much is cut off",
+                concise(out - resin)
+            )
+        });
+        for (i, light) in self.lights.iter().enumerate() {
+            let field = field_mm(light);
+            // Seen by a projector that the axis leans towards or away from, it is at least this high
+            let seen = |up: f64| up * self.tilt_rad().cos();
+            for (name, axis, extent, field) in [
+                // A field on one side of the axis lights all of a part that turns
+                ("sideways", 0, out, field[1][0].max(-field[0][0])),
+                ("along the axis", 1, seen(high[2]), field[1][1]),
+                ("along the axis", 1, seen(-low[2]), -field[0][1]),
+            ] {
+                if extent > field * (1.0 + 1e-9) {
+                    let whole = PatternGrid {
+                        offset_mm: [0.0; 2],
+                        ..light.pixels.clone()
+                    };
+                    // Pixels that would do are cut down by something else
+                    let is_cut = extent <= whole.field_mm()[1][axis] * (1.0 + 1e-9);
+                    let middle = (low[2] + high[2]) / 2.0;
+                    let would_fit = axis == 1
+                        && seen((high[2] - low[2]) / 2.0) <= field * (1.0 + 1e-9)
+                        && middle.abs() > 1e-9;
+                    let (key, accepted) = if would_fit {
+                        let accepted = "a target whose middle lies nearer to that of the light, or a field that reaches to it";
+                        ("target.offset_mm".to_owned(), accepted)
+                    } else {
+                        narrowed(spec, i, is_cut)
+                    };
+                    return Err(Error::config(
+                        key,
+                        format!(
+                            "the field reaches {} mm {name}, the target {} mm",
+                            concise(field.max(0.0)),
+                            concise(extent)
+                        ),
+                        accepted,
+                    ));
+                }
+            }
+        }
+        Ok(touching.into_iter().collect())
+    }
+
+    /// Whether there is resin within the tolerance of a point (mm) that is in none.
+    fn touches(&self, [x, y, z]: [f64; 3]) -> bool {
+        const AROUND: usize = 16;
+        let far = self.wall_tolerance_mm;
+        let is_resin = |at: [f64; 3]| self.vial.in_resin(at);
+        far > 0.0
+            && !is_resin([x, y, z])
+            && ((0..AROUND).any(|i| {
+                let (sin, cos) = (TAU * i as f64 / AROUND as f64).sin_cos();
+                is_resin([x + far * cos, y + far * sin, z])
+            }) || [-far, far].iter().any(|up| is_resin([x, y, z + up])))
+    }
+
+    /// Warns of a target whose box looks larger than the field because the axis leans: its far edge is seen higher.
+    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
+        let tilt = self.tilt_rad().abs();
+        let [low, high] = shape.bounds_mm();
+        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
+        let sides = |light: &Light| {
+            let field = field_mm(light);
+            let seen = |up: f64| up * tilt.cos() + out * tilt.sin();
+            [
+                ("up", seen(high[2]), field[1][1]),
+                ("down", seen(-low[2]), -field[0][1]),
+            ]
+        };
+        let mut warnings = Vec::new();
+        for (i, light) in self.lights.iter().enumerate() {
+            let beyond = |(_, seen, end): &(&str, f64, f64)| tilt > 0.0 && seen > end;
+            if let Some((way, seen, end)) = sides(light).into_iter().find(beyond) {
+                warnings.push(format!(
+                    "light[{i}]: the axis is tilted by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
+                     {} mm: parts of it may not be lit from all sides",
+                    tilt.to_degrees(),
+                    concise(seen),
+                    concise(end),
+                ));
+            }
+        }
+        warnings
+    }
+
+    /// Warns of a part that turns out of the field, because the vial stands beside the rotation axis or the axis runs out.
+    pub(crate) fn moved_away(&self, shape: &dyn Shape) -> Vec<String> {
+        let Some(motion) = self.paths.first().map(|path| path.motion) else {
+            return Vec::new();
+        };
+        let [low, high] = shape.bounds_mm();
+        // A shape touches every face of its box, so some of it goes round as far from the axis as that face
+        let out = |[x, y]: [f64; 2]| {
+            let faces = [(0, x), (1, y)].map(|(i, by)| (high[i] + by).max(-low[i] - by));
+            faces.into_iter().fold(0.0, f64::max)
+        };
+        let reach = out(motion.offset_mm) + motion.axis_runout_mm;
+        if reach <= out([0.0; 2]) {
+            return Vec::new();
+        }
+        let ends = |light: &Light| {
+            let field = field_mm(light);
+            field[1][0].max(-field[0][0])
+        };
+        let beyond = self.lights.iter().map(ends).enumerate();
+        let beyond = beyond.filter(|(_, end)| reach > end * (1.0 + 1e-9));
+        beyond
+            .map(|(i, end)| {
+                format!(
+                    "motion.offset_mm and motion.axis_runout_mm take the part up to {} mm from the rotation axis, but the \
+                     field of light[{i}] ends at {} mm: in some frames what lies beyond gets no light; use more columns in \
+                     light[{i}].pixels, or move the vial less",
+                    concise(reach),
+                    concise(end),
+                )
+            })
+            .collect()
+    }
+
+    /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
+    ///
+    /// # Errors
+    /// [`Error::Config`] when there is nothing to print, or part of it cannot be.
+    pub(crate) fn warnings(
+        &self,
+        inside: &Volume<f32>,
+        labels: &Volume<u8>,
+        grey: bool,
+    ) -> Result<Vec<String>> {
+        let grid = &labels.grid;
+        let [_, ny, nx] = grid.shape;
+        let (reach, light) = self.reach_mm();
+        let size = (nx * ny).max(1);
+        let of_slice = |(iz, (labels, inside)): (usize, (&[u8], &[f32]))| {
+            let [mut part, mut stray, mut cut, mut beyond] = [0u64; 4];
+            let mut farthest = 0.0f64;
+            for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
+                let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
+                if !is_part {
+                    continue;
+                }
+                part += 1;
+                let (x, y) = (grid.x(i % nx), grid.y(i / nx));
+                if label == label::OUTSIDE {
+                    let touches = self.touches([x, y, grid.z(iz)]);
+                    cut += u64::from(touches);
+                    stray += u64::from(!touches);
+                }
+                let radius = x.hypot(y);
+                farthest = farthest.max(radius);
+                beyond += u64::from(radius > reach);
+            }
+            ([part, stray, cut, beyond], farthest)
+        };
+        let slices = labels
+            .values
+            .par_chunks(size)
+            .zip(inside.values.par_chunks(size))
+            .enumerate();
+        let ([part, stray, cut, beyond], farthest) = slices.map(of_slice).reduce(
+            || ([0; 4], 0.0),
+            |(a, far), (b, other)| (std::array::from_fn(|i| a[i] + b[i]), far.max(other)),
+        );
+        let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
+        if part == 0 {
+            return Err(Error::config(
+                "target",
+                format!(
+                    "no voxel of the grid is in the target: their edge is {} mm",
+                    concise(grid.pitch_mm)
+                ),
+                "a target that lies in the grid and is larger than a voxel",
+            ));
+        }
+        let mut warnings = Vec::new();
+        if stray as f64 > STRAY * part as f64 {
+            return Err(Error::config(
+                "target",
+                format!(
+                    "{} of {} mm³ lie outside the resin or the region that counts",
+                    mm3(stray),
+                    mm3(part)
+                ),
+                "a target inside the resin: give target.size_mm or target.offset_mm, another vial or grid.region; \
+                 target.wall_tolerance_mm lets it reach a little into a wall",
+            ));
+        } else if stray > 0 {
+            warnings.push(format!(
+                "{} mm³ of the target lie outside the resin and will not print",
+                mm3(stray)
+            ));
+        }
+        if cut > 0 {
+            warnings.push(format!(
+                "the target touches a wall of the vial: {} of its {} mm³ lie in it, no deeper than {} mm \
+                 (target.wall_tolerance_mm), and will not print",
+                mm3(cut),
+                mm3(part),
+                concise(self.wall_tolerance_mm)
+            ));
+        }
+        let hidden = self.in_bodies(inside, labels, grey);
+        if hidden > 0 {
+            warnings.push(format!(
+                "{} of {} mm³ of the target lie inside [[obstacles]], where there is no resin",
+                mm3(hidden),
+                mm3(part)
+            ));
+        }
+        if beyond > 0 {
+            warnings.push(format!(
+                "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
+                 part lies outside and is not lit from all sides; use more columns in `pixels`",
+                concise(reach),
+                concise(farthest),
+                100.0 * beyond as f64 / part as f64
+            ));
+        }
+        Ok(warnings)
+    }
+
+    /// Voxels of the target whose middle is in a body of the job.
+    fn in_bodies(&self, inside: &Volume<f32>, labels: &Volume<u8>, grey: bool) -> u64 {
+        let bodies = self
+            .paths
+            .first()
+            .map_or(&[][..], |p| &p.obstacles[..self.bodies]);
+        if bodies.is_empty() {
+            return 0;
+        }
+        let grid = &labels.grid;
+        let [_, ny, nx] = grid.shape;
+        let hidden = |&i: &usize| {
+            let is_part = if grey {
+                inside.values[i] > 0.0
+            } else {
+                inside.values[i] >= 0.5
+            };
+            let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+            is_part && bodies.iter().any(|body| body.surface.contains(middle))
+        };
+        (0..grid.len()).into_par_iter().filter(hidden).count() as u64
+    }
+
+    /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
+    ///
+    /// Seen along the axis, tilted light is bent as if both indices were those of their parts across it: n·sin of the angle
+    /// to the plane is the same outside and inside.
+    fn reach_mm(&self) -> (f64, usize) {
+        let reach = |(i, light): (usize, &Light)| {
+            let [low, high] = field_mm(light);
+            let half_field = high[0].min(-low[0]).max(0.0);
+            let resin = light.resin.refractive_index;
+            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
+            let (sin, cos) = self.tilt_rad().sin_cos();
+            let across = (resin.powi(2) - (surrounding * sin).powi(2))
+                .max(0.0)
+                .sqrt();
+            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
+            (reach, i)
+        };
+        let reaches = self.lights.iter().enumerate().map(reach);
+        reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
+    }
+}
+
+/// Lowest and highest corner [u, z] of what a light may light, mm.
+fn field_mm(light: &Light) -> [[f64; 2]; 2] {
+    light.selection.field_mm(&light.pixels)
+}
+
+/// The key that makes the field of a light too small for a target, and what would make it larger. `is_cut`: all of its pixels
+/// would do.
+fn narrowed(spec: &JobSpec, i: usize, is_cut: bool) -> (String, &'static str) {
+    let light = &spec.light[i];
+    if !is_cut {
+        let accepted =
+            "a field larger than the target: more pixels, a larger pitch, or a smaller target";
+        return (format!("light[{i}].pixels"), accepted);
+    }
+    let selection = &light.selection;
+    if selection.columns.is_some() || selection.rows.is_some() || selection.mask.is_some() {
+        let accepted = "pixels that may be lit up to the edge of the target";
+        return (format!("light[{i}].selection"), accepted);
+    }
+    if light.offset_mm.iter().any(|mm| mm.0 != 0.0) {
+        let accepted = "an image that still reaches the edge of the target: a smaller offset, or more light.pixels";
+        return (format!("light[{i}].offset_mm"), accepted);
+    }
+    let printer = spec.printer.as_ref();
+    let map = match printer.map(|printer| (&printer.dead_pixels, &printer.flat_field)) {
+        Some((Some(_), _)) => "dead_pixels",
+        Some((None, Some(_))) => "flat_field",
+        _ => {
+            return (
+                format!("light[{i}].selection"),
+                "pixels that may be lit up to the edge of the target",
+            );
+        }
+    };
+    let accepted =
+        "a device that can light the target up to its edge: another map, or printer.offset_px";
+    (format!("printer.{map}"), accepted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::build::tests::{key, spec};
+    use crate::kind::Section;
+    use crate::models::rays;
+    use crate::optics::vial::{double_tube::DoubleTube, index_matched::IndexMatched};
+    use std::path::Path;
+
+    #[test]
+    fn what_of_the_target_is_within_a_body_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let body = crate::io::mesh::samples::cuboid([-0.5; 3], [0.5; 3]);
+        let bytes = crate::io::mesh::samples::stl_binary(&body);
+        std::fs::write(folder.path().join("body.stl"), bytes).unwrap();
+        let warned = |changes: &[&str]| {
+            let optics = Optics::new(&spec(changes), folder.path()).unwrap();
+            // Middles at ±0.25 and ±0.75 mm: eight of them in the body, 1/8 mm³ each
+            let grid = VolumeGrid::centered([4, 4, 4], 0.5);
+            let inside = Volume::filled(grid.clone(), 1.0f32);
+            let labels = Volume::filled(grid, label::PART);
+            optics.warnings(&inside, &labels, false).unwrap().join("\n")
+        };
+        let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
+        assert!(
+            text.contains("1 of 8 mm³ of the target lie inside"),
+            "{text}"
+        );
+        assert!(!warned(&[]).contains("lie inside [[obstacles]]"));
+    }
+
+    #[test]
+    fn a_part_that_touches_an_inner_tube_by_microns_is_cut_there_and_that_is_said() {
+        let mut optics = Optics::new(&spec(&[]), Path::new("")).unwrap();
+        optics.vial = Box::new(DoubleTube {
+            radii_mm: [4.4, 4.0, 1.0, 0.8],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.5,
+            core_refractive_index: 1.33,
+        });
+        // A ring from 0.99 mm on about a tube of 1 mm: voxels of 5 µm whose middles lie within the tube
+        let grid = VolumeGrid {
+            shape: [1, 300, 300],
+            pitch_mm: 0.005,
+            height_mm: 0.005,
+            center_mm: [0.75, 0.75, 0.0],
+        };
+        let radius = |i: usize| grid.x(i % 300).hypot(grid.y(i / 300));
+        let all = || 0..grid.len();
+        let inside = Volume {
+            grid: grid.clone(),
+            values: all()
+                .map(|i| f32::from(u8::from(radius(i) > 0.99)))
+                .collect(),
+        };
+        let in_resin = |i: usize| {
+            optics
+                .vial
+                .in_resin([grid.x(i % 300), grid.y(i / 300), 0.0])
+        };
+        let label = |i: usize| [label::OUTSIDE, label::PART][usize::from(in_resin(i))];
+        let labels = Volume {
+            grid: grid.clone(),
+            values: all().map(label).collect(),
+        };
+        assert!(optics.warnings(&inside, &labels, false).is_err());
+        optics.wall_tolerance_mm = 0.005;
+        assert!(optics.warnings(&inside, &labels, false).is_err());
+        optics.wall_tolerance_mm = 0.0102;
+        let warnings = optics.warnings(&inside, &labels, false).unwrap();
+        // A quarter of a ring from 0.99 to 1 mm, 5 µm high: 0.0000781 mm³
+        let text = warnings
+            .iter()
+            .find(|w| w.contains("touches a wall"))
+            .unwrap();
+        assert!(
+            text.contains("7.8625e-5") && text.contains("0.0102 mm"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_tolerance_of_the_wall_is_a_hundredth_of_a_voxel_or_what_the_job_says() {
+        let grid = VolumeGrid::centered([2, 2, 2], 0.05);
+        let of = |changes: &[&str]| wall_tolerance_mm(&spec(changes), Some(&grid));
+        assert_eq!(of(&[]).unwrap(), 0.0005);
+        let asked = "target.wall_tolerance_mm=\"3 um\"";
+        assert!((of(&[asked]).unwrap() - 0.003).abs() < 1e-12);
+        let refused = of(&["target.wall_tolerance_mm=-1.0"]).unwrap_err();
+        assert_eq!(key(refused), "target.wall_tolerance_mm");
+        // The gear of 5 mm in a vial of 2.499 mm
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let job = spec(&[]);
+        let mut optics = Optics::new(&job, Path::new("")).unwrap();
+        assert!(optics.must_hold(&job, gear.as_ref()).unwrap().is_empty());
+        optics.vial = Box::new(IndexMatched { radius_mm: 2.499 });
+        optics.wall_tolerance_mm = 0.0005;
+        assert_eq!(
+            key(optics.must_hold(&job, gear.as_ref()).unwrap_err()),
+            "target"
+        );
+        optics.wall_tolerance_mm = 0.002;
+        let text = optics.must_hold(&job, gear.as_ref()).unwrap().join("");
+        assert!(text.contains("0.001 mm into the wall"), "{text}");
+    }
+
+    #[test]
+    fn the_outermost_ray_of_a_leaning_vial_passes_the_axis_at_the_reach() {
+        for tilt in ["0", "25"] {
+            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
+            let optics = Optics::new(&spec, Path::new("")).unwrap();
+            let scene = optics.scene();
+            let rays = rays::Rays::new(
+                scene.vial,
+                optics.lights.clone(),
+                scene.optics,
+                &rays::Params::default(),
+                VolumeGrid::centered([8, 8, 8], 1.0),
+            )
+            .unwrap();
+            // The middle of the last of 128 columns
+            let (legs, _) = rays.trace(0, 0, 127, 32);
+            let (from, along) = (legs[0].ray.from, legs[0].ray.direction);
+            let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
+            let (reach, light) = optics.reach_mm();
+            assert!(
+                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
+                "{tilt}: {passes} {reach}"
+            );
+            assert_eq!(light, 0);
+        }
+    }
+
+    #[test]
+    fn an_image_beside_the_axis_reaches_as_far_as_its_nearer_edge_and_lights_as_far_as_its_farther_one()
+     {
+        let optics = |changes: &[&str]| Optics::new(&spec(changes), Path::new("")).unwrap();
+        // 128 columns of 0.05 mm reach 3.2 mm to each side; 2.5 mm are left on one
+        let (expected, _) = optics(&["light.pixels=[100, 64]"]).reach_mm();
+        for change in [
+            "light.offset_mm=[0.7, 0]",
+            "light.offset_mm=[-0.7, 0.1]",
+            "light.selection.columns=[14, 114]",
+        ] {
+            let (reach, _) = optics(&[change]).reach_mm();
+            assert!(
+                (reach - expected).abs() < 1e-9,
+                "{change}: {reach} {expected}"
+            );
+        }
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let held = |changes: &[&str]| optics(changes).must_hold(&spec(changes), gear.as_ref());
+        // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
+        assert_eq!(
+            key(held(&["light.pixels=[60, 64]"]).unwrap_err()),
+            "light[0].pixels"
+        );
+        held(&["light.pixels=[60, 64]", "light.offset_mm=[1.01, 0]"]).unwrap();
+        // 64 rows reach 1.6 mm up and down, the gear 1.5 mm
+        held(&["light.offset_mm=[0, -0.09]"]).unwrap();
+        for (change, blamed) in [
+            ("light.offset_mm=[0, 0.11]", "light[0].offset_mm"),
+            ("light.selection.rows=[3, 61]", "light[0].selection"),
+            ("light.pixels=[128, 50]", "light[0].pixels"),
+        ] {
+            assert_eq!(key(held(&[change]).unwrap_err()), blamed, "{change}");
+        }
+    }
+
+    #[test]
+    fn a_part_that_turns_out_of_the_field_is_told() {
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let warned = |change: &str| {
+            let optics = Optics::new(&spec(&[change]), Path::new("")).unwrap();
+            optics.moved_away(gear.as_ref())
+        };
+        // The field ends at 3.2 mm, the gear reaches 2.5 mm
+        for within in [
+            "motion.offset_mm=[0, 0]",
+            "motion.offset_mm=[0.6, 0]",
+            "motion.axis_runout_mm=0.6",
+        ] {
+            assert_eq!(warned(within), [""; 0], "{within}");
+        }
+        for beyond in ["motion.offset_mm=[0, -0.8]", "motion.axis_runout_mm=0.8"] {
+            let [text] = &warned(beyond)[..] else {
+                panic!("{beyond}: one warning");
+            };
+            assert!(
+                text.contains("up to 3.3 mm") && text.contains("ends at 3.2 mm"),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_leaning_axis_lifts_the_edge_of_the_target_in_the_field() {
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0 } } }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let warned = |tilt: &str| {
+            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
+            let optics = Optics::new(&spec, Path::new("")).unwrap();
+            optics.leaning(gear.as_ref())
+        };
+        // 64 rows of 0.05 mm: 1.6 mm up. The edge, 2.5 mm out, is lifted by 2.5·sin
+        assert!(warned("0").is_empty());
+        let [text] = &warned("-70")[..] else {
+            panic!("one warning");
+        };
+        assert!(
+            text.contains("light[0]") && text.contains("ends at 1.6 mm"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_matrix_is_judged_on_its_own_voxels_only() {
+        let matrix = "model={ matrix = { file = \"m.npz\" } }";
+        let own = ["evaluate.refine=1", "evaluate.sub_angles=1", matrix];
+        let optics = |spec: &JobSpec| Optics::new(spec, Path::new("/jobs")).unwrap();
+        let (finer, own) = (spec(&own[2..]), spec(&own));
+        assert_eq!(
+            key(optics(&finer).must_be_judged(&finer).unwrap_err()),
+            "evaluate"
+        );
+        optics(&own).must_be_judged(&own).unwrap();
+        // The file is looked for beside the job
+        let grid = VolumeGrid::centered([2, 2, 2], 0.1);
+        let found = optics(&own);
+        let missing = found.family(&grid).unwrap().check(&found.scene(), &grid);
+        let text = missing.unwrap_err().to_string();
+        assert!(text.contains("/jobs/m.npz"), "{text}");
+    }
+}

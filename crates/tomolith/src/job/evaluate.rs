@@ -1,0 +1,587 @@
+//! Evaluation of patterns: their dose is simulated again and measured.
+//!
+//! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
+//! numbers to the last bit.
+
+use super::cross_check::{self, CrossCheck};
+use super::doubts;
+use super::in_time::{InTime, print_in_time};
+use super::noise::Noise;
+use super::progress::{Event, Progress};
+use super::scene::{Scene, Voxels};
+use super::spec::JobSpec;
+use super::species::planned;
+use crate::error::Result;
+use crate::field::{BLOCK, Field as _, HostField};
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::kind::Section;
+use crate::metrics::print::{PatternStats, Print};
+use crate::metrics::published::slices::Slice;
+use crate::metrics::published::{self, Published};
+use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
+use crate::models::parallel::Light;
+use crate::models::selection::Selection;
+use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
+use crate::target::label;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// What patterns are worth.
+pub(crate) struct Evaluated {
+    /// Written patterns, turning vial, finer grid: the headline.
+    pub(crate) evaluation: Evaluation,
+    /// The same with the vial standing still during each frame.
+    pub(crate) standing: Evaluation,
+    /// Raw patterns on the optimization's own grid, when there are raw ones.
+    pub(crate) optimisation: Option<Evaluation>,
+    /// The headline number of the written patterns on that grid, beside it.
+    pub(crate) written: Measure,
+    /// Numbers of the headline as they were published.
+    pub(crate) published: Vec<Published>,
+    /// Numbers of each slice of the headline.
+    pub(crate) slices: Vec<Slice>,
+    /// Dose of the headline, averaged to the optimization's voxels.
+    pub(crate) dose: Volume<f32>,
+    /// The target on the finer grid.
+    pub(crate) fine: Voxels,
+    /// Response of the headline on the finer grid.
+    pub(crate) response: Volume<f32>,
+    /// What the bodies that are to stay dark get; None without any.
+    pub(crate) keep_dark: Option<KeepDark>,
+    /// Which voxels of the finer grid belong to bodies that are not printed, for the report; None without any.
+    pub(crate) bodies: Option<Volume<u8>>,
+    /// What Monte Carlo paths leave uncertain; None where none are drawn.
+    pub(crate) noise: Option<Noise>,
+    /// How far scattered light by orders is from Monte Carlo paths; None where it does not go order by order.
+    pub(crate) agreement: Option<CrossCheck>,
+    /// The model that gave the doses, and why it was chosen.
+    pub(crate) model: String,
+    /// The same patterns in time, where the job has a schedule.
+    pub(crate) in_time: Option<InTime>,
+    /// The prints of further species.
+    pub(crate) others: Vec<Species>,
+    /// What people should know.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// The print of a species beside the first: written patterns, turning vial, finer grid.
+pub(crate) struct Species {
+    pub(crate) evaluation: Evaluation,
+    /// Its dose, averaged to the optimization's voxels.
+    pub(crate) dose: Volume<f32>,
+    /// Its target on the finer grid.
+    pub(crate) fine: Voxels,
+    /// Its response there.
+    pub(crate) response: Volume<f32>,
+}
+
+impl Species {
+    fn of(
+        scene: &Scene,
+        dose: Volume<f32>,
+        grid: &VolumeGrid,
+        shown: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Self> {
+        let fine = scene.voxels_under(&dose.grid, &cancel.aside())?;
+        let mean = averaged(&dose, grid);
+        let response = scene.responses(dose)?;
+        let evaluation = measure(scene, &fine, &response, shown, cancel.aside())?;
+        Ok(Species {
+            evaluation: evaluation.with_sub_angles(scene.spec.evaluate.sub_angles),
+            dose: mean,
+            fine,
+            response,
+        })
+    }
+}
+
+/// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct KeepDark {
+    /// Their volume, mm³.
+    pub(crate) volume_mm3: f64,
+    /// Mean in them.
+    pub(crate) mean: f64,
+    /// The largest.
+    pub(crate) largest: f64,
+    /// Mean in the part.
+    pub(crate) part_mean: f64,
+}
+
+impl KeepDark {
+    fn of(shares: &Volume<f32>, labels: &Volume<u8>, response: &Volume<f32>) -> Self {
+        let of = |marked: &dyn Fn(usize) -> bool| {
+            let values = response.values.iter().enumerate();
+            values
+                .filter(|(i, _)| marked(*i))
+                .fold((0usize, 0.0f64, 0.0f64), |(n, sum, most), (_, &v)| {
+                    (n + 1, sum + f64::from(v), most.max(f64::from(v)))
+                })
+        };
+        let mean = |n: usize, sum: f64| sum / n.max(1) as f64;
+        let (voxels, sum, largest) = of(&|i| shares.values[i] >= 0.5);
+        let (part, part_sum, _) = of(&|i| labels.values[i] == label::PART);
+        KeepDark {
+            volume_mm3: voxels as f64 * shares.grid.voxel_mm3(),
+            mean: mean(voxels, sum),
+            largest,
+            part_mean: mean(part, part_sum),
+        }
+    }
+}
+
+impl std::fmt::Display for KeepDark {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let share = |value: f64| 100.0 * value / self.part_mean;
+        write!(
+            f,
+            "{:.3} % of the part's mean response on average, {:.2} % at most",
+            share(self.mean),
+            share(self.largest)
+        )
+    }
+}
+
+impl Evaluated {
+    /// Dose at which the print of the headline is solid; None when nothing is.
+    pub(crate) fn gel_dose(&self, scene: &Scene) -> Result<Option<f64>> {
+        let response = scene.response()?;
+        let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
+        Ok(self.evaluation.gel_threshold.map(dose))
+    }
+}
+
+/// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from.
+///
+/// # Errors
+/// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
+/// refuses.
+pub(crate) fn evaluate_patterns(
+    scene: &Scene,
+    voxels: &Voxels,
+    shown: &[Patterns],
+    raw: Option<&[Patterns]>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Evaluated> {
+    let mut workspace = Workspace::default();
+    let optimisation = match raw {
+        None => None,
+        Some(raw) => {
+            let lights = scene.optics.lights.clone();
+            let run = cancel.part(share::OWN_DOSE);
+            let (dose, ..) = dose(scene, lights, &scene.grid, raw, &mut workspace, &run)?;
+            let response = scene.responses(dose)?;
+            let run = cancel.part(share::OWN_NUMBERS);
+            let evaluation = measure(scene, voxels, &response, raw, run)?;
+            workspace.values = response.values;
+            Some(evaluation.with_sub_angles(scene.optics.lights[0].sub_angles))
+        }
+    };
+    let written = match &optimisation {
+        None => None,
+        Some(_) => {
+            let lights = scene.optics.lights.clone();
+            let run = cancel.part(share::OWN_DOSE);
+            let (dose, ..) = dose(scene, lights, &scene.grid, shown, &mut workspace, &run)?;
+            let response = scene.responses(dose)?;
+            let run = cancel.part(share::OWN_NUMBERS);
+            headline(voxels.target.grey)
+                .metric
+                .measure(&print_under(scene, voxels, &response, run)?)
+        }
+    };
+    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
+    let sub_angles = if scene.optics.lights.iter().all(stands) {
+        1
+    } else {
+        scene.spec.evaluate.sub_angles
+    };
+    let grid = scene.fine_grid();
+    let [nz, ny, nx] = grid.shape;
+    let text = match sub_angles {
+        1 => format!(
+            "evaluating on {nx} × {ny} × {nz} voxels: the vial stands still during each frame"
+        ),
+        _ => format!(
+            "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
+        ),
+    };
+    progress.event(&Event::Note { text });
+    workspace = Workspace::default();
+    let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;
+    let (still, ..) = dose(
+        scene,
+        scene.optics.lights_turning(1),
+        &grid,
+        shown,
+        &mut workspace,
+        &cancel.part(share::STANDING),
+    )?;
+    let response = scene.responses(still)?;
+    let run = cancel.part(share::NUMBERS);
+    let standing = measure(scene, &fine, &response, shown, run)?;
+    workspace.values = response.values;
+    let (turning, others, model) = dose(
+        scene,
+        scene.optics.lights_turning(sub_angles),
+        &grid,
+        shown,
+        &mut workspace,
+        &cancel.part(share::TURNING),
+    )?;
+    drop(workspace);
+    let mut species = Vec::with_capacity(others.len());
+    for (other, dose) in scene.others.iter().zip(others) {
+        species.push(Species::of(other, dose, &scene.grid, shown, cancel)?);
+    }
+    let mean = averaged(&turning, &scene.grid);
+    cancel.check()?;
+    let material = scene.response()?;
+    let options = published::Options {
+        response: material.as_ref(),
+        grey: fine.target.grey,
+        patterns: shown,
+        trim_percent: scene.spec.evaluate.trim_percent,
+        epsilon: scene.band_half_width(),
+    };
+    let stats = PatternStats::of(shown);
+    let (published, slices, response, evaluation) = if material.is_identity() {
+        // The dose is the response: what was counted of one serves the other
+        let run = cancel.part(share::PUBLISHED);
+        let print = print_under(scene, &fine, &turning, run)?.with_patterns(stats);
+        let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
+        let evaluation = evaluate(&print);
+        drop(print);
+        (published, slices, turning, evaluation)
+    } else {
+        let (published, slices) =
+            published::by_slices(&turning, &fine.target.inside, &fine.labels, &options)?;
+        let response = scene.responses(turning)?;
+        let run = cancel.part(share::PUBLISHED);
+        let evaluation = measure(scene, &fine, &response, shown, run)?;
+        (published, slices, response, evaluation)
+    };
+    cancel.check()?;
+    let evaluation = evaluation.with_sub_angles(sub_angles);
+    let shares = scene.keep_dark(&grid)?;
+    let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
+    let keep_dark = shares.as_ref().map(of_shares);
+    let bodies = scene.bodies(&grid, shares.as_ref())?;
+    if let Some(dark) = &keep_dark {
+        let text = format!("keep-dark bodies get {dark}");
+        progress.event(&Event::Note { text });
+    }
+    let in_time = in_time(scene, voxels, shown, progress, cancel)?;
+    let noise = Noise::of(scene, voxels, shown, cancel)?;
+    if let Some(noise) = &noise {
+        let text = format!("Monte Carlo paths: {noise}");
+        progress.event(&Event::Note { text });
+    }
+    let agreement = CrossCheck::of(scene, voxels, shown, cross_check::PATHS, cancel)?;
+    if let Some(agreement) = &agreement {
+        let text = format!("scattering by orders: {agreement}");
+        progress.event(&Event::Note { text });
+    }
+    let warnings: Vec<String> = noise
+        .and_then(|noise| noise.warning())
+        .into_iter()
+        .chain(agreement.and_then(|agreement| agreement.warning()))
+        .chain(doubts::of_light(shown))
+        .chain(doubts::of_threshold(&scene.spec, &evaluation))
+        .collect();
+    for text in warnings.iter().cloned() {
+        progress.event(&Event::Warning { text });
+    }
+    Ok(Evaluated {
+        evaluation,
+        standing,
+        optimisation,
+        written,
+        published,
+        slices,
+        dose: mean,
+        fine,
+        response,
+        keep_dark,
+        bodies,
+        noise,
+        agreement,
+        model,
+        in_time,
+        others: species,
+        warnings,
+    })
+}
+
+/// The print in time on the job's voxels, where the job has a schedule.
+fn in_time(
+    scene: &Scene,
+    voxels: &Voxels,
+    shown: &[Patterns],
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<InTime>> {
+    if scene.spec.schedule.is_none() {
+        return Ok(None);
+    }
+    let text = "printing in time, on the job's voxels".to_owned();
+    progress.event(&Event::Note { text });
+    let others = scene.others.iter().map(|s| s.voxels(&scene.grid));
+    let others = others.collect::<Result<Vec<_>>>()?;
+    let all: Vec<&Voxels> = std::iter::once(voxels).chain(&others).collect();
+    print_in_time(scene, &all, shown, &cancel.aside())
+}
+
+/// Numbers of what is solid at this response.
+pub(super) fn measure_at(
+    scene: &Scene,
+    voxels: &Voxels,
+    response: &Volume<f32>,
+    threshold: f64,
+    patterns: &[Patterns],
+) -> Result<Evaluation> {
+    let print = Print::under(&voxels.labels, response, Run::new())?
+        .with_inside(&voxels.target.inside)?
+        .with_threshold(threshold)?
+        .with_patterns(PatternStats::of(patterns));
+    Ok(evaluate(&print).with_sub_angles(scene.spec.evaluate.sub_angles))
+}
+
+/// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
+mod share {
+    /// Dose and numbers of the raw and of the written patterns on the job's own voxels, each.
+    pub(super) const OWN_DOSE: f64 = 0.04;
+    pub(super) const OWN_NUMBERS: f64 = 0.03;
+    /// The finer voxels.
+    pub(super) const SAMPLING: f64 = 0.05;
+    /// Their doses.
+    pub(super) const STANDING: f64 = 0.2;
+    pub(super) const TURNING: f64 = 0.25;
+    /// The numbers of the first; those of the second, with the published ones.
+    pub(super) const NUMBERS: f64 = 0.12;
+    pub(super) const PUBLISHED: f64 = 0.24;
+}
+
+/// The one number that says how good a print is: IoU, or the rms error of a gray target.
+pub(super) fn headline(is_gray: bool) -> &'static MetricKind {
+    if is_gray { &grey::RMS } else { &iou::KIND }
+}
+
+/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
+#[derive(Default)]
+pub(super) struct Workspace {
+    field: HostField,
+    values: Vec<f32>,
+}
+
+/// Doses of patterns on a grid, of the first and of further species, by the model that judges, and what is said of it.
+fn dose(
+    scene: &Scene,
+    lights: Vec<Light>,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    workspace: &mut Workspace,
+    cancel: &Run,
+) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
+    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
+    let model = (scene.optics.model.as_ref(), Purpose::Evaluate { refine });
+    dose_by(model, scene, lights, grid, patterns, workspace, cancel)
+}
+
+/// Doses of patterns on a grid, of the first and of further species, by a model (the cheapest that is exact, where none is named), and what is
+/// said of it.
+pub(super) fn dose_by(
+    (model, purpose): (Option<&Family>, Purpose),
+    scene: &Scene,
+    mut lights: Vec<Light>,
+    grid: &VolumeGrid,
+    patterns: &[Patterns],
+    workspace: &mut Workspace,
+    cancel: &Run,
+) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
+    for (light, patterns) in lights.iter_mut().zip(patterns) {
+        light.active = Some(lit_rows(patterns));
+        light.selection = Selection::default();
+    }
+    let optics = OpticalScene {
+        lights: &lights,
+        purpose,
+        ..scene.optics.scene()
+    };
+    let making = cancel.part(0.1);
+    let planner::Plan { model, reason, .. } =
+        planned(scene.mixing.as_deref(), model, optics, grid, None, &making)?;
+    drop(making);
+    let mut x = model.new_patterns()?;
+    for (layout, patterns) in model.patterns().iter().zip(patterns) {
+        layout.fill_field(patterns, x.as_mut_slice());
+    }
+    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
+    if workspace.field.len() != wanted {
+        workspace.field = model.new_dose()?;
+    }
+    model.dose(&x, &mut workspace.field, &cancel.part(0.85))?;
+    drop(x);
+    let values = std::mem::take(&mut workspace.values);
+    let (first, others) = (&model.outputs()[0], &model.outputs()[1..]);
+    let dose = first.volume_in(workspace.field.as_slice(), values);
+    let others = others
+        .iter()
+        .map(|own| own.volume_of(workspace.field.as_slice()));
+    Ok((dose, others.collect(), reason))
+}
+
+/// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
+pub(super) fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
+    let (rows, columns) = (patterns.grid.rows, patterns.grid.columns);
+    (0..patterns.grid.frames())
+        .into_par_iter()
+        .flat_map_iter(|frame| {
+            let image = patterns.frame(frame);
+            (0..columns).map(move |column| {
+                let lit = |&up: &usize| image[(rows - 1 - up) * columns + column] != 0.0;
+                let (first, last) = ((0..rows).find(lit), (0..rows).rev().find(lit));
+                first
+                    .zip(last)
+                    .map_or((0, 0), |(a, b)| (a as u32, (b - a + 1) as u32))
+            })
+        })
+        .collect()
+}
+
+/// What the metrics look at.
+pub(super) fn print<'a>(
+    scene: &Scene,
+    voxels: &'a Voxels,
+    response: &'a Volume<f32>,
+) -> Result<Print<'a>> {
+    print_under(scene, voxels, response, Run::new())
+}
+
+/// The same as a part of a run.
+fn print_under<'a>(
+    scene: &Scene,
+    voxels: &'a Voxels,
+    response: &'a Volume<f32>,
+    run: Run,
+) -> Result<Print<'a>> {
+    let inside = &voxels.target.inside;
+    let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
+    if voxels.target.grey {
+        print = print.with_gray(inside, scene.spec.half_width())?;
+    }
+    if let Some(threshold) = scene.spec.evaluate.threshold {
+        print = print.with_threshold(threshold)?;
+    }
+    Ok(print)
+}
+
+/// The numbers of a print.
+fn measure(
+    scene: &Scene,
+    voxels: &Voxels,
+    response: &Volume<f32>,
+    patterns: &[Patterns],
+    run: Run,
+) -> Result<Evaluation> {
+    let stats = PatternStats::of(patterns);
+    let print = print_under(scene, voxels, response, run.part(1.0))?.with_patterns(stats);
+    let evaluation = evaluate(&print);
+    // Numbers of a cancelled run mean nothing
+    run.check().map(|()| evaluation)
+}
+
+/// Means over the fine voxels of each coarse one.
+fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
+    let [_, ny, nx] = grid.shape;
+    let factor = fine.grid.shape[0] / grid.shape[0].max(1);
+    let mut values = vec![0.0f32; grid.len()];
+    values
+        .par_chunks_mut((nx * ny).max(1))
+        .enumerate()
+        .for_each(|(iz, slice)| {
+            for (i, value) in slice.iter_mut().enumerate() {
+                let (iy, ix) = (i / nx, i % nx);
+                let mut sum = 0.0f64;
+                for z in iz * factor..(iz + 1) * factor {
+                    for y in iy * factor..(iy + 1) * factor {
+                        let row = &fine.values[fine.grid.index(z, y, ix * factor)..][..factor];
+                        sum += row.iter().map(|&v| f64::from(v)).sum::<f64>();
+                    }
+                }
+                *value = (sum / factor.pow(3) as f64) as f32;
+            }
+        });
+    Volume {
+        grid: grid.clone(),
+        values,
+    }
+}
+
+/// Half width of the band round gray values, where the objective has none.
+const HALF_WIDTH: f64 = 0.05;
+
+impl JobSpec {
+    /// Half width of the band round gray values: ε of the first objective that has one.
+    fn half_width(&self) -> f64 {
+        let epsilon = |section: &Section| {
+            let parameters = section.value.as_object()?.values();
+            parameters.filter_map(|v| v.get("epsilon")?.as_f64()).next()
+        };
+        let objectives = self.objectives().unwrap_or_default();
+        objectives.iter().find_map(epsilon).unwrap_or(HALF_WIDTH)
+    }
+}
+
+impl Scene {
+    /// ε of the job's BCLP objective, or the paper's own where there is none.
+    fn band_half_width(&self) -> f64 {
+        let sections = self.spec.objectives().unwrap_or_default();
+        let epsilon = |s: &Section| s.value.get("bclp")?.get("epsilon")?.as_f64();
+        let given = sections.iter().find_map(epsilon);
+        given.unwrap_or(published::Options::default().epsilon)
+    }
+
+    /// What the material makes of a dose.
+    ///
+    /// # Errors
+    /// As [`response`](Scene::response).
+    pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Result<Volume<f32>> {
+        let response = self.response()?;
+        if !response.is_identity() {
+            dose.values.par_chunks_mut(BLOCK).for_each(|block| {
+                block
+                    .iter_mut()
+                    .for_each(|value| *value = response.value(*value))
+            });
+        }
+        Ok(dose)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::PatternGrid;
+
+    #[test]
+    fn fine_voxels_are_averaged_where_they_belong() {
+        let grid = VolumeGrid::centered([1, 2, 3], 0.2);
+        let fine = grid.refined(2);
+        let values = (0..fine.len())
+            .map(|i| (i / 6 % 4 / 2 * 10 + i % 6 / 2) as f32)
+            .collect();
+        let mean = averaged(&Volume { grid: fine, values }, &grid);
+        assert_eq!(mean.values, [0.0, 1.0, 2.0, 10.0, 11.0, 12.0]);
+    }
+
+    #[test]
+    fn lit_rows_span_all_light_from_below() {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(1, 0.0, 4, 2, 0.1));
+        patterns.values[2] = 1.0; // row 1, column 0: two rows above the lowest
+        patterns.values[6] = 1.0; // row 3, column 0: the lowest
+        assert_eq!(lit_rows(&patterns), [(0, 3), (0, 0)]);
+    }
+}

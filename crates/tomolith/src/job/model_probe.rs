@@ -1,0 +1,130 @@
+//! A test, before any work, of whether successive orders are accurate enough for a job.
+//!
+//! A job that names no model takes [`orders`](crate::models::orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
+//! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
+//! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, random
+//! paths are taken instead, and that is said. The trial knows nothing of patterns, so a run, its `check` and a later `simulate` decide
+//! alike. Who names `[model.successive_orders]` gets it, and a warning from the patterns' own error.
+
+use super::cross_check::CrossCheck;
+use super::multiresolution::coarser_grid;
+use super::progress::{Event, Progress};
+use super::scene::Scene;
+use crate::error::{Error, Result};
+use crate::grid::Patterns;
+use crate::models::selection::contributions;
+use crate::models::{ModelInput, OpticalScene, Run};
+
+/// Voxels along the longest edge of a trial.
+const VOXELS: usize = 32;
+/// Paths of each of its two estimates, about: half a second of a core.
+const PATHS: usize = 100_000;
+
+/// Takes Monte Carlo paths for a scene that names no model and whose trial by orders is far off; says so.
+///
+/// # Errors
+/// What the models and the target refuse; [`Error::Cancelled`].
+pub(crate) fn try_orders(
+    scene: &mut Scene,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<()> {
+    if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
+        return Ok(());
+    }
+    let text = match trial(scene, cancel) {
+        Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => {
+            scene.optics.trial_failed = Some("successive orders would need too many cells");
+            format!("scattered light by Monte Carlo paths: successive orders would take {found}")
+        }
+        Err(error) => return Err(error),
+        Ok(Some(found)) if found.is_far_off() => {
+            scene.optics.trial_failed = Some("a test of successive orders was too far off");
+            format!(
+                "scattered light by Monte Carlo paths: in a test of successive orders it was {found}"
+            )
+        }
+        Ok(_) => return Ok(()),
+    };
+    progress.event(&Event::Note { text });
+    Ok(())
+}
+
+fn trial(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
+    let longest = scene.grid.shape.iter().copied().max();
+    let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
+    let family = scene.optics.family(&grid)?;
+    if family.compared_with().is_none() {
+        return Ok(None);
+    }
+    let voxels = scene.voxels(&grid)?;
+    let lights = scene.optics.lights_turning(1);
+    let optics = OpticalScene {
+        lights: &lights,
+        ..scene.optics.scene()
+    };
+    let straight = family.unscattered(&ModelInput::new(optics, &grid, cancel)?)?;
+    let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
+    let lit: Vec<f32> = (brought.as_slice().iter())
+        .map(|&brought| f32::from(brought > 0.0))
+        .collect();
+    let layouts = straight.patterns().iter();
+    let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
+    CrossCheck::of(scene, &voxels, &silhouettes, PATHS, cancel)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+
+    /// What is said of a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
+    fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 2.0 }}
+            grid = {{ pitch_mm = 0.1 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1, scattering_per_mm = {scattering} }}
+            vial = {{ index_matched = {{ radius_mm = 4.0 }} }}
+            light = [{{ pixels = [24, 24], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+            objective = {{ threshold = {{}} }}
+            {model}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap()).unwrap();
+        let mut said = Said(Vec::new());
+        try_orders(&mut scene, &mut said, &Run::new()).unwrap();
+        let family = scene.optics.family(&scene.grid).unwrap();
+        (said.0, family.random_paths().is_some())
+    }
+
+    struct Said(Vec<String>);
+
+    impl Progress for Said {
+        fn event(&mut self, event: &Event) {
+            if let Event::Note { text } = event {
+                self.0.push(text.clone());
+            }
+        }
+    }
+
+    #[test]
+    fn orders_are_taken_where_they_are_near_enough_and_random_paths_where_cells_would_be_too_many()
+    {
+        assert_eq!(tried("0.2", ""), (vec![], false));
+        // 8 mm across in cells of 0.2/20 mm
+        let (said, by_paths) = tried("20", "");
+        assert!(
+            by_paths && said.len() == 1 && said[0].contains("800 × 800 cells of 0.01 mm"),
+            "{said:?}"
+        );
+        // Whoever names a model is not second-guessed
+        assert_eq!(
+            tried("0.2", "model = { successive_orders = {} }"),
+            (vec![], false)
+        );
+    }
+}
