@@ -7,6 +7,7 @@ use super::spec::{Angles, JobSpec, default_objective};
 use super::validate;
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
+use crate::target::TargetSpec;
 use std::path::{Path, PathBuf};
 
 /// How much coarser a quick trial is, and its limits.
@@ -112,9 +113,19 @@ impl Job {
         for table in tables.chain([&mut spec.response]).chain(&mut spec.model) {
             each_file(table, &|file| absolute(&self.base().join(file)));
         }
+        for species in &mut spec.species {
+            for table in species.objective.iter_mut().chain(&mut species.response) {
+                each_file(table, &|file| absolute(&self.base().join(file)));
+            }
+        }
+        for property in &mut spec.property {
+            each_file(&mut property.map, &|file| absolute(&self.base().join(file)));
+        }
         spec.output.folder = Some(absolute(&self.folder()));
         let base = self.base();
-        for file in spec.target.files_mut() {
+        let own = spec.species.iter_mut().filter_map(|s| s.target.as_mut());
+        let targets = std::iter::once(&mut spec.target).chain(own);
+        for file in targets.flat_map(TargetSpec::files_mut) {
             *file = absolute(&base.join(&*file));
         }
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {

@@ -172,8 +172,9 @@ pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
 }
 
 /// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.
-const FILES: [&str; 9] = [
+const FILES: [&str; 10] = [
     "file",
+    "image",
     "absorption",
     "attenuation",
     "outer",

@@ -426,6 +426,24 @@ mod tests {
     }
 
     #[test]
+    fn a_resolved_job_finds_the_files_of_its_species_from_anywhere() {
+        let changes = [
+            "species[1].target={ image = \"stiff.png\", size_mm = 1.0, height_mm = 1.0 }",
+            "species[1].response={ table = { file = \"curve.csv\" } }",
+        ];
+        let job = Job::from_document(document(&changes)).unwrap();
+        let resolved = &job.resolved().species[1];
+        let image = resolved.target.as_ref().unwrap().image.clone().unwrap();
+        let curve = resolved.response.as_ref().unwrap().pointer("/table/file");
+        let curve = curve.and_then(serde_json::Value::as_str).unwrap();
+        assert!(
+            image.is_absolute() && image.ends_with("stiff.png"),
+            "{image:?}"
+        );
+        assert!(std::path::Path::new(curve).is_absolute(), "{curve}");
+    }
+
+    #[test]
     fn what_does_not_go_together_is_refused_by_its_key() {
         let refused = |change: &str| match resolved(&[change]).map(drop).unwrap_err() {
             Error::Config { key, .. } => key,
