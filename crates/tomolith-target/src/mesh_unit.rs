@@ -62,10 +62,10 @@ impl MeshUnit {
 
     fn words(self) -> &'static str {
         match self {
-            MeshUnit::Um => "micrometres",
-            MeshUnit::Mm => "millimetres",
-            MeshUnit::Cm => "centimetres",
-            MeshUnit::M => "metres",
+            MeshUnit::Um => "micrometers",
+            MeshUnit::Mm => "millimeters",
+            MeshUnit::Cm => "centimeters",
+            MeshUnit::M => "meters",
             MeshUnit::Inch => "inches",
         }
     }

@@ -218,7 +218,7 @@ folder = "out/part"
                 "\"s\"",
                 "\"q\"",
                 "\"q\"",
-                ["light[0].polarisation", "unpolarized, s, p"],
+                ["light[0].polarisation", "unpolarised, s, p"],
             ),
             (
                 "0.95",
