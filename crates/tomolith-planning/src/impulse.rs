@@ -3,7 +3,7 @@
 //! **What it models** a disc of N pixels across, one unit each, and a post of w × w of them whose corner nearest to the axis's far side stands at radius r (Wang et al. 2022,
 //! supplement, Note 3). No attenuation, no chemistry, frames over half a turn.
 //!
-//! **Equation** *plain*: P_θ[j] = mean over pixel j of the post's line integrals (exact: the line integral of a square is a trapezoid), dose(x) = mean over θ of
+//! **Equation** *plain*: P_θ\[j\] = mean over pixel j of the post's line integrals (exact: the line integral of a square is a trapezoid), dose(x) = mean over θ of
 //! P_θ at the pixel that lights x. *Corrected*: P ≥ 0 with the least Σ part·(dose − 1)² + (1 − part)·max(0, dose − ¼)² over the disc's voxels of one pixel: void
 //! that stays liquid is left alone. By accelerated projected gradients (Beck and Teboulle, SIAM J. Imaging Sci. 2 (2009) 183) from the plain patterns.
 //!
