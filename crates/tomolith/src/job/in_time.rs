@@ -3,7 +3,7 @@
 //! Runs and simulations do it beside their evaluation, on the job's own voxels, in the light of the model that judges. Equations and units:
 //! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](super::spec::ScheduleSpec).
 //!
-//! **Limits** Walls are those of the vial and of inserts; with `diffusion = "spectral"` they are those of the grid's box. Light that is
+//! **Limits** Walls are those of the vial; matter flows through inserts as if they were resin. With `diffusion = "spectral"` walls are those of the grid's box. Light that is
 //! shaded takes the family that covers an absorption which changes from place to place, most often rays.
 
 use super::evaluate::{lit_rows, measure_at};
@@ -145,7 +145,11 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
     let Some(step_s) = spec.schedule.as_ref().and_then(|given| given.step_s) else {
         return Ok(());
     };
-    let material = material(spec, spec.mixing()?.as_deref(), Domain::new(grid.clone()))?;
+    let mut domain = Domain::new(grid.clone());
+    if spec.material.as_ref().is_some_and(|m| m.air_on_top) {
+        domain = domain.with_air_on_top();
+    }
+    let material = material(spec, spec.mixing()?.as_deref(), domain)?;
     let limit = material.longest_step_s();
     if step_s <= limit {
         return Ok(());
