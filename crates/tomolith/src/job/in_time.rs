@@ -540,7 +540,7 @@ fn middle_of(labels: &Volume<u8>) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{Document, Job, Silent};
+    use crate::job::{Document, Job, ResolvedJob, Silent};
     use serde_json::Value;
 
     const DISC: &str = r#"
@@ -629,7 +629,7 @@ mod tests {
     #[test]
     fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
         let refused = |changes: &[&str]| {
-            let found = job(changes).and_then(|job| crate::job::ResolvedJob::new(&job).map(drop));
+            let found = job(changes).and_then(|job| ResolvedJob::new(&job).map(drop));
             match found.unwrap_err() {
                 Error::Config { key, .. } => key,
                 other => panic!("{other}"),
@@ -653,6 +653,11 @@ mod tests {
             let found = refused(&[change]);
             assert!(found.starts_with(key), "{change}: {found}");
         }
+        // Air on top takes a seventh in place of a sixth: 14.3 s
+        let step = "schedule.step_s=15";
+        assert!(ResolvedJob::new(&job(&[step]).unwrap()).is_ok());
+        let open = ["material.air_on_top=true", step];
+        assert_eq!(refused(&open), "schedule.step_s");
         let without = "schedule={ turns = 2 }";
         let mut document =
             Document::toml("a.toml", DISC.split("[[material").next().unwrap()).unwrap();
