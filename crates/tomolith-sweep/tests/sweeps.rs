@@ -485,9 +485,15 @@ fn a_thousand_million_runs_are_refused_with_their_time() {
     let sweep = format!("job = \"job.toml\"\n{}", keys.map(thousand).concat());
     let message = Bench::new(SWEEP).refusal(&sweep);
     assert!(
-        message.starts_with("axes: 1000000000 runs of about ") && message.contains(" days"),
+        message.starts_with("axes: 1000000000 runs of about "),
         "{message}"
     );
+    // How long one run takes is the machine's own; a thousand million of them never end today.
+    assert!(
+        message.contains(" days") || message.contains(" years"),
+        "{message}"
+    );
+    assert!(message.contains("accepted: 100000 runs"), "{message}");
 }
 
 #[test]
