@@ -5,7 +5,7 @@
 //! 4 angles a frame. Prints the tables of docs/fidelity.md.
 //!
 //!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl            # all targets, in glass and index-matched; an hour
-//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl bones,star default,ceiling
+//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl bones,star default,ceiling glass
 //!
 //! Run folders go to `out/fidelity/`.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
@@ -138,7 +138,9 @@ fn main() -> Result<(), Error> {
         list.as_ref()
             .is_none_or(|list| list.split(',').any(|part| part == name))
     };
-    for matched in [false, true] {
+    let vials = arguments.next();
+    let vial = |&matched: &bool| asked(&vials, if matched { "matched" } else { "glass" });
+    for matched in [false, true].into_iter().filter(vial) {
         for case in CASES.iter().filter(|case| asked(&cases, case.name)) {
             let (columns, count, frames, pitch) = case.light;
             let vial = if matched { "index-matched" } else { "in glass" };
