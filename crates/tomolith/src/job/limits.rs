@@ -228,10 +228,15 @@ impl Found {
 
     /// A cause; `action` says what changes it, unless there is nothing to gain.
     fn limit(&self, cause: Cause, loss: f64, key: &str, found: String, action: &str) -> Limit {
-        let action = if loss >= WORTH_CHANGING {
-            format!(" {action} `{key}`.")
-        } else {
-            String::new()
+        let action = match loss >= WORTH_CHANGING {
+            true if self.is_of_patterns(cause) => {
+                format!(
+                    " Make the patterns anew: {} `{key}`.",
+                    action.to_lowercase()
+                )
+            }
+            true => format!(" {action} `{key}`."),
+            false => String::new(),
         };
         Limit {
             cause,
@@ -240,6 +245,11 @@ impl Found {
             key: key.to_owned(),
             advice: found + &action,
         }
+    }
+
+    /// Whether no key changes it while the patterns are given.
+    fn is_of_patterns(&self, cause: Cause) -> bool {
+        self.is_simulated && cause != Cause::Exposure
     }
 
     /// "IoU 0.974".
@@ -448,7 +458,11 @@ impl Found {
                 Cause::Exposure => "change",
                 _ => "raise",
             };
-            format!(" To improve, {verb} `{}`.", limit.key)
+            let anew = match self.is_of_patterns(limit.cause) {
+                true => "make the patterns anew: ",
+                false => "",
+            };
+            format!(" To improve, {anew}{verb} `{}`.", limit.key)
         });
         let turning = self.value(self.turning?);
         let steps = match steps.join(", ") {
@@ -695,6 +709,10 @@ mod tests {
         let said = patterns.limits().sentence;
         assert!(
             said.starts_with("Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): "),
+            "{said}"
+        );
+        assert!(
+            said.ends_with("To improve, make the patterns anew: lower `grid.pitch_mm`."),
             "{said}"
         );
         // Of frames it is not known what was wanted
