@@ -9,8 +9,8 @@
 //! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
 //! [`MOST_ANGLES`] angles. Each angle costs as much as a frame that stands still.
 //!
-//! **Coarse first.** Half of the iterations run on voxels twice as wide; where the job's own voxels are all that the budget allows, on
-//! pixels, voxels and half as many frames instead.
+//! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
+//! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
 //!
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
@@ -27,9 +27,9 @@ use crate::objective::voxel_weights::Common;
 use crate::objective::{OBJECTIVES, threshold};
 use crate::report::number::significant;
 
-/// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: the gear of docs/fidelity.md, which
-/// nearly reaches it, takes 26 processor seconds.
-const BUDGET: f64 = 8e9;
+/// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 40 iterations on the gyroid of
+/// docs/fidelity.md, which nearly reaches it, take a minute of processor time.
+const BUDGET: f64 = 1.3e10;
 /// Finding the pixels that light a column of voxels takes as long as lighting so many of its voxels.
 const COLUMN: usize = 64;
 /// Voxels across a pixel, as fine as the judge's of docs/fidelity.md; finer ones have not been tried.
@@ -139,16 +139,9 @@ pub(super) fn levels(
         None => finest(spec, lights, grid, bounds_mm),
     };
     let half = iterations / 2;
-    let across = fine.shape[2] / grid.shape[2];
-    let along = fine.shape[0] / grid.shape[0];
+    let is_costly = spec.grid.refine.is_none() && updates(grid, lights) > BUDGET;
     let mut levels = Vec::new();
-    if across > along && half > 0 {
-        let fewer = (along..across)
-            .rev()
-            .find(|n| 2 * n <= across + 1 && n % along == 0);
-        let grid = grid.divided(fewer.unwrap_or(along), along);
-        levels.push(Level::new(grid, lights, Some(sub_angles.min(2)), half));
-    } else if spec.grid.refine.is_none() && half > 0 && is_large_enough(optics, grid, 2) {
+    if is_costly && half > 0 && is_large_enough(optics, grid, 2) {
         let lights = coarser_lights(lights, 2);
         levels.push(Level::new(coarser_grid(grid, 2), &lights, None, half));
     }
@@ -404,6 +397,6 @@ mod tests {
         assert_eq!(pitches("cells", &["grid.refine=1"]), [0.1]);
         assert_eq!(pitches("cells", &["stop.iou=0.9"]), [0.1]);
         assert_eq!(pitches("voxel", &[]), [0.1]);
-        assert_eq!(pitches("fraction", &[]), [0.05, 0.025]);
+        assert_eq!(pitches("fraction", &[]), [0.025]);
     }
 }
