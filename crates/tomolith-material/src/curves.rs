@@ -157,7 +157,8 @@ impl Curves {
         let material = moment.material;
         let readout = material.readout(self.species);
         let values = moment.state.volumes[readout.volume].as_slice();
-        self.absorb(material.drives().row(self.species), moment.absorbed);
+        let row = material.drives().row(self.species);
+        add_drive(row, moment.absorbed, &mut self.absorbed);
         self.keep_cure_times(moment, readout, values);
         let point = self.measure(moment.seconds, readout, values);
         self.points.push(point);
@@ -170,29 +171,6 @@ impl Curves {
             let mut volume = material.domain().layout().volume_of(values);
             volume.values.iter_mut().for_each(|v| *v *= readout.scale);
             self.snapshots.push((moment.seconds, volume));
-        }
-    }
-
-    /// absorbed += the positive part of the drive.
-    fn absorb(&mut self, row: &[f32], absorbed: &[&[f32]]) {
-        let lit: Vec<(f32, &[f32])> = row
-            .iter()
-            .zip(absorbed)
-            .filter(|(m, e)| **m != 0.0 && !e.is_empty())
-            .map(|(m, e)| (*m, *e))
-            .collect();
-        let blocks = self.absorbed.as_mut_slice().par_chunks_mut(BLOCK);
-        match lit[..] {
-            [] => {}
-            [(m, energy)] if m > 0.0 => blocks.zip(energy.par_chunks(BLOCK)).for_each(|(a, e)| {
-                a.iter_mut().zip(e).for_each(|(a, e)| *a += m * e);
-            }),
-            _ => blocks.enumerate().for_each(|(i, block)| {
-                for (j, a) in block.iter_mut().enumerate() {
-                    let at = i * BLOCK + j;
-                    *a += lit.iter().map(|(m, e)| m * e[at]).sum::<f32>().max(0.0);
-                }
-            }),
         }
     }
 
@@ -368,6 +346,29 @@ impl Sums {
             least: self.least.min(other.least),
             most: self.most.max(other.most),
         }
+    }
+}
+
+/// sum += the positive part of the drive.
+pub(crate) fn add_drive(row: &[f32], absorbed: &[&[f32]], sum: &mut HostField) {
+    let lit: Vec<(f32, &[f32])> = row
+        .iter()
+        .zip(absorbed)
+        .filter(|(m, e)| **m != 0.0 && !e.is_empty())
+        .map(|(m, e)| (*m, *e))
+        .collect();
+    let blocks = sum.as_mut_slice().par_chunks_mut(BLOCK);
+    match lit[..] {
+        [] => {}
+        [(m, energy)] if m > 0.0 => blocks.zip(energy.par_chunks(BLOCK)).for_each(|(a, e)| {
+            a.iter_mut().zip(e).for_each(|(a, e)| *a += m * e);
+        }),
+        _ => blocks.enumerate().for_each(|(i, block)| {
+            for (j, a) in block.iter_mut().enumerate() {
+                let at = i * BLOCK + j;
+                *a += lit.iter().map(|(m, e)| m * e[at]).sum::<f32>().max(0.0);
+            }
+        }),
     }
 }
 

@@ -90,7 +90,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         Self::of_spans(model, diffusion, &[(0..frames, vec![span])])
     }
 
-    /// Light of a schedule until its end, frames in so many arcs.
+    /// All lights of a schedule until its end, the frames of each in so many arcs; neighbors with the same times are one.
     ///
     /// # Errors
     /// As [`even`](Self::even); [`Error::Config`] where the schedule is of other frames, or shows some never.
@@ -98,34 +98,25 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         model: Box<M>,
         diffusion: f64,
         schedule: &Schedule,
-        light: usize,
         arcs: usize,
     ) -> Result<Self> {
-        let frames = frames_of(&*model);
-        must_show(
-            frames,
-            light,
-            schedule.frames().get(light).copied().unwrap_or(0),
-        )?;
-        let arcs = arcs.clamp(1, frames.max(1));
-        let cuts: Vec<usize> = (0..=arcs).map(|i| i * frames / arcs).collect();
-        let mut spans = Vec::new();
-        for cut in cuts.windows(2) {
-            let own: Vec<&Exposure> = schedule
-                .exposures()
-                .iter()
-                .filter(|e| e.light == light && (cut[0]..cut[1]).contains(&e.frame))
-                .collect();
-            if own.is_empty() {
-                return Err(Error::config(
-                    format!("light[{light}].turns"),
-                    format!("frames {} to {} are never shown", cut[0], cut[1]),
-                    "a schedule that shows every frame",
-                ));
+        let of_lights = schedule.frames();
+        must_show(frames_of(&*model), 0, of_lights.iter().sum())?;
+        let mut all: Vec<(Range<usize>, Vec<Span>)> = Vec::new();
+        let mut first = 0;
+        for (light, &frames) in of_lights.iter().enumerate() {
+            let arcs = arcs.clamp(1, frames.max(1));
+            let cuts: Vec<usize> = (0..=arcs).map(|i| i * frames / arcs).collect();
+            for cut in cuts.windows(2) {
+                let spans = spans_of_frames(schedule, light, cut[0]..cut[1])?;
+                match all.last_mut() {
+                    Some((before, same)) if *same == spans => before.end = first + cut[1],
+                    _ => all.push((first + cut[0]..first + cut[1], spans)),
+                }
             }
-            spans.push((cut[0]..cut[1], spans_of(&own, schedule.end_s())));
+            first += frames;
         }
-        Self::of_spans(model, diffusion, &spans)
+        Self::of_spans(model, diffusion, &all)
     }
 
     /// Any spans of time for arcs of neighboring frames, which cover all frames.
@@ -201,6 +192,22 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         }
         own
     }
+}
+
+/// When neighboring frames of a light shine.
+fn spans_of_frames(schedule: &Schedule, light: usize, frames: Range<usize>) -> Result<Vec<Span>> {
+    let exposures = schedule.exposures().iter();
+    let own: Vec<&Exposure> = exposures
+        .filter(|e| e.light == light && frames.contains(&e.frame))
+        .collect();
+    if own.is_empty() {
+        return Err(Error::config(
+            format!("light[{light}].turns"),
+            format!("frames {} to {} are never shown", frames.start, frames.end),
+            "a schedule that shows every frame",
+        ));
+    }
+    Ok(spans_of(&own, schedule.end_s()))
 }
 
 /// Exposures as spans; those that follow one another with the same power are one.

@@ -35,8 +35,10 @@ pub struct Frozen {
     per_dose: Vec<f32>,
     /// c, in the order of the outputs.
     taken: RwLock<HostField>,
-    /// The patterns of the latest pullback.
-    latest: Mutex<Option<HostField>>,
+    /// The patterns of the latest pullback, and who may cancel.
+    latest: Mutex<Option<(HostField, Run)>>,
+    /// Why the latest simulation failed: told at the next dose.
+    failed: Mutex<Option<Error>>,
     every: usize,
 }
 
@@ -74,6 +76,7 @@ impl Frozen {
             per_dose,
             taken: RwLock::new(taken),
             latest: Mutex::new(None),
+            failed: Mutex::new(None),
             every: every.max(1),
             material,
         };
@@ -160,6 +163,14 @@ impl DoseModel for Frozen {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        let failed = self
+            .failed
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        if let Some(error) = failed {
+            return Err(error);
+        }
         self.absorbed.dose(x, dose, run)?;
         let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
@@ -187,7 +198,7 @@ impl DoseModel for Frozen {
         }
         self.absorbed.pullback(x, &scaled, grad, run)?;
         let mut latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
-        *latest = Some(x.clone());
+        *latest = Some((x.clone(), run.aside()));
         Ok(())
     }
 
@@ -228,8 +239,12 @@ impl DoseModel for Frozen {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .take();
-        // A simulation that fails leaves the inhibitor as it was; the evaluation says why
-        latest.is_some_and(|x| self.simulate(&x, &Run::new()).is_ok())
+        let Some((x, run)) = latest else {
+            return false;
+        };
+        let simulated = self.simulate(&x, &run);
+        *self.failed.lock().unwrap_or_else(PoisonError::into_inner) = simulated.err();
+        true
     }
 
     fn is_renewed(&self) -> bool {
@@ -366,6 +381,24 @@ mod tests {
             }
         }
         assert!(worst < 1e-4 && moved > 0.02, "{worst} {moved}");
+    }
+
+    #[test]
+    fn a_simulation_is_cancelled_with_the_run_that_asked_for_it() {
+        let model = frozen(0.05);
+        let (x, run) = (patterns(&model), Run::new());
+        let c = model.new_dose().unwrap();
+        let mut back = x.zeros_like();
+        model.pullback(&x, &c, &mut back, &run).unwrap();
+        let before = model.taken.read().unwrap().as_slice().to_vec();
+        run.cancel();
+        assert!(model.renew(6));
+        let mut dose = model.new_dose().unwrap();
+        let error = model.dose(&x, &mut dose, &Run::new()).unwrap_err();
+        assert!(matches!(error, Error::Cancelled), "{error}");
+        assert_eq!(model.taken.read().unwrap().as_slice(), before);
+        // It is told once
+        model.dose(&x, &mut dose, &Run::new()).unwrap();
     }
 
     #[test]

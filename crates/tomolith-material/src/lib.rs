@@ -28,6 +28,7 @@ pub mod diffused;
 pub mod diffusion;
 pub mod domain;
 pub mod frozen;
+pub mod heights;
 mod illumination;
 pub mod memoryless;
 pub mod mixing;

@@ -98,7 +98,7 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
     check::model::model(&Diffused::even(small(), 0.02, 40.0).unwrap(), 1).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.5)]).unwrap();
     for arcs in [1, 5, 12] {
-        let model = Diffused::of_schedule(small(), 0.02, &schedule, 0, arcs).unwrap();
+        let model = Diffused::of_schedule(small(), 0.02, &schedule, arcs).unwrap();
         check::model::model(&model, 3).unwrap();
         // Searches know that it is linear
         let run = Run::new();
@@ -146,7 +146,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let printed = &state.volumes[material.readout(0).volume];
     let distance = |arcs: usize| {
         let model = Box::new(SmallModel::new(11, 12, 1));
-        let diffused = Diffused::of_schedule(model, 0.02, &schedule, 0, arcs).unwrap();
+        let diffused = Diffused::of_schedule(model, 0.02, &schedule, arcs).unwrap();
         let mut dose = diffused.new_dose().unwrap();
         diffused.dose(&x, &mut dose, &Run::new()).unwrap();
         dose.axpy(-1.0, printed);

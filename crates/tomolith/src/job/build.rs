@@ -412,7 +412,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
 }
 
 fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2]) -> Light {
-    let (azimuths, frame_arc) = light.angles.azimuths(light.rotation);
+    let (azimuths, frame_arc) = spec.angles_of(i).azimuths(light.rotation);
     let [columns, rows] = light.pixels;
     let resin = spec.resin_of(i);
     let absorption = resin.active_per_mm();

@@ -85,7 +85,9 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
         ));
     }
     let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
-    let frames = spec.light.iter().map(|light| light.angles.count()).sum();
+    let frames = (0..spec.light.len())
+        .map(|i| spec.angles_of(i).count())
+        .sum();
     let exposure = Exposure {
         frames,
         ..exposure(spec, 0, gel_dose)
@@ -95,10 +97,8 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
 
 /// What is known of the exposure of a light.
 fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
-    let LightSpec {
-        angles, rotation, ..
-    } = &spec.light[light];
-    let (_, frame_arc) = angles.azimuths(*rotation);
+    let angles = spec.angles_of(light);
+    let (_, frame_arc) = angles.azimuths(spec.light[light].rotation);
     Exposure {
         peak_mw_per_cm2: spec
             .printer

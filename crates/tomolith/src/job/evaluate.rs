@@ -412,7 +412,7 @@ pub(super) fn dose_by(
     };
     let making = cancel.part(0.1);
     let planner::Plan { model, reason, .. } =
-        planned(scene.mixing.as_deref(), model, optics, grid, None, &making)?;
+        planned(scene, model, optics, grid, None, &making)?;
     drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {

@@ -3,14 +3,14 @@
 //! Runs and simulations do it beside their evaluation, on the job's own voxels, in the light of the model that judges. Equations and units:
 //! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](super::spec::ScheduleSpec).
 //!
-//! **Limits** Walls are those of the vial; matter flows through inserts as if they were resin. With `diffusion = "spectral"` walls are those of the grid's box. Light that is
-//! shaded takes the family that covers an absorption which changes from place to place, most often rays.
+//! **Limits** Walls are those of the vial, of bodies and of inserts. With `diffusion = "spectral"` and a dose that diffuses walls are those of the
+//! grid's box. Light that is shaded takes the family that covers an absorption which changes from place to place, most often rays.
 
 use super::evaluate::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
 use super::refinement::Level;
-use super::scene::{Scene, Voxels};
-use super::spec::{Against, JobSpec, MaterialSpec};
+use super::scene::{Scene, Voxels, at_section};
+use super::spec::{Against, Angles, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
 use super::species::{Row, joined};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
@@ -22,11 +22,14 @@ use crate::models::parallel::Light;
 use crate::models::selection::Selection;
 use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
-use crate::target::label;
+use crate::target::{Role, label};
+use crate::units::exact;
+use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
+use tomolith_material::diffused::Diffused;
 use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;
 use tomolith_material::frozen::Frozen;
@@ -123,6 +126,11 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
             None => Ok(()),
         };
     };
+    let dose = given.optimize == Against::Dose;
+    if let Some(own) = &spec.material {
+        must_be_one(own, dose)?;
+    }
+    must_tell_turns_apart(spec, given)?;
     schedule(spec)?;
     let mixing = spec.mixing()?;
     let grid = VolumeGrid::centered([1, 1, 1], 0.1);
@@ -134,6 +142,78 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
             "a time above 0",
         )),
         _ => Ok(()),
+    }
+}
+
+/// Refuses a material that is none or two, and numbers that no dose diffuses with.
+fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
+    let diffusion = match (&material.photopolymer, &material.diffusion) {
+        (Some(_), None) => return Ok(()),
+        (None, Some(diffusion)) => diffusion,
+        (first, _) => {
+            let found = if first.is_some() { "two" } else { "none" };
+            return Err(Error::config(
+                "material",
+                format!("{found} of photopolymer and diffusion"),
+                "one of the two",
+            ));
+        }
+    };
+    if !(diffusion.mm2_per_s >= 0.0 && diffusion.mm2_per_s.is_finite()) {
+        return Err(Error::config(
+            "material.diffusion.mm2_per_s",
+            format!("found {}", exact(diffusion.mm2_per_s)),
+            "a finite number, 0 or more, for example 1e-4",
+        ));
+    }
+    if diffusion.arcs == Some(0) {
+        return Err(Error::config(
+            "material.diffusion.arcs",
+            "found 0",
+            "at least 1",
+        ));
+    }
+    if !optimizes_dose {
+        return Err(Error::config(
+            "schedule.optimize",
+            "a dose that diffuses is what \"dose\" is optimized against",
+            "\"dose\" with material.diffusion",
+        ));
+    }
+    Ok(())
+}
+
+/// Refuses patterns of their own for every turn where turns are all alike.
+fn must_tell_turns_apart(spec: &JobSpec, given: &ScheduleSpec) -> Result<()> {
+    if !given.own_patterns {
+        return Ok(());
+    }
+    let diffuses = spec
+        .material
+        .as_ref()
+        .is_some_and(|material| material.diffusion.is_some());
+    if given.optimize != Against::Exact && !diffuses {
+        return Err(Error::config(
+            "schedule.own_patterns",
+            "against the dose, and with the inhibitor frozen, all turns are worth the same",
+            "optimize = \"exact\" or material.diffusion with it",
+        ));
+    }
+    if given.turns != given.turns.round() {
+        return Err(Error::config(
+            "schedule.turns",
+            format!("found {}, each with own_patterns", exact(given.turns)),
+            "a whole number",
+        ));
+    }
+    let broken = |light: &LightSpec| light.angles.turn_after_turn(1).is_none();
+    match spec.light.iter().position(broken) {
+        Some(i) => Err(Error::config(
+            format!("light[{i}].angles.arc_deg"),
+            "turns with patterns of their own need a whole turn",
+            "360, or list_deg",
+        )),
+        None => Ok(()),
     }
 }
 
@@ -175,6 +255,7 @@ fn schedule(spec: &JobSpec) -> Result<Schedule> {
             dark_before_s: given.dark_before_s,
             dark_between_s: given.dark_between_s,
             dark_after_s: given.dark_after_s,
+            own_patterns: given.own_patterns,
             ..Turns::new(
                 light.angles.count(),
                 given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm),
@@ -182,11 +263,21 @@ fn schedule(spec: &JobSpec) -> Result<Schedule> {
             )
         })
         .collect();
-    Schedule::of_turns(&turns).map_err(at_schedule)
+    Schedule::of_turns(&turns).map_err(|error| at_schedule(spec, error))
+}
+
+impl JobSpec {
+    /// The angles of all frames of a light: those of a turn, or of all turns where each has patterns of its own.
+    pub(crate) fn angles_of(&self, light: usize) -> Angles {
+        let angles = &self.light[light].angles;
+        let own = self.schedule.as_ref().filter(|given| given.own_patterns);
+        own.and_then(|given| angles.turn_after_turn(given.turns as usize))
+            .unwrap_or_else(|| angles.clone())
+    }
 }
 
 /// Names the key of the job.
-fn at_schedule(error: Error) -> Error {
+fn at_schedule(spec: &JobSpec, error: Error) -> Error {
     let Error::Config {
         key,
         found,
@@ -197,7 +288,15 @@ fn at_schedule(error: Error) -> Error {
         return error;
     };
     match key.split_once("].") {
-        Some((light, "power")) => Error::config(format!("{light}].power"), found, accepted),
+        Some((light, "power")) => {
+            let i: Option<usize> = light.strip_prefix("light[").and_then(|i| i.parse().ok());
+            let own = i.and_then(|i| spec.light.get(i)).and_then(|l| l.power);
+            let key = match own {
+                Some(_) => format!("{light}].power"),
+                None => "schedule.power".to_owned(),
+            };
+            Error::config(key, found, accepted)
+        }
         Some((_, key)) => Error::config(format!("schedule.{key}"), found, accepted),
         None => error.under("schedule"),
     }
@@ -209,18 +308,34 @@ fn material(spec: &JobSpec, rows: Option<&[Row]>, domain: Domain) -> Result<Phot
         || vec!["resin".to_owned()],
         |rows| rows.iter().map(|(name, _)| name.clone()).collect(),
     );
-    let params = match &spec.material {
-        Some(MaterialSpec { photopolymer, .. }) => photopolymer.clone(),
+    let own = spec.material.as_ref();
+    let diffusion = own.and_then(|material| material.diffusion);
+    let params = match own.and_then(|material| material.photopolymer.clone()) {
+        Some(photopolymer) => photopolymer,
         None => {
             let critical = spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
+                let found = match diffusion {
+                    Some(_) => "a dose that diffuses in a resin without resin.critical_dose_mj_per_mm3",
+                    None => "a schedule without a material, and a resin without resin.critical_dose_mj_per_mm3",
+                };
                 Error::config(
                     "material",
-                    "a schedule without a material, and a resin without resin.critical_dose_mj_per_mm3",
+                    found,
                     "one of the two: the dose that turns the resin solid, or [material.photopolymer]",
                 )
             })?;
-            let network = |name: &String| Network::new(name, Curing::threshold(critical));
-            Params::new(names.iter().map(network).collect())
+            let network = |name: &String| Network {
+                dose_diffusion_mm2_per_s: diffusion.map_or(0.0, |d| d.mm2_per_s),
+                ..Network::new(name, Curing::threshold(critical))
+            };
+            Params {
+                diffusion: if diffusion.is_some() {
+                    Scheme::Spectral
+                } else {
+                    Scheme::default()
+                },
+                ..Params::new(names.iter().map(network).collect())
+            }
         }
     };
     let matrix = match rows {
@@ -235,20 +350,64 @@ fn material(spec: &JobSpec, rows: Option<&[Row]>, domain: Domain) -> Result<Phot
 fn domain(scene: &Scene, grid: &VolumeGrid) -> Result<Domain> {
     let mut domain = Domain::new(grid.clone());
     let own = scene.spec.material.as_ref();
-    let has_walls = own.is_some_and(|m| m.photopolymer.diffusion == Scheme::Faces);
-    if has_walls {
-        let [_, ny, nx] = grid.shape;
-        let place = |i: usize| [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-        let resin = (0..grid.len()).map(|i| scene.optics.vial.in_resin(place(i)));
-        domain = domain.with_walls(&Volume {
-            grid: grid.clone(),
-            values: resin.collect(),
-        })?;
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    if photopolymer.is_some_and(|params| params.diffusion == Scheme::Faces) {
+        domain = domain.with_walls(&resin(scene, grid)?)?;
     }
     if own.is_some_and(|material| material.air_on_top) {
         domain = domain.with_air_on_top();
     }
     Ok(domain)
+}
+
+/// Which voxels hold resin: those in the vial, but in no body and no insert.
+fn resin(scene: &Scene, grid: &VolumeGrid) -> Result<Volume<bool>> {
+    let [_, ny, nx] = grid.shape;
+    let optics = &scene.optics;
+    let bodies: Vec<_> = optics
+        .paths
+        .first()
+        .into_iter()
+        .flat_map(|path| &path.obstacles[..optics.bodies])
+        .collect();
+    let holds = |i: usize| {
+        let place = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+        let is_free = || !bodies.iter().any(|body| body.surface.contains(place));
+        optics.vial.in_resin(place) && is_free()
+    };
+    let mut values: Vec<bool> = (0..grid.len()).into_par_iter().map(holds).collect();
+    if let Some(insert) = scene.shape.body(Role::Insert) {
+        let shares = insert.sample(grid)?.values;
+        let pairs = values.iter_mut().zip(shares);
+        pairs.for_each(|(resin, share)| *resin &= share < 0.5);
+    }
+    Ok(Volume {
+        grid: grid.clone(),
+        values,
+    })
+}
+
+/// A model whose dose is that at the end of the schedule, where the job's dose diffuses.
+///
+/// # Errors
+/// As [`Diffused::of_schedule`].
+pub(super) fn diffused(scene: &Scene, model: HostModel) -> Result<HostModel> {
+    let own = scene.spec.material.as_ref();
+    let Some(diffusion) = own.and_then(|material| material.diffusion) else {
+        return Ok(model);
+    };
+    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let turns = if given.own_patterns {
+        given.turns as usize
+    } else {
+        1
+    };
+    let arcs = diffusion.arcs.unwrap_or(turns);
+    let schedule = schedule(&scene.spec)?;
+    let diffused = Diffused::of_schedule(model, diffusion.mm2_per_s, &schedule, arcs);
+    Ok(Box::new(
+        diffused.map_err(|e| at_section("material.diffusion", e))?,
+    ))
 }
 
 /// The dose models of a level, joined to what the job is optimized against.
@@ -363,6 +522,73 @@ impl<'a> Lights<'a> {
     }
 }
 
+/// Patterns before the material of a job.
+pub(super) struct Shown<'a> {
+    pub(super) material: Photopolymer,
+    pub(super) schedule: Schedule,
+    lights: Lights<'a>,
+    models: Vec<HostModel>,
+    fields: Vec<HostField>,
+    /// Whether cured resin shades.
+    shaded: bool,
+}
+
+impl<'a> Shown<'a> {
+    /// Models of the light as it is before anything cures.
+    pub(super) fn new(scene: &'a Scene, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
+        let domain = domain(scene, &scene.grid)?;
+        let material = material(&scene.spec, scene.mixing.as_deref(), domain)?;
+        let lights = Lights::new(scene, patterns, run);
+        let start = material.start()?;
+        let mut models = Vec::with_capacity(patterns.len());
+        let mut fields = Vec::with_capacity(patterns.len());
+        let mut shaded = false;
+        for (i, patterns) in patterns.iter().enumerate() {
+            let absorption = material.absorption(&start, i);
+            shaded |= absorption.is_some();
+            let model = lights.model(i, absorption.as_ref())?;
+            let mut x = model.new_patterns()?;
+            model.patterns()[0].fill_field(patterns, x.as_mut_slice());
+            models.push(model);
+            fields.push(x);
+        }
+        Ok(Shown {
+            material,
+            schedule: schedule(&scene.spec)?,
+            lights,
+            models,
+            fields,
+            shaded,
+        })
+    }
+
+    /// Prints, and shows every moment.
+    ///
+    /// # Errors
+    /// As [`Print::run`].
+    pub(super) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
+        let given = self.lights.scene.spec.schedule.clone().unwrap_or_default();
+        let sources = self.models.iter().zip(&self.fields);
+        let sources = sources.map(|(model, patterns)| LightSource {
+            model: model.as_ref(),
+            patterns,
+        });
+        let mut print = Print::new(&self.material, &self.schedule, sources.collect())?;
+        if let Some(step_s) = given.step_s {
+            print = print.with_step_s(step_s).map_err(|e| e.under("schedule"))?;
+        }
+        let mut renew = |i: usize, absorption: &Absorption| self.lights.model(i, Some(absorption));
+        if self.shaded {
+            print = print.with_renewal(given.shading_every_s, &mut renew);
+        }
+        let mut observe = |moment: &Moment| {
+            look(moment);
+            ControlFlow::Continue(())
+        };
+        print.run(self.lights.run, &mut observe).map(drop)
+    }
+}
+
 /// Shows patterns to the material of a job; None where it has no schedule.
 ///
 /// # Errors
@@ -376,59 +602,25 @@ pub(super) fn print_in_time(
     let Some(given) = &scene.spec.schedule else {
         return Ok(None);
     };
-    let schedule = schedule(&scene.spec)?;
-    let material = material(
-        &scene.spec,
-        scene.mixing.as_deref(),
-        domain(scene, &scene.grid)?,
-    )?;
-    let lights = Lights::new(scene, patterns, run);
-    let start = material.start()?;
-    let shaded = (0..patterns.len()).any(|i| material.absorption(&start, i).is_some());
-    let mut models = Vec::with_capacity(patterns.len());
-    for i in 0..patterns.len() {
-        let absorption = material.absorption(&start, i);
-        models.push(lights.model(i, absorption.as_ref())?);
-    }
-    let mut fields = Vec::with_capacity(models.len());
-    for (model, patterns) in models.iter().zip(patterns) {
-        let mut x = model.new_patterns()?;
-        model.patterns()[0].fill_field(patterns, x.as_mut_slice());
-        fields.push(x);
-    }
-    let sources = models.iter().zip(&fields);
-    let sources = sources.map(|(model, patterns)| LightSource {
-        model: model.as_ref(),
-        patterns,
-    });
-    let mut print = Print::new(&material, &schedule, sources.collect())?;
-    if let Some(step_s) = given.step_s {
-        print = print.with_step_s(step_s).map_err(|e| e.under("schedule"))?;
-    }
-    let mut renew = |i: usize, absorption: &Absorption| lights.model(i, Some(absorption));
-    if shaded {
-        print = print.with_renewal(given.shading_every_s, &mut renew);
-    }
-    let end = schedule.end_s();
+    let shown = Shown::new(scene, patterns, run)?;
+    let material = &shown.material;
+    let end = shown.schedule.end_s();
     let times: Vec<f64> = (1..=given.snapshots)
         .map(|i| end * i as f64 / given.snapshots as f64)
         .collect();
     let mut watched = Vec::with_capacity(voxels.len());
     for (s, voxels) in voxels.iter().enumerate() {
-        watched.push(Watched::new(&material, s, voxels, &times)?);
+        watched.push(Watched::new(material, s, voxels, &times)?);
     }
-    print.run(run, &mut |moment: &Moment| {
-        watched.iter_mut().for_each(|watched| watched.look(moment));
-        ControlFlow::Continue(())
-    })?;
-    let names = Material::species(&material);
+    shown.print(&mut |moment| watched.iter_mut().for_each(|watched| watched.look(moment)))?;
+    let names = Material::species(material);
     let mut networks = Vec::with_capacity(names.len());
     for ((watched, name), (scene, voxels)) in watched
         .into_iter()
         .zip(names)
         .zip(scene.species().zip(voxels))
     {
-        networks.push(watched.finish(&material, name, scene, voxels, patterns)?);
+        networks.push(watched.finish(material, name, scene, voxels, patterns)?);
     }
     Ok(Some(InTime { networks }))
 }

@@ -234,8 +234,7 @@ impl<'a> Stage<'a> {
         let plan = if scene.is_optimized_in_time() {
             planned_in_time(scene, (asked, optics), level, &all, cancel)?
         } else {
-            let mixing = scene.mixing.as_deref();
-            planned(mixing, asked, optics, &level.grid, Some(&all), cancel)?
+            planned(scene, asked, optics, &level.grid, Some(&all), cancel)?
         };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(plan.model.as_ref());

@@ -382,15 +382,32 @@ pub struct SpeciesSpec {
     pub response: Option<Value>,
 }
 
-/// A resin that answers light over time.
+/// A resin that answers light over time: one of `photopolymer` and `diffusion`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialSpec {
     /// Networks that cure after inhibitors are used up.
-    pub photopolymer: Params,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photopolymer: Option<Params>,
+    /// A dose that spreads while it is written, and solid resin where it reaches `resin.critical_dose_mj_per_mm3`. All doses of the job are those
+    /// at the end of the schedule then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diffusion: Option<DiffusionSpec>,
     /// Whether air lies on the top of the grid and keeps inhibitors saturated there.
     #[serde(default)]
     pub air_on_top: bool,
+}
+
+/// How a dose spreads.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DiffusionSpec {
+    /// Diffusion coefficient, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
+    pub mm2_per_s: f64,
+    /// Groups of neighboring frames of each light that share their times; one when left out, as many as turns with `schedule.own_patterns`. More are
+    /// closer to a schedule of few turns, and each takes a pullback of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arcs: Option<usize>,
 }
 
 /// Frames are shown turn by turn, all lights side by side.
@@ -425,6 +442,11 @@ pub struct ScheduleSpec {
     pub optimize: Against,
     /// Simulations of the print during an optimization against "frozen".
     pub rounds: usize,
+    /// Whether every turn has patterns of its own. Only optimize = "exact" and `material.diffusion` tell one turn from another.
+    pub own_patterns: bool,
+    /// Whether rows of the optimized patterns are made brighter or darker, until what is solid at each height has absorbed what the part needs
+    /// there at one and the same time.
+    pub level_heights: bool,
 }
 
 /// What patterns are optimized against.
@@ -455,6 +477,8 @@ impl Default for ScheduleSpec {
             snapshots: 8,
             optimize: Against::Dose,
             rounds: 4,
+            own_patterns: false,
+            level_heights: false,
         }
     }
 }
@@ -974,6 +998,22 @@ impl JsonSchema for Angles {
 }
 
 impl Angles {
+    /// The same angles turn after turn, each turn with frames of its own. An arc that is no whole turn cannot be shown so.
+    pub(crate) fn turn_after_turn(&self, turns: usize) -> Option<Angles> {
+        match self {
+            Angles::Even {
+                count,
+                start_deg,
+                arc_deg,
+            } => (*arc_deg == 360.0 && *count > 1).then_some(Angles::Even {
+                count: count * turns,
+                start_deg: *start_deg,
+                arc_deg: arc_deg * turns as f64,
+            }),
+            Angles::List(list) => Some(Angles::List(list.repeat(turns))),
+        }
+    }
+
     /// Number of frames.
     #[must_use]
     pub fn count(&self) -> usize {

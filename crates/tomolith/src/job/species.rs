@@ -6,6 +6,7 @@
 //! **Limits** Methods that minimize a loss take several species; those that compare one dose with one target (`osmo`, `cal`, …) do not.
 //! Neither do voxels cut into cells, nor fewer bits than six.
 
+use super::in_time;
 use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, ResinSpec};
 use crate::error::{Error, Result};
@@ -178,7 +179,7 @@ pub(super) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
     }
 }
 
-/// The model of a job's lights: that of all together, or one for each and M.
+/// The model of a job's lights: that of all together, or one for each and M; its dose diffuses where the job's does.
 ///
 /// `wanted` are the voxels that each species needs, `unwanted` those it should not reach: a light becomes unknowns where it drives what is
 /// wanted, or inhibits what is not.
@@ -186,19 +187,28 @@ pub(super) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
 /// # Errors
 /// As [`planner::plan`].
 pub(super) fn planned(
-    mixing: Option<&[Row]>,
+    scene: &Scene,
     asked: Option<&Family>,
     optics: OpticalScene<'_>,
     grid: &VolumeGrid,
     voxels: Option<&[&Voxels]>,
     run: &Run,
 ) -> Result<Plan> {
-    let Some(rows) = mixing else {
-        let wanted = voxels.map(|voxels| voxels[0].wanted());
-        return planner::plan(asked, optics, grid, wanted.as_ref(), run);
+    let mut plan = match scene.mixing.as_deref() {
+        Some(rows) => {
+            let mix =
+                |models| SpectralMixing::new(models, rows).map(|m| Box::new(m) as HostModel);
+            joined(rows, (asked, optics), grid, voxels, run, mix)?
+        }
+        None => {
+            let wanted = voxels.map(|voxels| voxels[0].wanted());
+            planner::plan(asked, optics, grid, wanted.as_ref(), run)?
+        }
     };
-    let mix = |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as HostModel);
-    joined(rows, (asked, optics), grid, voxels, run, mix)
+    plan.model = in_time::diffused(scene, plan.model)?;
+    let surrogate = plan.surrogate.take();
+    plan.surrogate = surrogate.map(|m| in_time::diffused(scene, m)).transpose()?;
+    Ok(plan)
 }
 
 /// Models of one light each, joined by `join`; their surrogates are mixed.
