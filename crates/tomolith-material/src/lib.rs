@@ -37,6 +37,7 @@ pub mod print;
 pub mod printing;
 mod reaction;
 pub mod schedule;
+pub mod shaded;
 
 use domain::Domain;
 use mixing::Mixing;

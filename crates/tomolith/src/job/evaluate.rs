@@ -411,8 +411,7 @@ pub(super) fn dose_by(
         ..scene.optics.scene()
     };
     let making = cancel.part(0.1);
-    let planner::Plan { model, reason, .. } =
-        planned(scene, model, optics, grid, None, &making)?;
+    let planner::Plan { model, reason, .. } = planned(scene, model, optics, grid, None, &making)?;
     drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {

@@ -4,7 +4,8 @@
 //! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](super::spec::ScheduleSpec).
 //!
 //! **Limits** Walls are those of the vial, of bodies and of inserts. With `diffusion = "spectral"` and a dose that diffuses walls are those of the
-//! grid's box. Light that is shaded takes the family that covers an absorption which changes from place to place, most often rays.
+//! grid's box. Straight light in an index-matched vial is shaded along its way; other light that is shaded takes the family that covers an absorption
+//! which changes from place to place, most often rays.
 
 use super::evaluate::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
@@ -27,7 +28,7 @@ use crate::units::exact;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
 use tomolith_material::diffused::Diffused;
 use tomolith_material::diffusion::Scheme;
@@ -38,6 +39,7 @@ use tomolith_material::photopolymer::{Curing, Network, Params, Photopolymer};
 use tomolith_material::print::{LightSource, Moment, Print};
 use tomolith_material::printing::Printing;
 use tomolith_material::schedule::{Schedule, Turns};
+use tomolith_material::shaded::Shaded;
 use tomolith_material::{Absorption, Material};
 
 /// What patterns print over time.
@@ -131,6 +133,13 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
         must_be_one(own, dose)?;
     }
     must_tell_turns_apart(spec, given)?;
+    if given.level_heights && super::levels::asked(&spec.evaluate) {
+        return Err(Error::config(
+            "schedule.level_heights",
+            "patterns on few levels are not made brighter row by row",
+            "evaluate.levels = \"rounded\", or level_heights = false",
+        ));
+    }
     schedule(spec)?;
     let mixing = spec.mixing()?;
     let grid = VolumeGrid::centered([1, 1, 1], 0.1);
@@ -478,6 +487,8 @@ impl Scene {
 struct Lights<'a> {
     scene: &'a Scene,
     lights: Vec<Light>,
+    /// Straight light in resin where nothing has cured, once it is asked for.
+    plain: Vec<OnceLock<Option<Arc<tomolith_material::Model>>>>,
     run: &'a Run,
 }
 
@@ -488,37 +499,80 @@ impl<'a> Lights<'a> {
             light.active = Some(lit_rows(patterns));
             light.selection = Selection::default();
         }
-        Lights { scene, lights, run }
+        let plain = lights.iter().map(|_| OnceLock::new()).collect();
+        Lights {
+            scene,
+            lights,
+            plain,
+            run,
+        }
     }
 
     /// The model of a light in the resin as the job has it, or with this absorption.
     fn model(&self, i: usize, absorption: Option<&Absorption>) -> Result<HostModel> {
-        let mut light = self.lights[i].clone();
-        if let Some(Absorption {
-            active_per_mm,
-            attenuation_per_mm,
-        }) = absorption
-        {
-            let grid = &active_per_mm.grid;
-            let (active, total) = (&active_per_mm.values, &attenuation_per_mm.values);
-            let map = AbsorptionMap::new(grid.shape, grid.pitch_mm, active.clone(), total.clone())?;
-            light.map = Some(Arc::new(map.about(grid.center_mm)));
-        }
-        let optics = &self.scene.optics;
-        let light = [light];
-        let all = optics.scene();
-        let own = OpticalScene {
-            lights: &light,
-            optics: &all.optics[i..=i],
-            purpose: if absorption.is_some() {
-                Purpose::Probe
-            } else {
-                Purpose::Optimize
-            },
-            ..all
+        let Some(absorption) = absorption else {
+            return self.planned(i, None);
         };
-        let asked = optics.model.as_ref();
+        if let Some(plain) = self.straight(i)? {
+            let resin = &self.lights[i].resin;
+            let plain_mu = [resin.absorption_per_mm, resin.attenuation_per_mm];
+            return Ok(Box::new(Shaded::new(plain, plain_mu, absorption)?));
+        }
+        let grid = &absorption.active_per_mm.grid;
+        let [active, total] = [&absorption.active_per_mm, &absorption.attenuation_per_mm];
+        let (active, total) = (active.values.clone(), total.values.clone());
+        let map = AbsorptionMap::new(grid.shape, grid.pitch_mm, active, total)?;
+        self.planned(i, Some(Arc::new(map.about(grid.center_mm))))
+    }
+
+    /// The scene of a light alone.
+    fn scene_of<'s>(&'s self, i: usize, light: &'s [Light], purpose: Purpose) -> OpticalScene<'s> {
+        let all = self.scene.optics.scene();
+        OpticalScene {
+            lights: light,
+            optics: &all.optics[i..=i],
+            purpose,
+            ..all
+        }
+    }
+
+    fn planned(&self, i: usize, map: Option<Arc<AbsorptionMap>>) -> Result<HostModel> {
+        let mut light = [self.lights[i].clone()];
+        let purpose = if map.is_some() {
+            Purpose::Probe
+        } else {
+            Purpose::Optimize
+        };
+        light[0].map = map.or_else(|| light[0].map.take());
+        let own = self.scene_of(i, &light, purpose);
+        let asked = self.scene.optics.model.as_ref();
         Ok(planner::plan(asked, own, &self.scene.grid, None, self.run)?.model)
+    }
+
+    /// The model of the resin in which nothing has cured, where light runs level and straight through it.
+    fn straight(&self, i: usize) -> Result<Option<Arc<tomolith_material::Model>>> {
+        if let Some(known) = self.plain[i].get() {
+            return Ok(known.clone());
+        }
+        let light = &self.lights[i..=i];
+        let own = self.scene_of(i, light, Purpose::Optimize);
+        let asked = self.scene.optics.model.as_ref();
+        let family = planner::choose(asked, &own, &self.scene.grid)?;
+        let resin = &light[0].resin;
+        let vial = self.scene.optics.vial.as_ref();
+        let outside = vial.surrounding_index(light[0].surrounding_index, resin.refractive_index);
+        let is_straight = family.name() == "parallel"
+            && vial.walls().len() == 1
+            && vial.is_round()
+            && outside == resin.refractive_index
+            && light[0].map.is_none()
+            && !resin.pure_radon;
+        let model = if is_straight {
+            Some(Arc::from(self.planned(i, None)?))
+        } else {
+            None
+        };
+        Ok(self.plain[i].get_or_init(|| model).clone())
     }
 }
 
@@ -819,6 +873,160 @@ mod tests {
     }
 
     #[test]
+    fn a_dose_that_diffuses_is_that_of_every_model_spread() {
+        let with = |change: &str, diffusion: &str| {
+            let diffusion = format!("material={{ diffusion = {{ mm2_per_s = {diffusion} }} }}");
+            let changes = [&diffusion, change, "resin.critical_dose_mj_per_mm3=0.8"];
+            let job = ResolvedJob::new(&job(&changes).unwrap()).unwrap();
+            let (task, run) = (job.task(&Run::new()).unwrap(), Run::new());
+            let mut dose = task.model.new_dose().unwrap();
+            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            let mean = dose.as_slice().iter().map(|v| f64::from(*v)).sum::<f64>();
+            (mean, dose.dot(&dose), task.model.describe())
+        };
+        for change in [
+            "model=\"parallel\"",
+            "model=\"rays\"",
+            "light[0].projector={ telecentric = { pixel_pitch_mm = 0.1, aperture_radius_mm = 1.0, working_distance_mm = 100.0 } }",
+            "species=[{ name = \"a\", driven_by = { light = 0.7 } }]",
+        ] {
+            let (all, squares, _) = with(change, "0");
+            let (spread, lower, model) = with(change, "5e-4");
+            // What diffuses stays in the box; 40 s at 5e-4 mm²/s spread it by 0.14 mm
+            assert!(
+                (spread / all - 1.0).abs() < 1e-4,
+                "{change}: {all} {spread}"
+            );
+            assert!(lower < 0.99 * squares, "{change}: {squares} {lower}");
+            assert!(model.contains("diffused at 0.0005 mm²/s"), "{model}");
+        }
+    }
+
+    #[test]
+    fn a_job_whose_dose_diffuses_runs_to_its_report() {
+        let iou = |diffusion: &str| {
+            let material = format!("material={{ diffusion = {{ mm2_per_s = {diffusion} }} }}");
+            let changes = [
+                &material,
+                "resin.critical_dose_mj_per_mm3=0.8",
+                "schedule.power={ energy_mj_per_mm2 = 1.2 }",
+            ];
+            let (report, folder) = report(&changes);
+            assert!(folder.path().join("run/time.csv").exists());
+            let time = &report["time"][0];
+            assert!(time["best_jaccard"].as_f64().unwrap() > 0.7, "{time}");
+            report["evaluation"]["iou"].as_f64().unwrap()
+        };
+        // The headline sees the diffusion: σ = √(DT) is three voxels
+        let (sharp, blurred) = (iou("0"), iou("2e-3"));
+        assert!(blurred < sharp - 0.005, "{sharp} {blurred}");
+    }
+
+    #[test]
+    fn turns_with_patterns_of_their_own_are_optimized_and_printed() {
+        let own = [
+            "schedule.optimize=\"exact\"",
+            "schedule.turns=2",
+            "schedule.power={ energy_per_turn_mj_per_mm2 = 1.0 }",
+            "light[0].angles=12",
+        ];
+        let loss = |folder: &tempfile::TempDir| {
+            let text = std::fs::read_to_string(folder.path().join("run/history.csv")).unwrap();
+            let row = |line: &str| line.split(',').nth(1).unwrap().parse::<f64>().unwrap();
+            let rows: Vec<f64> = text.lines().skip(1).map(row).collect();
+            (rows[0], rows[rows.len() - 1])
+        };
+        let (_, folder) = report(&own);
+        let (start, repeated) = loss(&folder);
+        let (time, folder) = report(&[&own[..], &["schedule.own_patterns=true"]].concat());
+        let (same, apart) = loss(&folder);
+        println!("one turn repeated {start} → {repeated}, two of their own {same} → {apart}");
+        assert!((same / start - 1.0).abs() < 0.01, "{same} {start}");
+        assert!(apart < 1.01 * repeated, "{apart} {repeated}");
+        assert!(time["time"][0]["best_jaccard"].as_f64().unwrap() > 0.7);
+    }
+
+    #[test]
+    fn heights_are_done_together_where_rows_are_rescaled() {
+        // Oxygen rises from a fifth at the bottom to all at the top
+        let axial = "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }, inhibitors = [{ capacity_mj_per_mm3 = 0.4, initial = { axial = [[-0.6, 0.2], [0.6, 1.0]] } }] }]";
+        // When half of what turns solid is solid, in the upper quarter over the lower one
+        let ratio = |change: &str| {
+            let (_, folder) = report(&[axial, change]);
+            let file = folder.path().join("run/cure_time.npy");
+            let ([nz, ny, nx], times) = crate::io::npy::read_volume(&file).unwrap();
+            let median = |slices: std::ops::Range<usize>| {
+                let own = &times[slices.start * ny * nx..slices.end * ny * nx];
+                let mut own: Vec<f32> = own.iter().copied().filter(|t| t.is_finite()).collect();
+                own.sort_by(f32::total_cmp);
+                own[own.len() / 2]
+            };
+            median(nz / 2 + nz / 8..nz - nz / 8) / median(nz / 8..nz / 2 - nz / 8)
+        };
+        let (before, after) = (
+            ratio("schedule.level_heights=false"),
+            ratio("schedule.level_heights=true"),
+        );
+        println!("time of the upper quarter over the lower one: {before} → {after}");
+        assert!(
+            before > 1.15 && (after - 1.0).abs() < 0.05,
+            "{before} {after}"
+        );
+    }
+
+    #[test]
+    fn bodies_and_inserts_are_walls() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/11-bodies.toml");
+        let mut document = Document::read(&file).unwrap();
+        for change in [
+            "target.body[1].role=\"insert\"",
+            "grid.pitch_mm=0.2",
+            "schedule={ turns = 2 }",
+            "material={ photopolymer = { networks = [{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }, inhibitors = [{ capacity_mj_per_mm3 = 0.4, diffusion_mm2_per_s = 1e-3 }] }] } }",
+        ] {
+            document.set(change).unwrap();
+        }
+        let scene = Scene::new(&Job::from_document(document).unwrap()).unwrap();
+        let held = resin(&scene, &scene.grid).unwrap();
+        let walls = held.values.iter().filter(|v| !**v).count();
+        assert!(walls > 20 && walls < held.values.len() / 4, "{walls}");
+        // Light uses oxygen up in half of the box; what flows stays in the resin
+        let domain = domain(&scene, &scene.grid).unwrap();
+        let material = material(&scene.spec, None, domain).unwrap();
+        let mut state = material.start().unwrap();
+        let layout = material.domain().layout().clone();
+        let half = Volume {
+            values: (0..scene.grid.len())
+                .map(|i| 0.2 * f32::from(u8::from(i % 2 == 0)))
+                .collect(),
+            grid: scene.grid.clone(),
+        };
+        let light = layout.field_of(&half);
+        material.step(&mut state, &[&light], 1.0).unwrap();
+        let oxygen = |state: &tomolith_material::State| {
+            let content = layout.volume_of(state.volumes[0].as_slice()).values;
+            let of = |resin: bool| {
+                let own = content
+                    .iter()
+                    .zip(&held.values)
+                    .filter(|(_, r)| **r == resin);
+                own.map(|(v, _)| f64::from(*v)).sum::<f64>()
+            };
+            (of(true), of(false), content)
+        };
+        let (before, inside, then) = oxygen(&state);
+        for _ in 0..20 {
+            material
+                .step(&mut state, &[&[]], material.longest_step_s().min(5.0))
+                .unwrap();
+        }
+        let (after, still, now) = oxygen(&state);
+        assert!((after / before - 1.0).abs() < 1e-5, "{before} {after}");
+        assert_eq!((inside, still), (0.0, 0.0));
+        assert!(then.iter().zip(&now).any(|(a, b)| (a - b).abs() > 0.1));
+    }
+
+    #[test]
     fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
         let refused = |changes: &[&str]| {
             let found = job(changes).and_then(|job| ResolvedJob::new(&job).map(drop));
@@ -831,6 +1039,21 @@ mod tests {
             ("schedule.turns=0", "schedule.turns"),
             ("schedule.duty=1.5", "schedule.duty"),
             ("schedule.step_s=0", "schedule.step_s"),
+            (
+                "schedule.power={ irradiance_mw_per_mm2 = -1 }",
+                "schedule.power",
+            ),
+            (
+                "light[0].power={ irradiance_mw_per_mm2 = -1 }",
+                "light[0].power",
+            ),
+            ("schedule.own_patterns=true", "schedule.own_patterns"),
+            ("material={}", "material"),
+            ("material={ diffusion = { mm2_per_s = 1e-4 } }", "material"),
+            (
+                "material={ diffusion = { mm2_per_s = -1 } }",
+                "material.diffusion.mm2_per_s",
+            ),
             // 0.1²/(6·10⁻⁴) is 16.7 s
             ("schedule.step_s=100", "schedule.step_s"),
             (

@@ -26,6 +26,7 @@ mod estimate;
 mod evaluate;
 pub mod export;
 pub mod folder;
+mod heights;
 pub mod import;
 mod in_time;
 pub mod kinds;

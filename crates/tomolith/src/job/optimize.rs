@@ -1,6 +1,7 @@
 //! The optimization of a job: from voxels to patterns.
 
 use super::folder::RunFolder;
+use super::heights;
 use super::in_time::planned_in_time;
 use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
@@ -158,6 +159,7 @@ pub(crate) fn optimize(
                         return Err(at_section("optimizer", error));
                     }
                 };
+                let raw = stage.levelled(scene, raw, progress, cancel)?;
                 return Ok(Optimized {
                     raw,
                     levels,
@@ -310,6 +312,28 @@ impl<'a> Stage<'a> {
     fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
         darken(x, &self.dark);
         levels::patterns(self.model.patterns(), x)
+    }
+
+    /// The patterns with rows rescaled so that all heights are done at once, where the job asks for it.
+    fn levelled(
+        &self,
+        scene: &Scene,
+        raw: Vec<Patterns>,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Vec<Patterns>> {
+        let asked = scene
+            .spec
+            .schedule
+            .as_ref()
+            .is_some_and(|s| s.level_heights);
+        if !asked {
+            return Ok(raw);
+        }
+        let own = scene.species().map(|species| species.voxels(&scene.grid));
+        let own = own.collect::<Result<Vec<_>>>()?;
+        let voxels: Vec<&Voxels> = own.iter().collect();
+        heights::level(scene, &voxels, raw, progress, cancel)
     }
 
     /// The patterns on few levels of the machine, where the job has few.

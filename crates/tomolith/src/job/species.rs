@@ -196,8 +196,7 @@ pub(super) fn planned(
 ) -> Result<Plan> {
     let mut plan = match scene.mixing.as_deref() {
         Some(rows) => {
-            let mix =
-                |models| SpectralMixing::new(models, rows).map(|m| Box::new(m) as HostModel);
+            let mix = |models| SpectralMixing::new(models, rows).map(|m| Box::new(m) as HostModel);
             joined(rows, (asked, optics), grid, voxels, run, mix)?
         }
         None => {

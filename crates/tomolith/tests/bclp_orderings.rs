@@ -1,0 +1,127 @@
+//! BCLP in physical units: the parameter sweeps of Li et al. 2024, section 3.4, on a small picture. 500 voxels a cm and α = 0.001 per cm, as in their
+//! Supplementary Table 1; 64² voxels for their 512², so the orderings are theirs and not the losses.
+
+use serde_json::Value;
+use std::path::Path;
+use tomolith::grid::Volume;
+use tomolith::io::npy;
+use tomolith::job::{Document, Job, ResolvedJob, Silent, run};
+use tomolith::models::Run;
+
+const JOB: &str = r#"
+    target = { size_mm = 1.2, height_mm = 0.02 }
+    grid = { pitch_mm = 0.02, refine = 1, shape = [64, 64, 1] }
+    resin = { refractive_index = 1.5, absorption_per_mm = 1e-4 }
+    vial = { index_matched = { radius_mm = 1.0 } }
+    light = [{ pixels = [64, 1], angles = 60, projector = { collimated = { pixel_pitch_mm = 0.02 } } }]
+    objective = { bclp = { epsilon = 0.05, p = 2, q = 1 } }
+    stop = { iterations = 60 }
+    evaluate = { refine = 1 }
+"#;
+
+fn job(changes: &[&str]) -> Job {
+    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
+    let mut document = Document::toml("bclp.toml", JOB).unwrap();
+    document
+        .set(&format!("target.image={:?}", image.display().to_string()))
+        .unwrap();
+    for change in changes {
+        document.set(change).unwrap();
+    }
+    Job::from_document(document).unwrap()
+}
+
+/// What a run ends with.
+struct Ended {
+    loss: f64,
+    /// Voxels out of ±0.05, and the largest distance from it.
+    out: f64,
+    largest: f64,
+    dose: Vec<f32>,
+}
+
+fn ended(changes: &[&str]) -> Ended {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("run");
+    let job = job(changes).with_folder(&own, "--output");
+    run(&job, false, &mut Silent, &Run::new()).unwrap();
+    let report: Value =
+        serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap();
+    let number = |key: &str| report["published"][key]["value"].as_f64().unwrap();
+    let history = std::fs::read_to_string(own.join("history.csv")).unwrap();
+    let loss = history.lines().last().unwrap().split(',').nth(1).unwrap();
+    Ended {
+        loss: loss.parse().unwrap(),
+        out: number("bclp_l0"),
+        largest: number("bclp_linf"),
+        dose: npy::read_volume(&own.join("dose.npy")).unwrap().1,
+    }
+}
+
+#[test]
+fn a_wider_band_has_a_smaller_loss() {
+    // Section 3.4.2: 0, 0.879, 6.20, 18.9
+    let losses = ["0.2", "0.1", "0.05", "0"]
+        .map(|e| ended(&[&format!("objective.bclp.epsilon={e}")]).loss);
+    println!("ε = 0.2, 0.1, 0.05, 0: losses {losses:.3?}");
+    assert_eq!(losses[0], 0.0);
+    assert!(losses.windows(2).all(|pair| pair[0] < pair[1]), "{losses:?}");
+}
+
+#[test]
+fn a_steep_response_helps_up_to_a_point() {
+    // Section 3.4.1: 97.6 for a linear response; 53.5, 9.05, 49.3 for B = 10, 25, 150
+    let logistic = |steepness: &str| {
+        let response =
+            format!("response={{ logistic = {{ steepness = {steepness}, midpoint = 0.5 }} }}");
+        ended(&[&response]).loss
+    };
+    let linear = ended(&[]).loss;
+    let losses = ["10", "25", "150"].map(logistic);
+    println!("linear {linear:.3}, B = 10, 25, 150: {losses:.3?}");
+    assert!(linear > losses[0] && losses[0] > losses[1], "{losses:?}");
+    assert!(losses[2] > losses[1], "{losses:?}");
+}
+
+#[test]
+fn a_small_p_keeps_more_voxels_in_the_band_and_a_large_one_the_largest_error_small() {
+    // Section 3.4.4
+    let all = ["0.5", "1", "2", "20"].map(|p| ended(&[&format!("objective.bclp.p={p}")]));
+    let out = all.each_ref().map(|ended| ended.out);
+    let largest = all.each_ref().map(|ended| ended.largest);
+    println!("p = 0.5, 1, 2, 20: out {out:?}, largest {largest:.3?}");
+    assert!(out.windows(2).all(|pair| pair[0] < pair[1]), "{out:?}");
+    assert!(largest.windows(2).all(|pair| pair[0] > pair[1]), "{largest:?}");
+}
+
+#[test]
+fn a_disc_that_weighs_more_is_nearer_to_its_picture() {
+    // Section 3.4.3, eq. 30; the spatial sum of weights stays
+    let resolved = ResolvedJob::new(&job(&[])).unwrap();
+    let task = resolved.task(&Run::new()).unwrap();
+    let grid = task.target.inside.grid.clone();
+    let [_, ny, nx] = grid.shape;
+    // A quarter of the inscribed circle's area, beside the axis
+    let is_disc = |i: usize| {
+        let (x, y) = (grid.x(i % nx) - 0.2, grid.y(i / nx % ny));
+        x.hypot(y) < 0.32
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let errors = [[0.1f32, 1.3], [1.0, 1.0], [3.5, 0.17]].map(|[inside, outside]| {
+        let weight = |i: usize| if is_disc(i) { inside } else { outside };
+        let values = (0..grid.len()).map(weight).collect();
+        let file = folder.path().join("weights.npy");
+        let grid = grid.clone();
+        npy::write_volume(&file, &Volume { grid, values }, &Run::new()).unwrap();
+        let weights = format!(
+            "objective.bclp.weights={{ file = {:?} }}",
+            file.display().to_string()
+        );
+        let dose = ended(&[&weights]).dose;
+        let pairs = dose.iter().zip(&task.target.inside.values).enumerate();
+        let squares = pairs.filter(|(i, _)| is_disc(*i)).map(|(_, (a, b))| (a - b).powi(2));
+        squares.sum::<f32>().sqrt()
+    });
+    println!("w = 0.1, 1, 3.5 in the disc: errors there {errors:.3?}");
+    assert!(errors.windows(2).all(|pair| pair[0] > pair[1]), "{errors:?}");
+}

@@ -1,0 +1,318 @@
+//! Materials in the light of the `parallel` model: what diffuses, prints and shades there, against models that know it exactly.
+
+use std::sync::Arc;
+use tomolith::field::{Field, HostField};
+use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
+use tomolith::models::parallel::{Light, Parallel};
+use tomolith::models::{DoseModel, Run};
+use tomolith::optics::absorption_map::AbsorptionMap;
+use tomolith::optics::resin::Resin;
+use tomolith::optics::vial::index_matched::IndexMatched;
+use tomolith_material::diffused::Diffused;
+use tomolith_material::domain::Domain;
+use tomolith_material::mixing::Mixing;
+use tomolith_material::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
+use tomolith_material::printing::Printing;
+use tomolith_material::schedule::{Power, Schedule, Turns};
+use tomolith_material::shaded::Shaded;
+use tomolith_material::{Absorption, Model};
+
+const FRAMES: usize = 24;
+const MU: f64 = 0.2;
+
+fn grid() -> VolumeGrid {
+    VolumeGrid::centered([4, 40, 40], 0.1)
+}
+
+fn lights(frames: usize, map: Option<AbsorptionMap>) -> Light {
+    let mut pixels = PatternGrid::full_turn(FRAMES, 0.1, 4, 40, 0.1);
+    pixels.azimuths = pixels.azimuths.into_iter().cycle().take(frames).collect();
+    let mut light = Light::new(pixels, Resin::absorbing(1.5, MU));
+    light.map = map.map(Arc::new);
+    light
+}
+
+fn parallel(frames: usize, map: Option<AbsorptionMap>) -> Parallel {
+    let vial = IndexMatched { radius_mm: 2.5 };
+    Parallel::new(&vial, vec![lights(frames, map)], grid()).unwrap()
+}
+
+/// Smooth patterns that no symmetry helps, 0.2 to 1.
+fn patterns(model: &Model) -> HostField {
+    let mut x = model.new_patterns().unwrap();
+    for (i, v) in x.as_mut_slice().iter_mut().enumerate() {
+        *v = 0.6 + 0.4 * (0.37 * i as f32).sin();
+    }
+    x
+}
+
+fn noise(like: &HostField, seed: u32) -> HostField {
+    let mut field = like.zeros_like();
+    let mut state = seed;
+    for v in field.as_mut_slice() {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        *v = (state >> 8) as f32 / 8_388_608.0 - 1.0;
+    }
+    field
+}
+
+/// A disc off the axis that absorbs more.
+fn disc(more: f32) -> Volume<f32> {
+    let grid = grid();
+    let [_, ny, nx] = grid.shape;
+    let of = |i: usize| {
+        let (x, y) = (grid.x(i % nx) - 0.5, grid.y(i / nx % ny) + 0.3);
+        MU as f32 + if x.hypot(y) < 0.8 { more } else { 0.0 }
+    };
+    Volume {
+        values: (0..grid.len()).map(of).collect(),
+        grid,
+    }
+}
+
+fn dose(model: &Model, x: &HostField) -> HostField {
+    let mut dose = model.new_dose().unwrap();
+    model.dose(x, &mut dose, &Run::new()).unwrap();
+    dose
+}
+
+fn rms(a: &HostField) -> f64 {
+    (a.dot(a) / a.len() as f64).sqrt()
+}
+
+#[test]
+fn shaded_light_is_that_of_a_resin_with_a_map() {
+    for more in [0.1f32, 0.5] {
+        let mu = disc(more);
+        let map = AbsorptionMap::new(
+            mu.grid.shape,
+            mu.grid.pitch_mm,
+            mu.values.clone(),
+            mu.values.clone(),
+        )
+        .unwrap();
+        let exact = parallel(FRAMES, Some(map));
+        let plain: Arc<Model> = Arc::new(parallel(FRAMES, None));
+        let x = patterns(plain.as_ref());
+        let before = dose(plain.as_ref(), &x);
+        let absorption = Absorption {
+            active_per_mm: mu.clone(),
+            attenuation_per_mm: mu,
+        };
+        let shaded = Shaded::new(plain, [MU, MU], &absorption).unwrap();
+        let wanted = dose(&exact, &x);
+        let mut off = dose(&shaded, &x);
+        off.axpy(-1.0, &wanted);
+        let mut change = wanted.clone();
+        change.axpy(-1.0, &before);
+        let share = rms(&off) / rms(&change);
+        assert!(share < 0.02, "{more}: {share}");
+        // ⟨F d, c⟩ = ⟨d, Fᵀc⟩
+        let (d, c) = (noise(&x, 3), noise(&wanted, 5));
+        let mut back = x.zeros_like();
+        let run = Run::new();
+        shaded.pullback(&x, &c, &mut back, &run).unwrap();
+        let forth = dose(&shaded, &d).dot(&c);
+        assert!(
+            (forth - back.dot(&d)).abs() < 1e-4 * rms(&wanted) * c.len() as f64,
+            "{forth}"
+        );
+    }
+}
+
+#[test]
+fn resin_that_shades_at_one_height_leaves_the_others_alone() {
+    let plain: Arc<Model> = Arc::new(parallel(FRAMES, None));
+    let x = patterns(plain.as_ref());
+    let mut mu = disc(0.5);
+    let slice = mu.values.len() / 4;
+    mu.values[..2 * slice].fill(MU as f32);
+    let absorption = Absorption {
+        active_per_mm: mu.clone(),
+        attenuation_per_mm: mu,
+    };
+    let shaded = Shaded::new(plain.clone(), [MU, MU], &absorption).unwrap();
+    let layout = &plain.outputs()[0];
+    let [before, after] = [dose(plain.as_ref(), &x), dose(&shaded, &x)];
+    let [before, after] = [before, after].map(|d| layout.volume_of(d.as_slice()).values);
+    let apart = |range: std::ops::Range<usize>| {
+        let pairs = before[range.clone()].iter().zip(&after[range]);
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0f32, f32::max)
+    };
+    let most = before.iter().copied().fold(0.0f32, f32::max);
+    assert!(apart(0..2 * slice) < 2e-6 * most);
+    assert!(apart(2 * slice..4 * slice) > 0.05 * most);
+}
+
+fn schedule(own_patterns: bool) -> Schedule {
+    let turns = Turns {
+        own_patterns,
+        power: Power::EnergyPerTurn(0.25),
+        ..Turns::new(FRAMES, 20.0, 2.0)
+    };
+    Schedule::of_turns(&[turns]).unwrap()
+}
+
+#[test]
+fn a_dose_that_diffuses_is_what_a_material_without_oxygen_prints() {
+    // The linear operator against the material, step by step, in the same light
+    let threshold = Network {
+        dose_diffusion_mm2_per_s: 2e-4,
+        ..Network::new("resin", Curing::threshold(1.0))
+    };
+    let params = Params {
+        diffusion: tomolith_material::diffusion::Scheme::Spectral,
+        ..Params::new(vec![threshold])
+    };
+    let material = Photopolymer::new(params, Mixing::identity(1), Domain::new(grid())).unwrap();
+    let optics: Vec<Box<Model>> = vec![Box::new(parallel(FRAMES, None))];
+    let printing = Printing::new(optics, schedule(false), Box::new(material), Some(0.4)).unwrap();
+    let x = patterns(&printing);
+    let printed = dose(&printing, &x);
+    let mut half = x.clone();
+    half.scale(0.5); // two turns of 0.25 mJ/mm² each
+    let apart = |arcs: usize| {
+        let model: Box<Model> = Box::new(parallel(FRAMES, None));
+        let diffused = Diffused::of_schedule(model, 2e-4, &schedule(false), arcs).unwrap();
+        let mut off = dose(&diffused, &half);
+        off.axpy(-1.0, &printed);
+        rms(&off) / rms(&printed)
+    };
+    let [one, all] = [apart(1), apart(FRAMES)];
+    assert!(all < 2e-3 && one < 0.03 && all < one, "{one} {all}");
+    // Without diffusion it is another dose
+    let plain = parallel(FRAMES, None);
+    let mut off = dose(&plain, &half);
+    off.axpy(-1.0, &printed);
+    assert!(rms(&off) > 0.02 * rms(&printed));
+}
+
+fn exact(own_patterns: bool) -> Printing {
+    let oxygen = Inhibitor {
+        capacity_mj_per_mm3: 0.1,
+        diffusion_mm2_per_s: 2e-4,
+        half_saturation: Some(0.05),
+        ..Inhibitor::default()
+    };
+    let network = Network {
+        inhibitors: vec![oxygen],
+        ..Network::new("resin", Curing::threshold(0.15))
+    };
+    let material = Photopolymer::new(
+        Params::new(vec![network]),
+        Mixing::identity(1),
+        Domain::new(grid()),
+    )
+    .unwrap();
+    let frames = if own_patterns { 2 * FRAMES } else { FRAMES };
+    let optics: Vec<Box<Model>> = vec![Box::new(parallel(frames, None))];
+    Printing::new(
+        optics,
+        schedule(own_patterns),
+        Box::new(material),
+        Some(2.0),
+    )
+    .unwrap()
+}
+
+/// ½ Σ (degree of cure − wanted)² and its gradient; wanted: a fine comb that oxygen blurs.
+fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f64 {
+    let run = Run::new();
+    let layout = &model.outputs()[0];
+    let wanted = Volume {
+        values: (0..layout.grid.len())
+            .map(|i| {
+                let (x, y) = (layout.grid.x(i % 40), layout.grid.y(i / 40 % 40));
+                let comb = x.hypot(y) < 1.5 && (x * 2.5).floor() as i64 % 2 == 0;
+                if comb { 1.1 } else { 0.6 }
+            })
+            .collect(),
+        grid: layout.grid.clone(),
+    };
+    let mut off = dose(model, x);
+    off.axpy(-1.0, &HostField::from_slice(&layout.field_of(&wanted)));
+    let value = 0.5 * off.dot(&off);
+    if let Some(gradient) = gradient {
+        model.pullback(x, &off, gradient, &run).unwrap();
+    }
+    value
+}
+
+/// Projected gradient steps of a fixed number, each as long as lowers the loss.
+fn descend(model: &Printing, x: &mut HostField, steps: usize) -> f64 {
+    let mut length = 0.05;
+    let mut value = f64::INFINITY;
+    for _ in 0..steps {
+        let mut gradient = x.zeros_like();
+        value = loss(model, x, Some(&mut gradient));
+        for _ in 0..12 {
+            let mut y = x.clone();
+            y.axpy(-length, &gradient);
+            y.as_mut_slice().iter_mut().for_each(|v| *v = v.max(0.0));
+            let next = loss(model, &y, None);
+            if next < value {
+                (*x, value) = (y, next);
+                length *= 1.6;
+                break;
+            }
+            length *= 0.5;
+        }
+    }
+    value
+}
+
+#[test]
+fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
+    let (repeated, own) = (exact(false), exact(true));
+    let mut x = repeated.new_patterns().unwrap();
+    x.fill(0.6);
+    let first = descend(&repeated, &mut x, 6);
+    // Both turns as the repeated one: the same print
+    let mut both = HostField::from_slice(&[x.as_slice(), x.as_slice()].concat());
+    let start = loss(&own, &both, None);
+    assert!((start / first - 1.0).abs() < 1e-4, "{start} {first}");
+    // The gradient of a turn is another one than that of the other; their sum is that of the repeated one
+    let mut of_both = both.zeros_like();
+    loss(&own, &both, Some(&mut of_both));
+    let mut of_one = x.zeros_like();
+    loss(&repeated, &x, Some(&mut of_one));
+    let (one, two) = of_both.as_slice().split_at(x.len());
+    let (mut sum, mut apart) = (HostField::from_slice(one), HostField::from_slice(one));
+    sum.axpy(1.0, &HostField::from_slice(two));
+    apart.axpy(-1.0, &HostField::from_slice(two));
+    sum.axpy(-1.0, &of_one);
+    assert!(rms(&sum) < 1e-3 * rms(&of_one));
+    assert!(
+        rms(&apart) > 0.05 * rms(&of_one),
+        "{}",
+        rms(&apart) / rms(&of_one)
+    );
+    // As many further steps: turns of their own go further
+    let further = descend(&repeated, &mut x, 4);
+    let apart = descend(&own, &mut both, 4);
+    assert!(
+        apart < further && further <= first,
+        "{apart} {further} {first}"
+    );
+    println!("one turn repeated {further:.4}, two of their own {apart:.4}");
+}
+
+#[test]
+fn the_gradient_through_time_in_real_light_is_that_of_differences() {
+    let model = exact(true);
+    let x = patterns(&model);
+    let (d, mut gradient) = (noise(&x, 7), x.zeros_like());
+    loss(&model, &x, Some(&mut gradient));
+    let value = |e: f32| {
+        let mut y = x.clone();
+        y.axpy(e, &d);
+        loss(&model, &y, None)
+    };
+    let exact = gradient.dot(&d);
+    let at = value(0.0);
+    let remainder = |e: f32| (value(e) - at - f64::from(e) * exact).abs();
+    let [a, b] = [0.1, 0.05].map(remainder);
+    assert!((3.0..5.0).contains(&(a / b)), "{a} {b}");
+    let slope = (value(0.02) - value(-0.02)) / 0.04;
+    assert!((slope / exact - 1.0).abs() < 5e-3, "{slope} {exact}");
+}
