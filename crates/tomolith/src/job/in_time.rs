@@ -874,15 +874,11 @@ mod tests {
 
     #[test]
     fn a_dose_that_diffuses_is_that_of_every_model_spread() {
-        let with = |change: &str, diffusion: &str| {
+        let task = |change: &str, diffusion: &str| {
             let diffusion = format!("material={{ diffusion = {{ mm2_per_s = {diffusion} }} }}");
             let changes = [&diffusion, change, "resin.critical_dose_mj_per_mm3=0.8"];
             let job = ResolvedJob::new(&job(&changes).unwrap()).unwrap();
-            let (task, run) = (job.task(&Run::new()).unwrap(), Run::new());
-            let mut dose = task.model.new_dose().unwrap();
-            task.model.dose(&task.start, &mut dose, &run).unwrap();
-            let mean = dose.as_slice().iter().map(|v| f64::from(*v)).sum::<f64>();
-            (mean, dose.dot(&dose), task.model.describe())
+            job.task(&Run::new()).unwrap()
         };
         for change in [
             "model=\"parallel\"",
@@ -890,14 +886,18 @@ mod tests {
             "light[0].projector={ telecentric = { pixel_pitch_mm = 0.1, aperture_radius_mm = 1.0, working_distance_mm = 100.0 } }",
             "species=[{ name = \"a\", driven_by = { light = 0.7 } }]",
         ] {
-            let (all, squares, _) = with(change, "0");
-            let (spread, lower, model) = with(change, "5e-4");
+            let (sharp, blurred) = (task(change, "0"), task(change, "5e-4"));
+            let of = |task: &crate::job::Task| {
+                let mut dose = task.model.new_dose().unwrap();
+                task.model.dose(&sharp.start, &mut dose, &Run::new()).unwrap();
+                let sum = dose.as_slice().iter().map(|v| f64::from(*v)).sum::<f64>();
+                (sum, dose.dot(&dose))
+            };
             // What diffuses stays in the box; 40 s at 5e-4 mm²/s spread it by 0.14 mm
-            assert!(
-                (spread / all - 1.0).abs() < 1e-4,
-                "{change}: {all} {spread}"
-            );
-            assert!(lower < 0.99 * squares, "{change}: {squares} {lower}");
+            let ((all, squares), (spread, lower)) = (of(&sharp), of(&blurred));
+            assert!((spread / all - 1.0).abs() < 1e-4, "{change}: {all} {spread}");
+            assert!(lower < 0.995 * squares, "{change}: {squares} {lower}");
+            let model = blurred.model.describe();
             assert!(model.contains("diffused at 0.0005 mm²/s"), "{model}");
         }
     }
@@ -910,11 +910,12 @@ mod tests {
                 &material,
                 "resin.critical_dose_mj_per_mm3=0.8",
                 "schedule.power={ energy_mj_per_mm2 = 1.2 }",
+                "target={ phantom = \"gear\", size_mm = 1.8 }",
             ];
             let (report, folder) = report(&changes);
             assert!(folder.path().join("run/time.csv").exists());
             let time = &report["time"][0];
-            assert!(time["best_jaccard"].as_f64().unwrap() > 0.7, "{time}");
+            assert!(time["best_jaccard"].as_f64().unwrap() > 0.5, "{time}");
             report["evaluation"]["iou"].as_f64().unwrap()
         };
         // The headline sees the diffusion: σ = √(DT) is three voxels
@@ -950,18 +951,22 @@ mod tests {
     fn heights_are_done_together_where_rows_are_rescaled() {
         // Oxygen rises from a fifth at the bottom to all at the top
         let axial = "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }, inhibitors = [{ capacity_mj_per_mm3 = 0.4, initial = { axial = [[-0.6, 0.2], [0.6, 1.0]] } }] }]";
-        // When half of what turns solid is solid, in the upper quarter over the lower one
+        // When half of the voxels about the axis are solid, in the upper part over the lower one
         let ratio = |change: &str| {
             let (_, folder) = report(&[axial, change]);
             let file = folder.path().join("run/cure_time.npy");
             let ([nz, ny, nx], times) = crate::io::npy::read_volume(&file).unwrap();
             let median = |slices: std::ops::Range<usize>| {
-                let own = &times[slices.start * ny * nx..slices.end * ny * nx];
-                let mut own: Vec<f32> = own.iter().copied().filter(|t| t.is_finite()).collect();
+                let near = |i: &usize| {
+                    let (y, x) = (i / nx % ny, i % nx);
+                    y.abs_diff(ny / 2) < 3 && x.abs_diff(nx / 2) < 3
+                };
+                let own = (slices.start * ny * nx..slices.end * ny * nx).filter(near);
+                let mut own: Vec<f32> = own.map(|i| times[i]).collect();
                 own.sort_by(f32::total_cmp);
                 own[own.len() / 2]
             };
-            median(nz / 2 + nz / 8..nz - nz / 8) / median(nz / 8..nz / 2 - nz / 8)
+            median(nz / 2 + 2..nz / 2 + 5) / median(nz / 2 - 5..nz / 2 - 2)
         };
         let (before, after) = (
             ratio("schedule.level_heights=false"),
