@@ -237,11 +237,14 @@ fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f6
 
 /// Projected gradient steps of a fixed number, each as long as lowers the loss.
 fn descend(model: &Printing, x: &mut HostField, steps: usize) -> f64 {
-    let mut length = 0.05;
+    let mut length = 0.0;
     let mut value = f64::INFINITY;
     for _ in 0..steps {
         let mut gradient = x.zeros_like();
         value = loss(model, x, Some(&mut gradient));
+        if length == 0.0 {
+            length = 0.05 / gradient.max_abs();
+        }
         for _ in 0..12 {
             let mut y = x.clone();
             y.axpy(-length, &gradient);
@@ -262,7 +265,7 @@ fn descend(model: &Printing, x: &mut HostField, steps: usize) -> f64 {
 fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
     let (repeated, own) = (exact(false), exact(true));
     let mut x = repeated.new_patterns().unwrap();
-    x.fill(0.6);
+    x.fill(0.12);
     let first = descend(&repeated, &mut x, 6);
     // Both turns as the repeated one: the same print
     let mut both = HostField::from_slice(&[x.as_slice(), x.as_slice()].concat());

@@ -889,13 +889,18 @@ mod tests {
             let (sharp, blurred) = (task(change, "0"), task(change, "5e-4"));
             let of = |task: &crate::job::Task| {
                 let mut dose = task.model.new_dose().unwrap();
-                task.model.dose(&sharp.start, &mut dose, &Run::new()).unwrap();
+                task.model
+                    .dose(&sharp.start, &mut dose, &Run::new())
+                    .unwrap();
                 let sum = dose.as_slice().iter().map(|v| f64::from(*v)).sum::<f64>();
                 (sum, dose.dot(&dose))
             };
             // What diffuses stays in the box; 40 s at 5e-4 mm²/s spread it by 0.14 mm
             let ((all, squares), (spread, lower)) = (of(&sharp), of(&blurred));
-            assert!((spread / all - 1.0).abs() < 1e-4, "{change}: {all} {spread}");
+            assert!(
+                (spread / all - 1.0).abs() < 1e-4,
+                "{change}: {all} {spread}"
+            );
             assert!(lower < 0.995 * squares, "{change}: {squares} {lower}");
             let model = blurred.model.describe();
             assert!(model.contains("diffused at 0.0005 mm²/s"), "{model}");
