@@ -6,7 +6,7 @@
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
-    Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Quantity, Run,
+    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Run,
 };
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
@@ -15,8 +15,8 @@ use tomolith_core::grid::{Volume, VolumeGrid};
 
 /// A dose model, and why it was chosen.
 pub struct Plan {
-    /// The model.
-    pub model: HostModel,
+    /// The model, with its dark pixels and the factor of its doses.
+    pub model: MaskedModel,
     /// One sentence for people.
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
@@ -113,8 +113,8 @@ pub fn plan(
     let surrogate = (family.capabilities().has_surrogate && scene.purpose == Purpose::Optimize)
         .then(|| family.unscattered(&input))
         .transpose()?
-        .map(|model| masked(model, &dark, factor));
-    let model = masked(family.build(&input)?, &dark, factor);
+        .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
+    let model = MaskedModel::new(family.build(&input)?, dark.clone(), factor);
     Ok(Plan {
         reason: format!(
             "{}: {}",
@@ -125,23 +125,6 @@ pub fn plan(
         dark,
         surrogate,
     })
-}
-
-/// A model some of whose pixels stay dark, and all of whose doses have a factor, if there are such.
-fn masked(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
-    if factor != 1.0 {
-        // A factor of energies: of amplitudes its root
-        let is_amplitude = model
-            .patterns()
-            .iter()
-            .any(|p| p.quantity == Quantity::Amplitude);
-        let factor = if is_amplitude { factor.sqrt() } else { factor };
-        model = Box::new(MaskedModel::by(model, factor as f32));
-    }
-    if !dark.is_empty() {
-        model = Box::new(MaskedModel::new(model, dark));
-    }
-    model
 }
 
 /// A model whose pixels are those of a file. All of them are unknowns, but those that the selection of a light leaves out.
@@ -163,7 +146,7 @@ fn stored(
             .map(|chosen| !chosen)
             .collect();
     }
-    let model = masked(model, &dark, input.scene.dose_factor);
+    let model = MaskedModel::new(model, dark.clone(), input.scene.dose_factor);
     Ok(Plan {
         reason: format!("{} {}", model.describe(), family.merit()),
         model,

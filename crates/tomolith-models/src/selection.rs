@@ -262,7 +262,7 @@ mod tests {
             let masked = planned(light.clone());
             // The gradient of an even dose is what was there, and 0 where no pixel may be lit
             let gradient = |plan: &planner::Plan| {
-                let model = plan.model.as_ref();
+                let model = &plan.model;
                 let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
                 c.fill(1.0);
                 let at = x.zeros_like();
@@ -291,7 +291,7 @@ mod tests {
             x.fill(1.0);
             assert_eq!(masked.dark.len(), x.len());
             let mut kept = x.clone();
-            super::super::masked::darken(&mut kept, &masked.dark);
+            super::super::masked::darken(kept.as_mut_slice(), &masked.dark);
             assert_ne!(kept.as_slice(), x.as_slice());
             let dose = |x: &HostField| {
                 let mut dose = masked.model.new_dose().unwrap();

@@ -77,7 +77,7 @@ mod walls;
 use crate::selection::Selection;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Quantity, Refines, Run, Steps, ZCoupling,
+    ModelKind, OpticalScene, PatternLayout, Quantity, Refines, Run, Steps, ZCoupling, own_frames,
 };
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
@@ -277,24 +277,15 @@ impl Parallel {
         let [_, ny, nx] = grid.shape;
         let tiles = Tile::cover(nx, ny);
         let (mut plans, mut patterns) = (Vec::new(), Vec::new());
-        let (mut offset, mut first_frame) = (0, 0);
+        let mut offset = 0;
         for light in lights {
             light.check()?;
             check_kernel(&light, vial)?;
             must_be_even(&light, vial)?;
             let layout = light.layout(offset);
-            plans.push(LightPlan::new(
-                vial,
-                &light,
-                &layout,
-                &grid,
-                &tiles,
-                first_frame,
-                run,
-            ));
+            plans.push(LightPlan::new(vial, &light, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
-            first_frame += light.pixels.frames();
             patterns.push(layout);
         }
         Ok(Parallel {
@@ -444,16 +435,17 @@ impl Parallel {
         }
     }
 
-    /// grad = Aᵀ c for one light.
+    /// grad = Aᵀ c for these views of one light, from these sides.
     fn adjoint_light(
         &self,
         light: usize,
+        (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.adjoint_light_of_plane(light, cotangent, grad, run);
+            return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, run);
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
@@ -466,23 +458,25 @@ impl Parallel {
         });
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
-        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let chunk = views
+            .len()
+            .div_ceil(4 * rayon::current_num_threads())
+            .max(1);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
+        let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
-        lanes.as_mut_slice()[used.clone()]
-            .par_chunks_mut(chunk * plan.columns * row)
+        lanes.as_mut_slice()[used.clone()][views.start * per_view..views.end * per_view]
+            .par_chunks_mut(chunk * per_view)
             .enumerate()
             .for_each_init(
                 Default::default,
                 |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
                     lanes.fill(0.0);
-                    let first = i * chunk;
+                    let first = views.start + i * chunk;
                     for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                        for group in plan.groups(first..(first + chunk).min(views)) {
-                            let per_view = plan.columns * row;
+                        for group in plan.groups(first..(first + chunk).min(views.end)) {
                             let own = &mut lanes
                                 [(group.start - first) * per_view..(group.end - first) * per_view];
                             for (index, tile) in (i * neighbors..).zip(tiles) {
@@ -501,7 +495,9 @@ impl Parallel {
                     }
                 },
             );
-        plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
+        let frames = plan.views.frames_of(&views, &sides);
+        let lanes_of_views = &lanes.as_slice()[used];
+        plan.collect((&self.patterns[light], frames), lanes_of_views, grad, row);
         self.return_scratch(lanes);
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
@@ -667,11 +663,8 @@ impl LinearOperator for Parallel {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (light, plan) in self.lights.iter().enumerate() {
-            let count = plan.views.frames;
-            let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
-            let own = local(frames.start)..local(frames.end);
-            let parts = plan.views.of_frames(own);
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            let parts = self.lights[light].views.of_frames(own);
             let share = 1.0 / (self.lights.len() * parts.len()) as f64;
             for part in parts {
                 let run = run.part(share);
@@ -682,8 +675,21 @@ impl LinearOperator for Parallel {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        for light in 0..self.lights.len() {
-            self.adjoint_light(light, cotangent.as_slice(), grad.as_mut_slice(), run)?;
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            for part in self.lights[light].views.of_frames(own) {
+                self.adjoint_light(light, part, cotangent, grad, run)?;
+            }
         }
         Ok(())
     }

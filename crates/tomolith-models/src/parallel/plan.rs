@@ -60,7 +60,6 @@ pub(super) struct LightPlan {
     /// Vectors of slices that one of (frame, column) lights.
     lit_by_frame: Vec<(u16, u16)>,
     pub(super) columns: usize,
-    pub(super) first_frame: usize,
 }
 
 impl LightPlan {
@@ -70,7 +69,6 @@ impl LightPlan {
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
-        first_frame: usize,
         run: &Run,
     ) -> Self {
         let tracer = Tracer::new(
@@ -191,7 +189,6 @@ impl LightPlan {
             lit,
             lit_by_frame: lit_by(&heights),
             columns: light.pixels.columns,
-            first_frame,
         }
     }
 
@@ -243,17 +240,18 @@ impl LightPlan {
             );
     }
 
-    /// Lanes → rows of pixels, of all frames. `grad` is the whole field.
+    /// Lanes → rows of pixels, of some frames. `lanes` and `grad` are those of all.
     pub(super) fn collect(
         &self,
-        layout: &PatternLayout,
+        (layout, frames): (&PatternLayout, Range<usize>),
         lanes: &[f32],
         grad: &mut [f32],
         row: usize,
     ) {
-        let mut pieces = Vec::with_capacity(self.views.frames);
-        let mut rest = &mut grad[layout.range()];
-        for runs in layout.runs.chunks(self.columns) {
+        let mut pieces = Vec::with_capacity(frames.len());
+        let mut rest = &mut grad[layout.elements_of(frames.clone())];
+        let of_frames = &layout.runs[frames.start * self.columns..frames.end * self.columns];
+        for runs in of_frames.chunks(self.columns) {
             let len = runs.iter().map(|r| r.count as usize).sum();
             let (piece, tail) = rest.split_at_mut(len);
             pieces.push(piece);
@@ -261,8 +259,8 @@ impl LightPlan {
         }
         pieces
             .into_par_iter()
-            .zip(layout.runs.par_chunks(self.columns))
-            .enumerate()
+            .zip(of_frames.par_chunks(self.columns))
+            .zip(frames)
             .for_each_init(
                 || {
                     [
@@ -270,7 +268,7 @@ impl LightPlan {
                         vec![0.0; self.levels.heights.buffer()],
                     ]
                 },
-                |[buffer, rows], (frame, (mut piece, runs))| {
+                |[buffer, rows], ((mut piece, runs), frame)| {
                     for (column, run) in runs.iter().enumerate() {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {

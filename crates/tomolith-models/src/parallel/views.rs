@@ -88,6 +88,12 @@ impl Views {
             .collect()
     }
 
+    /// The frames that see these views from these sides: all of both, or one side.
+    pub(super) fn frames_of(&self, views: &Range<usize>, sides: &Range<usize>) -> Range<usize> {
+        let count = self.count();
+        sides.start * count + views.start..(sides.end - 1) * count + views.end
+    }
+
     /// The pixel column (counted through all frames) that lights a slot from one side.
     pub(super) fn pixel_column(&self, slot: usize, side: usize) -> usize {
         let (view, column) = (slot / self.columns, slot % self.columns);

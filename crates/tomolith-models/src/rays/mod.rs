@@ -68,7 +68,7 @@ pub(crate) mod weighted;
 use crate::parallel::{Kernel, Light};
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
 use column_rays::{ColumnRay, ColumnRaysCache};
@@ -601,7 +601,7 @@ impl LinearOperator for Rays {
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
         let kept = self.cache(run)?;
-        for (light, own) in self.own_frames(&frames) {
+        for (light, own) in own_frames(&self.patterns, &frames) {
             if let Some(kept) = kept {
                 let pixels = self.patterns[light].elements_of(own);
                 match &mut split {
@@ -650,17 +650,27 @@ impl LinearOperator for Rays {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
-        grad.fill(0.0);
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
-        if let Some(kept) = self.cache(run)? {
-            match &split {
-                None => kept.collect(c, grad),
-                Some(sides) => kept.collect(&sides.concat(), grad),
+        let kept = self.cache(run)?;
+        let sides = kept.and(split.as_ref()).map(|sides| sides.concat());
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            let pixels = self.patterns[light].elements_of(own.clone());
+            if let Some(kept) = kept {
+                kept.collect(sides.as_deref().unwrap_or(c), &pixels, grad);
+                continue;
             }
-            return Ok(());
-        }
-        for (light, own) in self.all_frames() {
+            grad[pixels].fill(0.0);
             if self.has_column_rays() {
                 self.for_each_sheets(
                     (light, own),

@@ -141,30 +141,34 @@ impl Bins {
             });
     }
 
-    /// Transpose of [`fill`](Self::fill), added.
-    pub(super) fn add_back(&self, bins: &[f32], weights: &[f32], mut x: &mut [f32]) {
-        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
+    /// Transpose of [`fill`](Self::fill), added to the pixels of some frames; `x` has those of all.
+    pub(super) fn add_back(
+        &self,
+        frames: Range<usize>,
+        bins: &[f32],
+        weights: &[f32],
+        x: &mut [f32],
+    ) {
+        let columns = self.pixels.grid.columns;
         let scale = self.scale();
-        let mut by_frame = Vec::with_capacity(frames);
-        for frame in 0..frames {
+        let mut by_frame = Vec::with_capacity(frames.len());
+        let mut x = &mut x[self.pixels.elements_of(frames.clone())];
+        for frame in frames {
             let runs = &self.pixels.runs[frame * columns..(frame + 1) * columns];
             let len = runs.iter().map(|run| run.count as usize).sum();
             let (own, rest) = x.split_at_mut(len);
-            by_frame.push((runs[0].offset, own));
+            by_frame.push((frame, runs[0].offset, own));
             x = rest;
         }
-        by_frame
-            .into_par_iter()
-            .enumerate()
-            .for_each(|(frame, (first, own))| {
-                let slots = frame * columns..(frame + 1) * columns;
-                for (slot, weight) in slots.clone().zip(&weights[slots]) {
-                    let weight = scale * weight;
-                    self.for_each_part(slot, |pixel, bin, part| {
-                        own[pixel - first] += weight * part * bins[bin];
-                    });
-                }
-            });
+        by_frame.into_par_iter().for_each(|(frame, first, own)| {
+            let slots = frame * columns..(frame + 1) * columns;
+            for (slot, weight) in slots.clone().zip(&weights[slots]) {
+                let weight = scale * weight;
+                self.for_each_part(slot, |pixel, bin, part| {
+                    own[pixel - first] += weight * part * bins[bin];
+                });
+            }
+        });
     }
 }
 

@@ -68,11 +68,18 @@ impl UnscatteredSource for CollimatedSource {
         self.weights.iter().map(of_channel).collect()
     }
 
-    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()> {
+    fn add_adjoint(
+        &self,
+        frames: Range<usize>,
+        fields: &[HostField],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
         let mut own = LinearOperator::new_patterns(&self.parallel)?;
         for (field, weights) in fields.iter().zip(&self.weights) {
-            self.parallel.adjoint(field, &mut own, run)?;
-            self.bins.add_back(own.as_slice(), weights, grad);
+            self.parallel
+                .adjoint_of(frames.clone(), field, &mut own, run)?;
+            (self.bins).add_back(frames.clone(), own.as_slice(), weights, grad);
         }
         Ok(())
     }

@@ -75,7 +75,7 @@ use super::rays::{self, Optics, Rays};
 use super::scene::CUT;
 use super::{
     Capabilities, Cost, DoseLayout, Family, HostModel, LinearOperator, MakeFamily, ModelFamily,
-    ModelInput, ModelKind, OpticalScene, PatternLayout, Purpose, Run, ZCoupling,
+    ModelInput, ModelKind, OpticalScene, Purpose, Run, ZCoupling,
 };
 use scattered_light::{DeltaScaledPhase, ScatteredLight};
 use schemars::JsonSchema;
@@ -84,6 +84,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
+use tomolith_core::forward;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
@@ -359,21 +360,7 @@ impl SuccessiveOrders {
 impl LinearOperator for SuccessiveOrders {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.straight.operator().patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.straight.operator().outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.straight.operator().new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.straight.operator().new_dose()
-    }
+    forward!(LinearOperator, self => *self.straight.operator(); patterns, outputs, new_patterns, new_dose);
 
     fn add_forward(
         &self,
@@ -391,9 +378,21 @@ impl LinearOperator for SuccessiveOrders {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.straight.operator().adjoint(cotangent, grad, run)?;
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let straight = self.straight.operator();
+        straight.adjoint_of(frames.clone(), cotangent, grad, run)?;
+        let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for scattered_light in &self.scattered_lights {
-            scattered_light.add_adjoint(cotangent.as_slice(), grad.as_mut_slice(), run)?;
+            scattered_light.add_adjoint(&frames, c, grad, run)?;
         }
         Ok(())
     }

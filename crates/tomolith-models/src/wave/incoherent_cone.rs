@@ -303,10 +303,20 @@ impl LinearOperator for IncoherentCone {
         self.0.add_dose(frames, x, dose, run)
     }
 
-    /// Linear: the same wherever it is taken.
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.0.frames(), cotangent, grad, run)
+    }
+
+    /// Linear: the same wherever it is taken.
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let anywhere = grad.zeros_like();
-        self.0.pull_back(&anywhere, cotangent, grad, run)
+        self.0.pull_back(frames, &anywhere, cotangent, grad, run)
     }
 
     fn z_coupling(&self) -> ZCoupling {

@@ -9,7 +9,7 @@ use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::parallel::{Light, is_straight};
-use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
+use crate::{DoseLayout, PatternLayout, Run, ZCoupling, frames_of};
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -107,19 +107,26 @@ impl<W: Way<f32>> Lights<W> {
         Ok(())
     }
 
-    /// grad = F′(x)ᵀ cotangent
+    /// grad = F′(x)ᵀ cotangent, in the elements of some frames
     pub(super) fn pull_back(
         &self,
+        frames: Range<usize>,
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
         for (light, layout) in self.each() {
-            let own = &mut grad.as_mut_slice()[layout.range()];
-            light.pull_back(layout, x.as_slice(), cotangent.as_slice(), own, run)?;
+            let own = light.own(&frames, layout);
+            let grad = &mut grad.as_mut_slice()[layout.elements_of(own.clone())];
+            light.pull_back((layout, own), x.as_slice(), cotangent.as_slice(), grad, run)?;
         }
         Ok(())
+    }
+
+    /// Of all lights.
+    pub(super) fn frames(&self) -> usize {
+        frames_of(&self.patterns)
     }
 
     /// How far along z light reaches from its row.

@@ -523,8 +523,7 @@ impl DoseModel for Wave {
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);
-        let frames = self.0.patterns.iter().map(|p| p.grid.frames()).sum();
-        self.0.add_dose(0..frames, x, dose, run)
+        self.0.add_dose(0..self.0.frames(), x, dose, run)
     }
 
     fn pullback(
@@ -534,7 +533,18 @@ impl DoseModel for Wave {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.0.pull_back(x, cotangent, grad, run)
+        (self.0).pull_back(0..self.0.frames(), x, cotangent, grad, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.0.pull_back(frames, x, cotangent, grad, run)
     }
 
     fn dose_of(

@@ -133,7 +133,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
-    let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
+    let (objective_s, vector_s) = passes(&plan.model, scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
     let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
@@ -293,7 +293,7 @@ impl Calls {
         cotangent: Option<&HostField>,
         run: &Run,
     ) -> Result<Self> {
-        let model = plan.model.as_ref();
+        let model = &plan.model;
         let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
         let mut gradient = x.zeros_like();
         x.fill(1.0);

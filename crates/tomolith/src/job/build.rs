@@ -454,6 +454,7 @@ pub(super) mod tests {
     use super::*;
     use crate::job::Document;
     use crate::job::tests::FULL;
+    use crate::models::DoseModel;
 
     pub(in crate::job) fn spec(changes: &[&str]) -> JobSpec {
         let mut document = Document::toml("a.toml", FULL).unwrap();

@@ -21,7 +21,7 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::parallel::Light;
 use crate::models::selection::Selection;
-use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
+use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;

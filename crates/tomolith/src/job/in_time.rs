@@ -359,7 +359,8 @@ impl<'a> Lights<'a> {
             ..all
         };
         let asked = optics.model.as_ref();
-        Ok(planner::plan(asked, own, &self.scene.grid, None, self.run)?.model)
+        let plan = planner::plan(asked, own, &self.scene.grid, None, self.run)?;
+        Ok(Box::new(plan.model))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
-use crate::models::masked::{MaskedModel, darken, pixels_through};
+use crate::models::masked::{darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, PerSpecies, Sum};
 use crate::optimize::start::given::Given;
@@ -238,21 +238,18 @@ impl<'a> Stage<'a> {
             planned(mixing, asked, optics, &level.grid, Some(&all), cancel)?
         };
         let straight = plan.surrogate.as_deref();
-        let known = straight.unwrap_or(plan.model.as_ref());
+        let known = straight.unwrap_or(&plan.model);
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
-        let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
-            Some(dark) => Box::new(MaskedModel::new(plan.model, dark)),
-            None => plan.model,
-        };
-        let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);
+        let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
         for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
             *dark |= left_out;
         }
+        let model = plan.model.and_dark(of_bodies.unwrap_or_default());
         Ok(Stage {
             level,
             voxels,
             others,
-            model,
+            model: Box::new(model),
             straight: plan.surrogate,
             dark,
             reason: plan.reason,
@@ -267,7 +264,7 @@ impl<'a> Stage<'a> {
     ) -> Result<HostField> {
         let models = (self.model.as_ref(), self.straight.as_deref());
         let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
-        darken(&mut x, &self.dark);
+        darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
 
@@ -309,7 +306,7 @@ impl<'a> Stage<'a> {
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
     fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
-        darken(x, &self.dark);
+        darken(x.as_mut_slice(), &self.dark);
         levels::patterns(self.model.patterns(), x)
     }
 
@@ -811,7 +808,7 @@ mod tests {
         let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
         let (optics, run) = (scene.optimizing(), Run::new());
         let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
-        let models = (plan.model.as_ref(), plan.surrogate.as_deref());
+        let models = (&plan.model as _, plan.surrogate.as_deref());
         let start = scene.start().unwrap();
         let x = starting_patterns(&scene, &[&voxels], models, start.as_ref(), &Run::new()).unwrap();
         (voxels, plan, x)
@@ -840,7 +837,7 @@ mod tests {
     fn a_start_of_waves_brings_the_dose_that_is_wanted_whatever_the_pupil_takes() {
         for model in ["{ wave = {} }", "{ wave = { numerical_aperture = 0.02 } }"] {
             let (voxels, plan, x) = started(model);
-            let found = factor(&in_part(plan.model.as_ref(), &x, &voxels));
+            let found = factor(&in_part(&plan.model, &x, &voxels));
             assert!((found - 1.0).abs() < 1e-5, "{model}: {found}");
             let mut energies = x.clone();
             for value in energies.as_mut_slice() {
@@ -865,7 +862,7 @@ mod tests {
     fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
         let (voxels, plan, x) = started("{ incoherent_cone = { half_angle_deg = 0.5 } }");
         let straight = plan.surrogate.as_deref().unwrap();
-        let [own, rays] = [plan.model.as_ref(), straight].map(|m| factor(&in_part(m, &x, &voxels)));
+        let [own, rays] = [&plan.model as _, straight].map(|m| factor(&in_part(m, &x, &voxels)));
         assert!((rays - 1.0).abs() < 1e-5, "{rays}");
         // Roots of energies would be off by several times
         assert!((own - 1.0).abs() < 0.1, "{own}");

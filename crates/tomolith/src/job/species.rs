@@ -10,9 +10,10 @@ use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, ResinSpec};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
+use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, Plan};
 use crate::models::spectral::SpectralMixing;
-use crate::models::{Family, HostModel, OpticalScene, Run};
+use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 use crate::units::exact;
 use std::borrow::Cow;
 
@@ -239,13 +240,14 @@ pub(super) fn joined(
     };
     let reason = plans[0].reason.clone();
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
-    let model = join(plans.into_iter().map(|plan| plan.model).collect())?;
+    let boxed = |plan: Plan| Box::new(plan.model) as HostModel;
+    let model = join(plans.into_iter().map(boxed).collect())?;
     Ok(Plan {
         reason: format!(
             "{} species by {count} lights, each alone: {reason}",
             rows.len()
         ),
-        model,
+        model: MaskedModel::new(model, Vec::new(), 1.0),
         dark,
         surrogate: surrogates.map(mixed).transpose()?,
     })

@@ -122,7 +122,7 @@ impl Case {
     }
 
     pub(crate) fn model(&self) -> &dyn DoseModel<Field = HostField> {
-        self.plan.model.as_ref()
+        &self.plan.model
     }
 
     fn objective(&self, name: &str, json: Value) -> Result<Box<dyn Objective<HostField>>, Error> {
