@@ -191,9 +191,10 @@ impl DoseModel for MaskedModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
@@ -290,7 +291,7 @@ mod tests {
         let nested: HostModel = Box::new(MaskedModel::new(model(), marks(3), 0.453));
         let nested = MaskedModel::new(nested, marks(5), 1.0);
         let one = MaskedModel::new(model(), marks(3), 0.453).and_dark(marks(5));
-        let either = marks(3).iter().zip(marks(5)).map(|(a, b)| *a || b);
+        let either = marks(3).into_iter().zip(marks(5)).map(|(a, b)| a || b);
         assert!(one.dark.iter().copied().eq(either));
         let x = HostField::from_slice(&check::model::noise(4, pixels));
         let mut dose = [one.new_dose().unwrap(), one.new_dose().unwrap()];

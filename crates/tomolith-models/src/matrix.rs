@@ -648,8 +648,9 @@ fn cancelled(run: &Run) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
 

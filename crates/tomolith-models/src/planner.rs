@@ -159,11 +159,12 @@ fn stored(
 mod tests {
     use super::*;
     use crate::monte_carlo;
-    use crate::parallel::{self, Light};
+    use crate::parallel;
     use crate::rays::{self, Optics};
     use crate::wave::{self, incoherent_cone};
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
+    use tomolith_optics::light::Light;
     use tomolith_optics::motion::Motion;
     use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
     use tomolith_optics::phase::{Phase, Scattering, rayleigh::Rayleigh};
@@ -277,7 +278,7 @@ mod tests {
             let dose = straight.outputs()[0].volume_of(dose.as_slice());
             let lit = |z: usize| (0..64).any(|i| *dose.at(z, i / 8, i % 8) > 1e-4);
             assert_eq!((0..6).filter(|z| lit(*z)).count(), 1);
-            assert_eq!(straight.patterns()[0].quantity, Quantity::Energy);
+            assert_eq!(straight.patterns()[0].quantity, crate::Quantity::Energy);
         }
     }
 

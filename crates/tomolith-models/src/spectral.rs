@@ -53,7 +53,12 @@ impl SpectralMixing {
     ) -> Result<Self> {
         let own = lights[0].outputs()[0].clone();
         for light in &lights {
-            let layout = &light.outputs()[0];
+            let [layout] = light.outputs() else {
+                return Err(Error::Unsupported {
+                    what: "a light's model of several doses".to_owned(),
+                    reason: "what a light drives is mixed here; models of one dose".to_owned(),
+                });
+            };
             if layout.cells.is_some() {
                 return Err(Error::Unsupported {
                     what: "voxels cut by the surface".to_owned(),
@@ -296,9 +301,10 @@ impl DoseModel for SpectralMixing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 

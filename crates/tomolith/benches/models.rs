@@ -13,8 +13,9 @@ use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::io::csr::Csr;
 use tomolith::models::matrix::MatrixModel;
-use tomolith::models::parallel::{Kernel, Light, Parallel};
+use tomolith::models::parallel::{Kernel, Parallel};
 use tomolith::models::{DoseModel, Run};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
 
@@ -242,10 +243,10 @@ fn main() -> Result<(), tomolith::Error> {
         cases(asked("quick"))
     };
     for case in cases {
-        let mut light = Light::new(case.pixels(), case.resin);
-        light.kernel = case.kernel;
+        let lights = vec![Light::new(case.pixels(), case.resin)];
+        let (vial, run) = (case.vial.as_ref(), Run::new());
         let start = Instant::now();
-        let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
+        let model = Parallel::under(vial, lights, case.kernel, case.grid(), &run)?;
         let built = start.elapsed().as_secs_f64();
         rows(&case, &model, DoseModel::updates(&model) as f64, built)?;
     }

@@ -12,12 +12,13 @@ use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::views::Views;
 use super::walls::Walls;
-use super::{GROUP, Light, is_straight};
+use super::{GROUP, is_straight};
 use crate::{PatternLayout, Run};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 
@@ -65,7 +66,7 @@ pub(super) struct LightPlan {
 impl LightPlan {
     pub(super) fn new(
         vial: &dyn Vial,
-        light: &Light,
+        (light, kernel): (&Light, Kernel),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
@@ -87,7 +88,7 @@ impl LightPlan {
         let sub_angles = light.sub_angles.max(1);
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        let beams = if light.kernel == Kernel::DistanceDriven {
+        let beams = if kernel == Kernel::DistanceDriven {
             strips::beams(
                 &tracer,
                 vial.is_round(),
@@ -98,7 +99,7 @@ impl LightPlan {
             )
         } else {
             let radius = vial.resin_wall().inscribed_radius();
-            radon::beams(light.kernel, radius, &pixels, sub_angles, grid)
+            radon::beams(kernel, radius, &pixels, sub_angles, grid)
         };
         let mut of_view = vec![0..0; views.count()];
         for (i, beam) in beams.iter().enumerate() {
@@ -117,7 +118,7 @@ impl LightPlan {
         let is_even = mapped.is_none();
         let is_comb = grid.shape[0] == 1
             && is_even
-            && light.kernel == Kernel::DistanceDriven
+            && kernel == Kernel::DistanceDriven
             && is_straight(vial, light);
         let combs: Vec<Option<Comb>> = beams
             .par_iter()
@@ -126,7 +127,7 @@ impl LightPlan {
                 is_comb.then(comb).flatten()
             })
             .collect();
-        let is_rake = grid.shape[0] == 1 && light.kernel == Kernel::Line;
+        let is_rake = grid.shape[0] == 1 && kernel == Kernel::Line;
         let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
         let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
         let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
@@ -184,7 +185,7 @@ impl LightPlan {
             levels,
             deposit,
             walls,
-            kernel: light.kernel,
+            kernel,
             mapped,
             lit,
             lit_by_frame: lit_by(&heights),

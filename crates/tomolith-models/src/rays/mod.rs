@@ -38,7 +38,8 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Light, rays::{Optics, Params, Rays}};
+//! use tomolith_models::{DoseModel, Run, rays::{Optics, Params, Rays}};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);
 //! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
@@ -65,7 +66,6 @@ mod source;
 mod traversal;
 pub(crate) mod weighted;
 
-use crate::parallel::{Kernel, Light};
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
@@ -87,6 +87,7 @@ use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::obstacle::{Material, Obstacle};
 use tomolith_optics::phase::Scattering;
@@ -557,9 +558,6 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
     }
     if let (Some(map), Some(scattering)) = (&light.map, &optics.scattering) {
         map.must_hold(scattering.per_mm)?;
-    }
-    if light.kernel != Kernel::DistanceDriven {
-        return unsupported("model.parallel.kernel", "rays have a kernel of their own");
     }
     Ok(())
 }

@@ -114,10 +114,10 @@ fn weighted(bundles: &Bundles, weight: &Weight) -> Bundles {
 mod tests {
     use super::*;
     use crate::LinearOperator;
-    use crate::parallel::Light;
     use crate::rays::{Optics, Params};
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
+    use tomolith_optics::light::Light;
     use tomolith_optics::motion::Motion;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;

@@ -2,10 +2,10 @@
 
 use crate::PatternLayout;
 use crate::cell_blur::CellBlur;
-use crate::parallel::Light;
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::grid::PatternGrid;
+use tomolith_optics::light::Light;
 
 /// Pixels of a light, and the larger ones that share out their energy.
 pub(super) struct Bins {
@@ -212,7 +212,7 @@ mod tests {
         bins.fill(&x, &weights, &mut found);
         let back = noise(3, found.len());
         let mut sum = vec![0.0; len];
-        bins.add_back(&back, &weights, &mut sum);
+        bins.add_back(0..2, &back, &weights, &mut sum);
         let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
         assert!((dot(&found, &back) - dot(&x, &sum)).abs() < 1e-5);
     }

@@ -7,13 +7,14 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
-use crate::parallel::{Light, Parallel};
+use crate::parallel::Parallel;
 use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 

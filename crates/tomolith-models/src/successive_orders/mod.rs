@@ -39,7 +39,8 @@
 //! use std::sync::Arc;
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, successive_orders, parallel::Light, rays::Optics};
+//! use tomolith_models::{DoseModel, Run, successive_orders, rays::Optics};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let mut light = Light::new(PatternGrid::full_turn(8, 0.0, 2, 16, 0.25), Resin::absorbing(1.5, 0.1));
@@ -69,7 +70,7 @@ mod scattered_light;
 mod unscattered_source;
 
 use super::monte_carlo;
-use super::parallel::{self, Light, Parallel};
+use super::parallel::{self, Parallel};
 use super::rays::matrix_cache::CachedEntries;
 use super::rays::{self, Optics, Rays};
 use super::scene::CUT;
@@ -88,6 +89,7 @@ use tomolith_core::forward;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Keys of `[model.successive_orders]`.

@@ -11,7 +11,6 @@ use super::unscattered_source::{Channel, UnscatteredSource};
 use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
-use crate::parallel::Light;
 use crate::rays::Optics;
 use crate::{DoseLayout, Run};
 use realfft::num_complex::Complex;
@@ -21,6 +20,7 @@ use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::phase::Scattering;
 use tomolith_optics::vial::Vial;
 

@@ -8,13 +8,14 @@ use super::sampling::{Needs, Sampling};
 use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
-use crate::parallel::{Light, is_straight};
+use crate::parallel::is_straight;
 use crate::{DoseLayout, PatternLayout, Run, ZCoupling, frames_of};
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::units::concise;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::{Curve, Vial};
 
 /// The reason why the model does not support a vial and its lights; None when it does.
@@ -150,18 +151,24 @@ impl<W: Way<f32>> Lights<W> {
             .sum()
     }
 
-    /// The sampling of the first light, for people.
-    pub(super) fn described(&self) -> String {
-        let s = &self.lights[0].way.windows().sampling;
-        let depths = s.transformed();
-        format!(
-            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
-            depths.count,
-            concise(depths.step),
-            s.padded[0],
-            s.padded[1],
-            s.across.computed.count
-        )
+    /// The sampling of the lights, and what `more` says of each, for people; lights that are alike are said once.
+    pub(super) fn described(&self, more: impl Fn(&W) -> String) -> String {
+        let of_light = |light: &WaveLight<f32, W>| {
+            let s = &light.way.windows().sampling;
+            let depths = s.transformed();
+            format!(
+                "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples{}",
+                depths.count,
+                concise(depths.step),
+                s.padded[0],
+                s.padded[1],
+                s.across.computed.count,
+                more(&light.way)
+            )
+        };
+        let mut lights: Vec<String> = self.lights.iter().map(of_light).collect();
+        lights.dedup();
+        lights.join("; ")
     }
 }
 

@@ -45,7 +45,8 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Light, wave::{Params, Wave}};
+//! use tomolith_models::{DoseModel, Run, wave::{Params, Wave}};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
 //! let vial = IndexMatched { radius_mm: 1.0 };
@@ -81,7 +82,7 @@ mod taps;
 mod tests;
 mod window;
 
-use super::parallel::{self, Light};
+use super::parallel;
 use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
@@ -105,6 +106,7 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::{concise, exact};
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Where the resin begins to absorb.
@@ -580,10 +582,10 @@ impl DoseModel for Wave {
     }
 
     fn describe(&self) -> String {
-        let modes = match self.0.lights[0].way.modes.len() {
+        let modes = |way: &Coherent<f32>| match way.modes.len() {
             1 => String::new(),
             n => format!(", {n} modes"),
         };
-        format!("wave ({}{modes})", self.0.described())
+        format!("wave ({})", self.0.described(modes))
     }
 }

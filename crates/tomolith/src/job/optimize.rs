@@ -279,11 +279,11 @@ impl<'a> Stage<'a> {
     pub(super) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
         let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
-            let spec = match wider {
+            let wider = match wider {
                 0 => None,
-                steps => refinement::widened(&scene.spec, steps)?,
+                steps => refinement::widened(&scene.kinds, steps),
             };
-            scene.objective(spec.as_ref().unwrap_or(&scene.spec), layout, voxels)
+            scene.objective(wider.as_ref().unwrap_or(&scene.kinds), layout, voxels)
         };
         if outputs.len() == 1 {
             return own(scene, &outputs[0], &self.voxels);
@@ -345,7 +345,7 @@ impl<'a> Stage<'a> {
             }
             let mut widened = false;
             for species in scene.species() {
-                widened |= refinement::widened(&species.spec, steps)?.is_some();
+                widened |= refinement::widened(&species.kinds, steps).is_some();
             }
             if !widened {
                 break;
@@ -371,6 +371,7 @@ impl<'a> Stage<'a> {
         cancel: &Run,
     ) -> Result<Outcome> {
         let model = self.model.as_ref();
+        // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
         let objective = self.objective(scene, wider)?;
         let spec = &scene.spec;
@@ -378,7 +379,7 @@ impl<'a> Stage<'a> {
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(scene.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
-        let response = scene.response()?;
+        let response = scene.response();
         let input = start_input(model, &self.voxels, response.as_ref(), &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
@@ -518,7 +519,7 @@ pub(super) fn starting_patterns(
         max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
     });
     let limits: Vec<Limits> = given.collect();
-    let response = scene.response()?;
+    let response = scene.response();
     let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
     let known = straight.unwrap_or(model);
     let mut x = match scene.rows() {
@@ -531,7 +532,7 @@ pub(super) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(x.as_mut_slice(), GLIMMER)?;
-    if scene.starts_as_given()? {
+    if scene.kinds.starts_as_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
@@ -552,7 +553,7 @@ fn starting_lights(
         let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
             continue;
         };
-        let response = scenes[s].response()?;
+        let response = scenes[s].response();
         let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
         own.scale((factor * scene.dose_needed(s, i)?) as f32);
@@ -670,7 +671,7 @@ impl Watch<'_> {
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
             return None;
         }
-        let response = self.scene.response().ok()?;
+        let response = self.scene.response();
         let dose = self.layout.voxels_of(report.dose.as_slice());
         let values: Cow<'_, [f32]> = if response.is_identity() {
             dose

@@ -148,7 +148,7 @@ pub(super) fn must_fit(scene: &Scene) -> Result<()> {
     if scene.others.is_empty() {
         return Ok(());
     }
-    let needs = scene.optimizer()?.requirements();
+    let needs = scene.kinds.requirements;
     if needs.target.is_some() {
         let found = "a method that compares one dose with one target";
         let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
