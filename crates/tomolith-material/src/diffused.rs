@@ -12,15 +12,16 @@
 //!
 //! **Limits** Walls are those of the box, not of the vial: keep the part some √(DT) away from them. Doses with surface-aware cells are refused.
 //!
-//! **Cost** one pair of cosine transforms per arc and call; a volume per arc and output. Pullbacks of n > 1 arcs take n of the model's.
+//! **Cost** one pair of cosine transforms per arc and call; a volume per arc and output. Frames are traced once, however many arcs.
 
 use crate::diffusion::spectral::{Modes, Spectral};
-use crate::illumination::{elements_of, frames_of, must_show};
+use crate::illumination::must_show;
 use crate::schedule::{Exposure, Schedule};
 use std::ops::Range;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseModel, Run, ZCoupling, elements_of, frames_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::forward;
 use tomolith_core::units::exact;
 
 /// A span of even light, counted back from the end, s; its share of the energy.
@@ -86,7 +87,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
             seconds,
             share: 1.0,
         };
-        let frames = frames_of(&*model);
+        let frames = frames_of(model.patterns());
         Self::of_spans(model, diffusion, &[(0..frames, vec![span])])
     }
 
@@ -101,7 +102,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         arcs: usize,
     ) -> Result<Self> {
         let of_lights = schedule.frames();
-        must_show(frames_of(&*model), 0, of_lights.iter().sum())?;
+        must_show(frames_of(model.patterns()), 0, of_lights.iter().sum())?;
         let mut all: Vec<(Range<usize>, Vec<Span>)> = Vec::new();
         let mut first = 0;
         for (light, &frames) in of_lights.iter().enumerate() {
@@ -138,7 +139,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         let ends: Vec<usize> = arcs.iter().map(|(frames, _)| frames.end).collect();
         let begins = arcs.iter().map(|(frames, _)| frames.start);
         if !begins.eq([0].into_iter().chain(ends.iter().copied()).take(arcs.len()))
-            || ends.last() != Some(&frames_of(&*model))
+            || ends.last() != Some(&frames_of(model.patterns()))
         {
             return Err(Error::config(
                 "arcs",
@@ -146,7 +147,10 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
                     "frames {:?}",
                     arcs.iter().map(|(f, _)| f).collect::<Vec<_>>()
                 ),
-                format!("neighbors that cover frames 0 to {}", frames_of(&*model)),
+                format!(
+                    "neighbors that cover frames 0 to {}",
+                    frames_of(model.patterns())
+                ),
             ));
         }
         if model.outputs().iter().any(|output| output.cells.is_some()) {
@@ -184,10 +188,18 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         }
     }
 
+    /// Arcs that have some of these frames, and which.
+    fn arcs_of(&self, frames: &Range<usize>) -> impl Iterator<Item = (Range<usize>, &Arc)> {
+        let Range { start, end } = *frames;
+        let both = move |arc: &Arc| start.max(arc.frames.start)..end.min(arc.frames.end);
+        let arcs = self.arcs.iter().map(move |arc| (both(arc), arc));
+        arcs.filter(|(both, _)| !both.is_empty())
+    }
+
     /// A field with the elements of some frames only.
     fn only(&self, frames: &Range<usize>, d: &HostField) -> HostField {
         let mut own = d.zeros_like();
-        for (range, _) in elements_of(&*self.model, frames.clone()) {
+        for (range, _) in elements_of(self.patterns(), frames) {
             own.as_mut_slice()[range.clone()].copy_from_slice(&d.as_slice()[range]);
         }
         own
@@ -233,21 +245,7 @@ fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
 impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.model.patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.model.outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.model.new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.model.new_dose()
-    }
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, is_linear, renew, is_renewed, updates);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if let [arc] = &self.arcs[..] {
@@ -256,7 +254,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
             return Ok(());
         }
         dose.fill(0.0);
-        self.dose_of(0..frames_of(&*self.model), x, dose, run)
+        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
     }
 
     fn pullback(
@@ -266,22 +264,27 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
+        if let [arc] = &self.arcs[..] {
+            let mut own = cotangent.clone();
+            self.multiply(arc, &mut own);
+            return self.model.pullback(x, &own, grad, run);
+        }
+        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let mut own = cotangent.zeros_like();
-        let mut all = if self.arcs.len() > 1 {
-            Some(grad.zeros_like())
-        } else {
-            None
-        };
-        for arc in &self.arcs {
+        for (both, arc) in self.arcs_of(&frames) {
             own.copy_from(cotangent);
             self.multiply(arc, &mut own);
-            let Some(all) = &mut all else {
-                return self.model.pullback(x, &own, grad, run);
-            };
-            self.model.pullback(x, &own, all, &run.aside())?;
-            for (range, _) in elements_of(&*self.model, arc.frames.clone()) {
-                grad.as_mut_slice()[range.clone()].copy_from_slice(&all.as_slice()[range]);
-            }
+            (self.model).pullback_of(both, x, &own, grad, &run.aside())?;
         }
         Ok(())
     }
@@ -294,11 +297,7 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         run: &Run,
     ) -> Result<()> {
         let mut own = dose.zeros_like();
-        for arc in &self.arcs {
-            let both = frames.start.max(arc.frames.start)..frames.end.min(arc.frames.end);
-            if both.is_empty() {
-                continue;
-            }
+        for (both, arc) in self.arcs_of(&frames) {
             own.fill(0.0);
             self.model.dose_of(both, x, &mut own, &run.aside())?;
             self.multiply(arc, &mut own);
@@ -331,22 +330,6 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
 
     fn z_coupling(&self) -> ZCoupling {
         ZCoupling::Full
-    }
-
-    fn is_linear(&self) -> bool {
-        self.model.is_linear()
-    }
-
-    fn renew(&self, iteration: usize) -> bool {
-        self.model.renew(iteration)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.model.is_renewed()
-    }
-
-    fn updates(&self) -> u64 {
-        self.model.updates()
     }
 
     fn describe(&self) -> String {

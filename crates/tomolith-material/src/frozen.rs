@@ -21,9 +21,10 @@ use crate::{Material, Model, State};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use std::sync::{Mutex, PoisonError, RwLock};
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseModel, Run, ZCoupling};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, HostField};
+use tomolith_core::forward;
 use tomolith_core::response::Identity;
 
 /// See the [module page](self).
@@ -143,24 +144,20 @@ impl Frozen {
     }
 }
 
+impl Frozen {
+    /// Doses as degrees of cure.
+    fn scale(&self, doses: &mut HostField) {
+        for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
+            let own = &mut doses.as_mut_slice()[output.range()];
+            own.iter_mut().for_each(|v| *v *= per_dose);
+        }
+    }
+}
+
 impl DoseModel for Frozen {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.absorbed.patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.absorbed.outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.absorbed.new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.absorbed.new_dose()
-    }
+    forward!(DoseModel, self => self.absorbed; patterns, outputs, new_patterns, new_dose, updates, of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         let failed = self
@@ -192,14 +189,24 @@ impl DoseModel for Frozen {
         run: &Run,
     ) -> Result<()> {
         let mut scaled = cotangent.clone();
-        for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
-            let own = &mut scaled.as_mut_slice()[output.range()];
-            own.iter_mut().for_each(|c| *c *= per_dose);
-        }
+        self.scale(&mut scaled);
         self.absorbed.pullback(x, &scaled, grad, run)?;
         let mut latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
         *latest = Some((x.clone(), run.aside()));
         Ok(())
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut scaled = cotangent.clone();
+        self.scale(&mut scaled);
+        self.absorbed.pullback_of(frames, x, &scaled, grad, run)
     }
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
@@ -213,12 +220,7 @@ impl DoseModel for Frozen {
         let Some(mut terms) = self.absorbed.along(x, d, run)? else {
             return Ok(None);
         };
-        for term in &mut terms {
-            for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
-                let own = &mut term.as_mut_slice()[output.range()];
-                own.iter_mut().for_each(|v| *v *= per_dose);
-            }
-        }
+        terms.iter_mut().for_each(|term| self.scale(term));
         Ok(Some(terms))
     }
 
@@ -249,14 +251,6 @@ impl DoseModel for Frozen {
 
     fn is_renewed(&self) -> bool {
         true
-    }
-
-    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
-        (i < self.absorbed.patterns().len()).then(|| self.absorbed.light(i))
-    }
-
-    fn updates(&self) -> u64 {
-        self.absorbed.updates()
     }
 
     fn describe(&self) -> String {

@@ -2,33 +2,9 @@
 
 use crate::Model;
 use std::ops::Range;
-use tomolith_core::dose::{Quantity, Run};
+use tomolith_core::dose::{Quantity, Run, elements_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-
-/// Frames of a model, through all its lights.
-pub(crate) fn frames_of<M: tomolith_core::dose::DoseModel + ?Sized>(model: &M) -> usize {
-    model.patterns().iter().map(|p| p.grid.frames()).sum()
-}
-
-/// Elements of the pattern field that belong to neighboring frames, light by light, and what a value there means.
-pub(crate) fn elements_of<M: tomolith_core::dose::DoseModel + ?Sized>(
-    model: &M,
-    frames: Range<usize>,
-) -> Vec<(Range<usize>, Quantity)> {
-    let mut first = 0;
-    let mut found = Vec::new();
-    for layout in model.patterns() {
-        let count = layout.grid.frames();
-        let own = |frame: usize| frame.clamp(first, first + count) - first;
-        let range = own(frames.start)..own(frames.end);
-        if !range.is_empty() {
-            found.push((layout.elements_of(range), layout.quantity));
-        }
-        first += count;
-    }
-    found
-}
 
 /// Refuses a model of other frames than the schedule shows.
 pub(crate) fn must_show(found: usize, light: usize, frames: usize) -> Result<()> {
@@ -54,6 +30,8 @@ pub(crate) fn factor(quantity: Quantity, energy: f64) -> f32 {
 pub(crate) struct Illumination {
     lit: HostField,
     absorbed: HostField,
+    /// What the frames of a cotangent get, for [`pull`](Self::pull).
+    back: HostField,
     is_dark: bool,
 }
 
@@ -62,6 +40,7 @@ impl Illumination {
         Ok(Illumination {
             lit: model.new_patterns()?,
             absorbed: model.new_dose()?,
+            back: HostField::default(),
             is_dark: true,
         })
     }
@@ -89,7 +68,7 @@ impl Illumination {
 
     fn light(&mut self, model: &Model, x: &HostField, lit: &[(usize, f64)]) {
         for &(frame, energy) in lit {
-            for (range, quantity) in elements_of(model, frame..frame + 1) {
+            for (range, quantity) in elements_of(model.patterns(), &(frame..frame + 1)) {
                 let factor = factor(quantity, energy);
                 let from = &x.as_slice()[range.clone()];
                 let to = &mut self.lit.as_mut_slice()[range];
@@ -109,23 +88,31 @@ impl Illumination {
         }
     }
 
-    /// grad += the transpose of [`absorb`](Self::absorb).
-    ///
-    /// One pullback of all frames, of which these are taken: dose models do not offer that of a few.
+    /// grad += the transpose of [`absorb`](Self::absorb) on a cotangent, for the frames that are `wanted` of those that shine.
     pub(crate) fn pull(
         &mut self,
         model: &Model,
         x: &HostField,
-        (lit, cotangent): (&[(usize, f64)], &HostField),
-        (scratch, grad): (&mut HostField, &mut [f32]),
+        (lit, wanted): (&[(usize, f64)], &Range<usize>),
+        (cotangent, grad): (&HostField, &mut [f32]),
         run: &Run,
     ) -> Result<()> {
+        if self.back.is_empty() {
+            self.back = model.new_patterns()?;
+        }
         self.light(model, x, lit);
-        model.pullback(&self.lit, cotangent, scratch, &run.aside())?;
-        for &(frame, energy) in lit {
-            for (range, quantity) in elements_of(model, frame..frame + 1) {
+        for neighbors in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
+            let first = neighbors[0].0.max(wanted.start);
+            let end = (neighbors[neighbors.len() - 1].0 + 1).min(wanted.end);
+            if first < end {
+                let frames = first..end;
+                model.pullback_of(frames, &self.lit, cotangent, &mut self.back, &run.aside())?;
+            }
+        }
+        for &(frame, energy) in lit.iter().filter(|(frame, _)| wanted.contains(frame)) {
+            for (range, quantity) in elements_of(model.patterns(), &(frame..frame + 1)) {
                 let factor = factor(quantity, energy);
-                let from = &scratch.as_slice()[range.clone()];
+                let from = &self.back.as_slice()[range.clone()];
                 grad[range]
                     .iter_mut()
                     .zip(from)

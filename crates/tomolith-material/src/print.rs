@@ -9,11 +9,11 @@
 //! **Cost** Per block one `dose_of` of its frames, one step of the material, and what the observer does. Memory: per light a volume of absorbed energy,
 //! the state, one spare volume.
 
-use crate::illumination::{Illumination, frames_of, must_show};
+use crate::illumination::{Illumination, must_show};
 use crate::schedule::{Block, Schedule};
 use crate::{Absorption, Material, Model, State};
 use std::ops::ControlFlow;
-use tomolith_core::dose::Run;
+use tomolith_core::dose::{Run, frames_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::units::exact;
@@ -248,7 +248,7 @@ pub(crate) fn must_fit(
     }
     let layout = material.domain().layout();
     for (l, model) in models.iter().enumerate() {
-        must_show(frames_of(*model), l, schedule.frames()[l])?;
+        must_show(frames_of(model.patterns()), l, schedule.frames()[l])?;
         let fits = matches!(model.outputs(), [output] if output.grid == layout.grid
             && output.cells.is_none()
             && output.offset == 0);

@@ -7,16 +7,17 @@
 //!
 //! **Limits** Absorption stays as the models have it: shading is renewed between optimizations (see [`print`](crate::print)).
 //!
-//! **Cost** `dose`: one turn through the schedule. `pullback`: two of them, and one *full* pullback of the light per block, since dose models do not offer
-//! that of a few frames: small cases. Memory of the pullback: about 2√n states and √n volumes of energy per light.
+//! **Cost** `dose`: one turn through the schedule. `pullback`: two of them, and one pullback of each block's frames. Memory of the pullback: about 2√n states and √n volumes of energy per light.
 
-use crate::illumination::{Illumination, elements_of, factor};
+use crate::illumination::{Illumination, factor};
 use crate::memoryless::add_mixed;
 use crate::print::{check_step, default_step_s, must_fit};
 use crate::schedule::{Block, Schedule};
 use crate::{Material, Model, State};
 use std::ops::Range;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{
+    DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of, frames_of,
+};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 
@@ -124,7 +125,8 @@ impl Printing {
     /// Values of a light times the factor of all energy of their frames.
     fn scale_by_energy(&self, light: usize, x: &mut HostField) {
         for (frame, energy) in self.schedule.energies(light).into_iter().enumerate() {
-            for (range, quantity) in elements_of(self.light(light), frame..frame + 1) {
+            for (range, quantity) in elements_of(self.light(light).patterns(), &(frame..frame + 1))
+            {
                 let factor = factor(quantity, energy);
                 x.as_mut_slice()[range]
                     .iter_mut()
@@ -204,15 +206,21 @@ impl Printing {
         back
     }
 
+    /// The gradient of some frames, counted through all lights.
     fn pull_through_time(
         &self,
+        frames: &Range<usize>,
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
         let x = self.of_lights(x);
-        let mut light = self.illuminations()?;
+        let mut work = Work {
+            light: self.illuminations()?,
+            of_energy: (self.optics.iter().map(|model| model.new_dose())).collect::<Result<_>>()?,
+            wanted: self.own_frames(frames),
+        };
         let stride = (self.blocks.len() as f64).sqrt().ceil().max(1.0) as usize;
         let mut state = self.material.start()?;
         let mut kept = Vec::new();
@@ -220,9 +228,11 @@ impl Printing {
             if i % stride == 0 {
                 kept.push(state.clone());
             }
-            self.step(block, &x, &mut light, &mut state, run)?;
+            self.step(block, &x, &mut work.light, &mut state, run)?;
         }
-        grad.fill(0.0);
+        for (range, _) in elements_of(&self.patterns, frames) {
+            grad.as_mut_slice()[range].fill(0.0);
+        }
         let mut back = self.unread(&state, cotangent);
         for (segment, mut state) in kept.into_iter().enumerate().rev() {
             let blocks = &self.blocks[segment * stride..];
@@ -230,20 +240,15 @@ impl Printing {
             let mut states = Vec::new();
             for block in blocks {
                 let before = state.clone();
-                self.step(block, &x, &mut light, &mut state, run)?;
-                let absorbed: Vec<Vec<f32>> = light.iter().map(|l| l.absorbed().to_vec()).collect();
+                self.step(block, &x, &mut work.light, &mut state, run)?;
+                let lights = work.light.iter();
+                let absorbed = lights.map(|l| l.absorbed().to_vec()).collect::<Vec<_>>();
                 states.push((before, absorbed));
             }
             while let Some((before, absorbed)) = states.pop() {
                 let block = &blocks[states.len()];
-                self.pull_step(
-                    block,
-                    &x,
-                    (&before, &absorbed),
-                    &mut light,
-                    (&mut back, grad),
-                    run,
-                )?;
+                let before = (&before, &absorbed[..]);
+                self.pull_step(block, &x, before, &mut work, (&mut back, grad), run)?;
             }
         }
         Ok(())
@@ -255,30 +260,70 @@ impl Printing {
         block: &Block,
         x: &[HostField],
         (before, absorbed): (&State, &[Vec<f32>]),
-        light: &mut [Illumination],
+        work: &mut Work,
         (back, grad): (&mut State, &mut HostField),
         run: &Run,
     ) -> Result<()> {
         run.check()?;
         let views: Vec<&[f32]> = absorbed.iter().map(Vec::as_slice).collect();
-        let mut of_energy = Vec::new();
-        for model in &self.optics {
-            of_energy.push(model.new_dose()?);
-        }
         self.material
-            .pullback_step(before, &views, block.seconds, back, &mut of_energy)?;
-        for (l, light) in light.iter_mut().enumerate() {
-            if block.lit[l].is_empty() {
-                continue;
-            }
-            let model = self.light(l);
-            let mut scratch = model.new_patterns()?;
+            .pullback_step(before, &views, block.seconds, back, &mut work.of_energy)?;
+        for (l, light) in work.light.iter_mut().enumerate() {
             let own = &mut grad.as_mut_slice()[self.ranges[l].clone()];
-            let c = (block.lit[l].as_slice(), &of_energy[l]);
-            light.pull(model, &x[l], c, (&mut scratch, own), run)?;
+            let lit = (block.lit[l].as_slice(), &work.wanted[l]);
+            light.pull(self.light(l), &x[l], lit, (&work.of_energy[l], own), run)?;
         }
         Ok(())
     }
+
+    /// Which of the frames of each light are among these of all lights.
+    fn own_frames(&self, frames: &Range<usize>) -> Vec<Range<usize>> {
+        let mut first = 0;
+        let own = |model: &Box<Model>| {
+            let end = first + frames_of(model.patterns());
+            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+            first = end;
+            own
+        };
+        self.optics.iter().map(own).collect()
+    }
+
+    /// The gradient of some frames where the material has no memory.
+    fn pull_at_once(
+        &self,
+        frames: &Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, frames) in self.own_frames(frames).into_iter().enumerate() {
+            if frames.is_empty() {
+                continue;
+            }
+            let model = self.light(light);
+            let mut own = self.of_light(light, x);
+            self.scale_by_energy(light, &mut own);
+            let mut of_light = model.new_dose()?;
+            self.unmix(light, cotangent, &mut of_light);
+            let mut back = model.new_patterns()?;
+            model.pullback_of(frames.clone(), &own, &of_light, &mut back, &run.aside())?;
+            self.scale_by_energy(light, &mut back);
+            let grad = &mut grad.as_mut_slice()[self.ranges[light].clone()];
+            for (range, _) in elements_of(model.patterns(), &frames) {
+                grad[range.clone()].copy_from_slice(&back.as_slice()[range]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What the way back through time needs, made once.
+struct Work {
+    light: Vec<Illumination>,
+    of_energy: Vec<HostField>,
+    /// Frames of each light whose gradient is asked for.
+    wanted: Vec<Range<usize>>,
 }
 
 impl DoseModel for Printing {
@@ -339,21 +384,25 @@ impl DoseModel for Printing {
         if self.is_plain() {
             return self.optics[0].pullback(x, cotangent, grad, run);
         }
-        if !self.material.is_memoryless() {
-            return self.pull_through_time(x, cotangent, grad, run);
+        self.pullback_of(0..frames_of(&self.patterns), x, cotangent, grad, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        if self.is_plain() {
+            return self.optics[0].pullback_of(frames, x, cotangent, grad, run);
         }
-        for light in 0..self.optics.len() {
-            let model = self.light(light);
-            let mut own = self.of_light(light, x);
-            self.scale_by_energy(light, &mut own);
-            let mut of_light = model.new_dose()?;
-            self.unmix(light, cotangent, &mut of_light);
-            let mut back = model.new_patterns()?;
-            model.pullback(&own, &of_light, &mut back, &run.aside())?;
-            self.scale_by_energy(light, &mut back);
-            grad.as_mut_slice()[self.ranges[light].clone()].copy_from_slice(back.as_slice());
+        if self.material.is_memoryless() {
+            self.pull_at_once(&frames, x, cotangent, grad, run)
+        } else {
+            self.pull_through_time(&frames, x, cotangent, grad, run)
         }
-        Ok(())
     }
 
     fn dose_of(
@@ -373,12 +422,7 @@ impl DoseModel for Printing {
         if self.is_plain() {
             return self.optics[0].dose_of(frames, x, dose, run);
         }
-        let mut first = 0;
-        for light in 0..self.optics.len() {
-            let count = self.schedule.frames()[light];
-            let own = |frame: usize| frame.clamp(first, first + count) - first;
-            let range = own(frames.start)..own(frames.end);
-            first += count;
+        for (light, range) in self.own_frames(&frames).into_iter().enumerate() {
             if range.is_empty() {
                 continue;
             }

@@ -12,14 +12,14 @@
 //!
 //! **Cost** per frame F's dose of that frame and one pass over the voxels with an exponential. Memory: two volumes, one spare one in a call.
 
-use crate::illumination::{elements_of, frames_of};
 use crate::{Absorption, Model};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseModel, Run, frames_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::forward;
 
 /// Columns along z that a thread takes at least.
 const COLUMNS: usize = 16;
@@ -257,25 +257,11 @@ fn less(depth: f32) -> f32 {
 impl DoseModel for Shaded {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.model.patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.model.outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.model.new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.model.new_dose()
-    }
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, renew, is_renewed, updates);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);
-        self.dose_of(0..frames_of(self), x, dose, run)
+        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
     }
 
     fn pullback(
@@ -285,18 +271,28 @@ impl DoseModel for Shaded {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let (mut own, mut all) = (cotangent.zeros_like(), grad.zeros_like());
-        for frame in 0..frames_of(self) {
+        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut own = cotangent.zeros_like();
+        for frame in frames {
+            run.check()?;
             own.fill(0.0);
             self.weaken(
                 self.azimuth(frame),
                 cotangent.as_slice(),
                 own.as_mut_slice(),
             );
-            self.model.pullback(x, &own, &mut all, &run.aside())?;
-            for (range, _) in elements_of(self, frame..frame + 1) {
-                grad.as_mut_slice()[range.clone()].copy_from_slice(&all.as_slice()[range]);
-            }
+            self.model
+                .pullback_of(frame..frame + 1, x, &own, grad, &run.aside())?;
         }
         Ok(())
     }
@@ -326,26 +322,6 @@ impl DoseModel for Shaded {
         let mut term = self.new_dose()?;
         self.dose(d, &mut term, run)?;
         Ok(Some(vec![term]))
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        self.model.z_coupling()
-    }
-
-    fn is_linear(&self) -> bool {
-        self.model.is_linear()
-    }
-
-    fn renew(&self, iteration: usize) -> bool {
-        self.model.renew(iteration)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.model.is_renewed()
-    }
-
-    fn updates(&self) -> u64 {
-        self.model.updates()
     }
 
     fn describe(&self) -> String {

@@ -3,7 +3,6 @@
 //! One file or folder a family, and one row in [`MODELS`](crate::MODELS). A [`ModelFamily`] is a family with its parameters, as the row reads
 //! them from a job. The [planner](crate::planner) and the job ask it whatever they need to know, and know no family by name.
 
-use super::parallel::Light;
 use super::rays::Rays;
 use super::rays::matrix_cache::CachedEntries;
 use super::rays::solid::Solid;
@@ -15,6 +14,7 @@ use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::{Kind, Section};
+use tomolith_optics::light::Light;
 
 /// A dose model in host memory.
 pub type HostModel = Box<dyn DoseModel<Field = HostField>>;

@@ -28,7 +28,7 @@ pub use family::{
 pub use scene::OpticalScene;
 pub use tomolith_core::dose::{
     DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run, Steps, ZCoupling, cells,
-    layout,
+    elements_of, frames_of, layout, own_frames,
 };
 
 /// Every family of dose models, in the order of what they cost; without one in the job the [`planner`] chooses.

@@ -5,18 +5,20 @@
 //! which is positive exactly for the pixels that bring light there. An active run of rows cannot have holes; this can.
 //! Every method that calls the model sees dark pixels as pixels without effect, and leaves them alone.
 //!
-//! **Cost** a copy of the patterns per forward call.
+//! **Cost** a copy of the patterns per call, none where no pixel is dark and the factor is 1.
 
-use super::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::forward;
 use tomolith_core::grid::Volume;
 
-/// A model with dark pixels, or a factor.
+/// A model with dark pixels, a factor, both or none: the one place for either.
 pub struct MaskedModel {
-    model: Box<dyn DoseModel<Field = HostField>>,
+    model: HostModel,
     /// One per pixel, or none at all.
     dark: Vec<bool>,
     factor: f32,
@@ -36,7 +38,6 @@ pub fn pixels_through(
         let through: Result<Vec<_>> = lights.map(|l| pixels_through(l, places, run)).collect();
         return through.map(|lights| lights.concat());
     }
-    let layout = &model.outputs()[0];
     let marks = Volume {
         grid: places.grid.clone(),
         values: places
@@ -46,79 +47,87 @@ pub fn pixels_through(
             .collect(),
     };
     let mut marked = model.new_dose()?;
-    marked.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
+    for layout in model.outputs() {
+        marked.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
+    }
     let mut light = model.new_patterns()?;
     model.pullback(&light.zeros_like(), &marked, &mut light, run)?;
     Ok(light.as_slice().par_iter().map(|&v| v > 0.0).collect())
 }
 
 impl MaskedModel {
-    /// Switches pixels of a model off.
+    /// A model of which some pixels stay dark (none: an empty list), and all light has a factor above 0 (amplitudes its root).
     ///
     /// # Panics
-    /// When `dark` has another length than the model's pattern fields.
+    /// When `dark` is neither empty nor as long as the model's pattern fields.
     #[must_use]
-    pub fn new(model: Box<dyn DoseModel<Field = HostField>>, dark: &[bool]) -> Self {
-        let pixels: usize = model.patterns().iter().map(PatternLayout::len).sum();
-        assert_eq!(dark.len(), pixels, "one mark per active pixel");
-        MaskedModel {
-            model,
-            dark: dark.to_vec(),
-            factor: 1.0,
-        }
-    }
-
-    /// All light of a model times a factor above 0.
-    #[must_use]
-    pub fn by(model: Box<dyn DoseModel<Field = HostField>>, factor: f32) -> Self {
-        MaskedModel {
+    pub fn new(model: HostModel, dark: Vec<bool>, factor: f64) -> Self {
+        let is_amplitude = |p: &PatternLayout| p.quantity == Quantity::Amplitude;
+        let factor = if model.patterns().iter().any(is_amplitude) {
+            factor.sqrt()
+        } else {
+            factor
+        };
+        let masked = MaskedModel {
             model,
             dark: Vec::new(),
-            factor,
+            factor: factor as f32,
+        };
+        masked.and_dark(dark)
+    }
+
+    /// The same with further dark pixels; an empty list has none.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    #[must_use]
+    pub fn and_dark(mut self, dark: Vec<bool>) -> Self {
+        if dark.is_empty() {
+            return self;
         }
+        let pixels: usize = self.model.patterns().iter().map(PatternLayout::len).sum();
+        assert_eq!(dark.len(), pixels, "one mark per active pixel");
+        if self.dark.is_empty() {
+            self.dark = dark;
+        } else {
+            let pairs = self.dark.iter_mut().zip(dark);
+            pairs.for_each(|(own, more)| *own |= more);
+        }
+        self
     }
 
-    fn masked(&self, x: &HostField) -> HostField {
+    /// D·x
+    fn masked<'x>(&self, x: &'x HostField) -> Cow<'x, HostField> {
+        if self.dark.is_empty() && self.factor == 1.0 {
+            return Cow::Borrowed(x);
+        }
         let mut x = x.clone();
-        self.dim(&mut x);
-        x
+        self.dim(0..x.len(), &mut x);
+        Cow::Owned(x)
     }
 
-    /// x ← D·x
-    fn dim(&self, x: &mut HostField) {
-        darken(x, &self.dark);
+    /// x ← D·x in some elements
+    fn dim(&self, elements: Range<usize>, x: &mut HostField) {
+        let x = &mut x.as_mut_slice()[elements.clone()];
+        if !self.dark.is_empty() {
+            darken(x, &self.dark[elements]);
+        }
         if self.factor != 1.0 {
-            x.scale(self.factor);
+            x.par_iter_mut().for_each(|x| *x *= self.factor);
         }
     }
 }
 
 /// Sets dark pixels to 0; none are where `dark` is empty.
-pub fn darken(x: &mut HostField, dark: &[bool]) {
-    x.as_mut_slice()
-        .par_iter_mut()
-        .zip(dark)
-        .for_each(|(x, &dark)| *x = if dark { 0.0 } else { *x });
+pub fn darken(x: &mut [f32], dark: &[bool]) {
+    let pairs = x.par_iter_mut().zip(dark);
+    pairs.for_each(|(x, &dark)| *x = if dark { 0.0 } else { *x });
 }
 
 impl DoseModel for MaskedModel {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.model.patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.model.outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.model.new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.model.new_dose()
-    }
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, renew, is_renewed, is_linear, updates, of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.model.dose(&self.masked(x), dose, run)
@@ -132,7 +141,23 @@ impl DoseModel for MaskedModel {
         run: &Run,
     ) -> Result<()> {
         self.model.pullback(&self.masked(x), cotangent, grad, run)?;
-        self.dim(grad);
+        self.dim(0..grad.len(), grad);
+        Ok(())
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let x = self.masked(x);
+        (self.model).pullback_of(frames.clone(), &x, cotangent, grad, run)?;
+        for (range, _) in elements_of(self.patterns(), &frames) {
+            self.dim(range, grad);
+        }
         Ok(())
     }
 
@@ -150,47 +175,26 @@ impl DoseModel for MaskedModel {
         self.model.along(&self.masked(x), &self.masked(d), run)
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        self.model.z_coupling()
-    }
-
-    fn renew(&self, iteration: usize) -> bool {
-        self.model.renew(iteration)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.model.is_renewed()
-    }
-
-    fn is_linear(&self) -> bool {
-        self.model.is_linear()
-    }
-
-    fn updates(&self) -> u64 {
-        self.model.updates()
-    }
-
-    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
-        self.model.of_light(i)
-    }
-
     fn describe(&self) -> String {
-        let model = self.model.describe();
+        let mut text = self.model.describe();
+        if self.factor != 1.0 {
+            text += &format!(", dose times {:.6}", self.factor);
+        }
         let dark = self.dark.iter().filter(|dark| **dark).count();
         if dark > 0 {
-            format!("{model}, {dark} of {} pixels dark", self.dark.len())
-        } else {
-            format!("{model}, dose times {:.6}", self.factor)
+            text += &format!(", {dark} of {} pixels dark", self.dark.len());
         }
+        text
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
@@ -231,7 +235,7 @@ mod tests {
         full.as_mut_slice().fill(1.0);
         let mut plain = model.new_dose().unwrap();
         model.dose(&full, &mut plain, &run).unwrap();
-        let darkened = MaskedModel::new(model, &dark);
+        let darkened = MaskedModel::new(model, dark.clone(), 1.0);
         let mut dose = darkened.new_dose().unwrap();
         darkened.dose(&full, &mut dose, &run).unwrap();
         let layout = &darkened.outputs()[0];
@@ -271,13 +275,30 @@ mod tests {
         };
         let (plain, scaled) = (
             dose_of(model().as_ref()),
-            dose_of(&MaskedModel::by(model(), 0.25)),
+            dose_of(&MaskedModel::new(model(), Vec::new(), 0.25)),
         );
         // A power of two: to the bit
         for (plain, scaled) in plain.as_slice().iter().zip(scaled.as_slice()) {
             assert_eq!(0.25 * plain, *scaled);
         }
-        check::model::model(&MaskedModel::by(model(), 0.453), 5).unwrap();
+        check::model::model(&MaskedModel::new(model(), Vec::new(), 0.453), 5).unwrap();
+    }
+
+    #[test]
+    fn marks_and_factor_are_one_mask() {
+        let (run, pixels) = (Run::new(), model().new_patterns().unwrap().len());
+        let marks = |every: usize| (0..pixels).map(|i| i % every == 0).collect::<Vec<_>>();
+        let nested: HostModel = Box::new(MaskedModel::new(model(), marks(3), 0.453));
+        let nested = MaskedModel::new(nested, marks(5), 1.0);
+        let one = MaskedModel::new(model(), marks(3), 0.453).and_dark(marks(5));
+        let either = marks(3).into_iter().zip(marks(5)).map(|(a, b)| a || b);
+        assert!(one.dark.iter().copied().eq(either));
+        let x = HostField::from_slice(&check::model::noise(4, pixels));
+        let mut dose = [one.new_dose().unwrap(), one.new_dose().unwrap()];
+        one.dose(&x, &mut dose[0], &run).unwrap();
+        nested.dose(&x, &mut dose[1], &run).unwrap();
+        assert_eq!(dose[0].as_slice(), dose[1].as_slice());
+        check::model::model(&one, 5).unwrap();
     }
 
     #[test]
@@ -289,6 +310,6 @@ mod tests {
             &Run::new(),
         )
         .unwrap();
-        check::model::model(&MaskedModel::new(model, &dark), 5).unwrap();
+        check::model::model(&MaskedModel::new(model, dark.clone(), 1.0), 5).unwrap();
     }
 }

@@ -571,9 +571,21 @@ impl LinearOperator for MatrixModel {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let (cotangent, all) = (cotangent.as_slice(), 0..usize::MAX);
         let ranks = CHUNK.div_ceil(self.depth);
-        grad.as_mut_slice()
+        let elements = self.elements_of(frames);
+        let first = elements.start / self.depth;
+        grad.as_mut_slice()[elements]
             .par_chunks_mut(ranks * self.depth)
             .enumerate()
             .for_each(|(chunk, grad)| {
@@ -582,7 +594,8 @@ impl LinearOperator for MatrixModel {
                 }
                 grad.fill(0.0);
                 for (i, out) in grad.chunks_mut(self.depth).enumerate() {
-                    self.adjoint.add(chunk * ranks + i, cotangent, &all, out);
+                    let rank = first + chunk * ranks + i;
+                    self.adjoint.add(rank, cotangent, &all, out);
                 }
             });
         cancelled(run)
@@ -635,8 +648,9 @@ fn cancelled(run: &Run) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
 

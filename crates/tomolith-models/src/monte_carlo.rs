@@ -47,7 +47,8 @@
 //! ```
 //! use std::sync::Arc;
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{parallel::Light, rays::Optics, monte_carlo};
+//! use tomolith_models::{rays::Optics, monte_carlo};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::phase::{Scattering, isotropic::Isotropic};
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let mut light = Light::new(PatternGrid::full_turn(1, 0.0, 1, 1, 0.1), Resin::absorbing(1.5, 0.1));
@@ -62,7 +63,6 @@
 //! assert!(balance.transmitted > 10.0 * (-4.4f64).exp());
 //! ```
 
-use super::parallel::Light;
 use super::rays::accumulation::Accumulation;
 use super::rays::{Emission, Optics, Rays, Scattered};
 use super::{
@@ -76,6 +76,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::space::Limits;
 use tomolith_optics::vial::Vial;
 

@@ -6,7 +6,7 @@
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
-    Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Quantity, Run,
+    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Run,
 };
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
@@ -15,8 +15,8 @@ use tomolith_core::grid::{Volume, VolumeGrid};
 
 /// A dose model, and why it was chosen.
 pub struct Plan {
-    /// The model.
-    pub model: HostModel,
+    /// The model, with its dark pixels and the factor of its doses.
+    pub model: MaskedModel,
     /// One sentence for people.
     pub reason: String,
     /// Pixels of the model's fields that stay dark, because of a light's selection; empty when there is none.
@@ -113,8 +113,8 @@ pub fn plan(
     let surrogate = (family.capabilities().has_surrogate && scene.purpose == Purpose::Optimize)
         .then(|| family.unscattered(&input))
         .transpose()?
-        .map(|model| masked(model, &dark, factor));
-    let model = masked(family.build(&input)?, &dark, factor);
+        .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
+    let model = MaskedModel::new(family.build(&input)?, dark.clone(), factor);
     Ok(Plan {
         reason: format!(
             "{}: {}",
@@ -125,23 +125,6 @@ pub fn plan(
         dark,
         surrogate,
     })
-}
-
-/// A model some of whose pixels stay dark, and all of whose doses have a factor, if there are such.
-fn masked(mut model: HostModel, dark: &[bool], factor: f64) -> HostModel {
-    if factor != 1.0 {
-        // A factor of energies: of amplitudes its root
-        let is_amplitude = model
-            .patterns()
-            .iter()
-            .any(|p| p.quantity == Quantity::Amplitude);
-        let factor = if is_amplitude { factor.sqrt() } else { factor };
-        model = Box::new(MaskedModel::by(model, factor as f32));
-    }
-    if !dark.is_empty() {
-        model = Box::new(MaskedModel::new(model, dark));
-    }
-    model
 }
 
 /// A model whose pixels are those of a file. All of them are unknowns, but those that the selection of a light leaves out.
@@ -163,7 +146,7 @@ fn stored(
             .map(|chosen| !chosen)
             .collect();
     }
-    let model = masked(model, &dark, input.scene.dose_factor);
+    let model = MaskedModel::new(model, dark.clone(), input.scene.dose_factor);
     Ok(Plan {
         reason: format!("{} {}", model.describe(), family.merit()),
         model,
@@ -176,11 +159,12 @@ fn stored(
 mod tests {
     use super::*;
     use crate::monte_carlo;
-    use crate::parallel::{self, Light};
+    use crate::parallel;
     use crate::rays::{self, Optics};
     use crate::wave::{self, incoherent_cone};
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
+    use tomolith_optics::light::Light;
     use tomolith_optics::motion::Motion;
     use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
     use tomolith_optics::phase::{Phase, Scattering, rayleigh::Rayleigh};
@@ -294,7 +278,7 @@ mod tests {
             let dose = straight.outputs()[0].volume_of(dose.as_slice());
             let lit = |z: usize| (0..64).any(|i| *dose.at(z, i / 8, i % 8) > 1e-4);
             assert_eq!((0..6).filter(|z| lit(*z)).count(), 1);
-            assert_eq!(straight.patterns()[0].quantity, Quantity::Energy);
+            assert_eq!(straight.patterns()[0].quantity, crate::Quantity::Energy);
         }
     }
 

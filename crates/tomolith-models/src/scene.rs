@@ -2,11 +2,12 @@
 
 use super::family::Purpose;
 use super::monte_carlo;
-use super::parallel::{self, Light};
+use super::parallel;
 use super::rays::{self, Optics, Rays};
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 use tomolith_target::Shape;
 

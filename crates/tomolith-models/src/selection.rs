@@ -4,65 +4,18 @@
 //! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
 //! `min_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
 //!
-//! *May be lit.* [`PixelMask`]s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
+//! *May be lit.* [`PixelMask`](tomolith_core::grid::PixelMask)s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
 //!
 //! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
 //! them that are not are held dark ([`MaskedModel`](super::masked::MaskedModel)): they have no effect and no derivative.
 
 use super::layout::{PatternLayout, PixelRun};
-use super::parallel::Light;
 use super::{DoseModel, Run};
 use rayon::prelude::*;
-use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::grid::{PatternGrid, PixelMask, Volume};
-
-/// Which pixels of a light may be unknowns.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Selection {
-    /// A pixel may be lit where all of them allow it.
-    pub masks: Vec<Arc<PixelMask>>,
-    /// Share of the best pixel's light that a pixel must bring to the part, 0 to below 1.
-    pub min_contribution: f64,
-}
-
-impl Selection {
-    /// Whether it leaves anything dark.
-    #[must_use]
-    pub fn is_any(&self) -> bool {
-        !self.masks.is_empty() || self.min_contribution > 0.0
-    }
-
-    /// Whether a pixel `[frame, row, column]` may be lit.
-    #[must_use]
-    pub fn allows(&self, at: [usize; 3]) -> bool {
-        self.masks.iter().all(|mask| mask.allows(at))
-    }
-
-    /// Lowest and highest corner [u, z] of what may be lit in all frames alike, mm.
-    #[must_use]
-    pub fn field_mm(&self, pixels: &PatternGrid) -> [[f64; 2]; 2] {
-        let whole = pixels.field_mm();
-        let still = self.masks.iter().filter(|mask| mask.is_still());
-        let fields = still.map(|mask| mask.field_mm(pixels));
-        fields.fold(whole, |[low, high], field| {
-            [
-                std::array::from_fn(|i| low[i].max(field[0][i])),
-                std::array::from_fn(|i| high[i].min(field[1][i])),
-            ]
-        })
-    }
-
-    /// The same with every mask changed.
-    #[must_use]
-    pub fn mapped(&self, change: impl Fn(&PixelMask) -> PixelMask) -> Self {
-        Selection {
-            masks: self.masks.iter().map(|m| Arc::new(change(m))).collect(),
-            ..self.clone()
-        }
-    }
-}
+use tomolith_core::grid::Volume;
+use tomolith_optics::light::{Light, Selection};
 
 /// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
 /// inside cells are wanted.
@@ -74,25 +27,25 @@ pub fn contributions(
     wanted: &Volume<u8>,
     run: &Run,
 ) -> Result<HostField> {
-    let layout = &model.outputs()[0];
-    if wanted.grid.shape != layout.grid.shape {
-        return Err(Error::Shape {
-            what: "wanted voxels".into(),
-            expected: layout.grid.shape.to_vec(),
-            found: wanted.grid.shape.to_vec(),
-        });
-    }
-    let mut mask: Vec<f32> = layout
-        .field_of(wanted)
-        .iter()
-        .map(|&w| f32::from(w != 0))
-        .collect();
-    if let Some(cells) = &layout.cells {
-        cells.fill([0.0, 1.0], &mut mask);
+    let mut marked = model.new_dose()?;
+    for layout in model.outputs() {
+        if wanted.grid.shape != layout.grid.shape {
+            return Err(Error::Shape {
+                what: "wanted voxels".into(),
+                expected: layout.grid.shape.to_vec(),
+                found: wanted.grid.shape.to_vec(),
+            });
+        }
+        let marks = layout.field_of(wanted);
+        let mut mask: Vec<f32> = marks.iter().map(|&w| f32::from(w != 0)).collect();
+        if let Some(cells) = &layout.cells {
+            cells.fill([0.0, 1.0], &mut mask);
+        }
+        marked.as_mut_slice()[layout.range()].copy_from_slice(&mask);
     }
     let mut seen = model.new_patterns()?;
     let dark = seen.zeros_like();
-    model.pullback(&dark, &HostField::from_slice(&mask), &mut seen, run)?;
+    model.pullback(&dark, &marked, &mut seen, run)?;
     Ok(seen)
 }
 
@@ -192,7 +145,8 @@ mod tests {
     use crate::parallel::Parallel;
     use crate::rays::{self, Optics};
     use crate::{Family, OpticalScene, Purpose, monte_carlo, planner, successive_orders};
-    use tomolith_core::grid::VolumeGrid;
+    use std::sync::Arc;
+    use tomolith_core::grid::{PatternGrid, PixelMask, VolumeGrid};
     use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -262,7 +216,7 @@ mod tests {
             let masked = planned(light.clone());
             // The gradient of an even dose is what was there, and 0 where no pixel may be lit
             let gradient = |plan: &planner::Plan| {
-                let model = plan.model.as_ref();
+                let model = &plan.model;
                 let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
                 c.fill(1.0);
                 let at = x.zeros_like();
@@ -291,7 +245,7 @@ mod tests {
             x.fill(1.0);
             assert_eq!(masked.dark.len(), x.len());
             let mut kept = x.clone();
-            super::super::masked::darken(&mut kept, &masked.dark);
+            super::super::masked::darken(kept.as_mut_slice(), &masked.dark);
             assert_ne!(kept.as_slice(), x.as_slice());
             let dose = |x: &HostField| {
                 let mut dose = masked.model.new_dose().unwrap();

@@ -24,7 +24,7 @@
 //! One call of every light's model, and one pass over its dose per species that it drives. Memory: patterns and dose of one light at a
 //! time.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, own_frames};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
@@ -53,7 +53,12 @@ impl SpectralMixing {
     ) -> Result<Self> {
         let own = lights[0].outputs()[0].clone();
         for light in &lights {
-            let layout = &light.outputs()[0];
+            let [layout] = light.outputs() else {
+                return Err(Error::Unsupported {
+                    what: "a light's model of several doses".to_owned(),
+                    reason: "what a light drives is mixed here; models of one dose".to_owned(),
+                });
+            };
             if layout.cells.is_some() {
                 return Err(Error::Unsupported {
                     what: "voxels cut by the surface".to_owned(),
@@ -128,17 +133,17 @@ impl SpectralMixing {
         }
     }
 
-    /// Frames of each light among `frames` of all lights.
-    fn frames(&self, frames: &Range<usize>) -> Vec<Range<usize>> {
-        let mut first = 0;
-        let mut own = Vec::with_capacity(self.patterns.len());
-        for layout in &self.patterns {
-            let count = layout.grid.frames();
-            let within = |frame: usize| frame.clamp(first, first + count) - first;
-            own.push(within(frames.start)..within(frames.end));
-            first += count;
+    /// c ← M_·λᵀ cotangent
+    fn unmix(&self, light: usize, cotangent: &HostField, c: &mut HostField) {
+        c.fill(0.0);
+        for (layout, row) in self.outputs.iter().zip(&self.matrix) {
+            let m = row[light];
+            let own = cotangent.as_slice()[layout.range()].par_chunks(BLOCK);
+            c.as_mut_slice()
+                .par_chunks_mut(BLOCK)
+                .zip(own)
+                .for_each(|(c, own)| c.iter_mut().zip(own).for_each(|(c, &o)| *c += m * o));
         }
-        own
     }
 }
 
@@ -185,15 +190,7 @@ impl DoseModel for SpectralMixing {
     ) -> Result<()> {
         let mut c = self.lights[0].new_dose()?;
         for (i, light) in self.lights.iter().enumerate() {
-            c.fill(0.0);
-            for (layout, row) in self.outputs.iter().zip(&self.matrix) {
-                let m = row[i];
-                let own = cotangent.as_slice()[layout.range()].par_chunks(BLOCK);
-                c.as_mut_slice()
-                    .par_chunks_mut(BLOCK)
-                    .zip(own)
-                    .for_each(|(c, own)| c.iter_mut().zip(own).for_each(|(c, &o)| *c += m * o));
-            }
+            self.unmix(i, cotangent, &mut c);
             let mut own = light.new_patterns()?;
             let part = run.part(1.0 / self.lights.len() as f64);
             light.pullback(&self.own(i, x), &c, &mut own, &part)?;
@@ -209,13 +206,32 @@ impl DoseModel for SpectralMixing {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (i, own) in self.frames(&frames).into_iter().enumerate() {
-            if own.is_empty() {
-                continue;
-            }
-            let mut q = self.lights[i].new_dose()?;
+        let mut q = self.lights[0].new_dose()?;
+        for (i, own) in own_frames(&self.patterns, &frames) {
+            q.fill(0.0);
             self.lights[i].dose_of(own, &self.own(i, x), &mut q, run)?;
             self.add(i, &q, dose);
+        }
+        Ok(())
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut c = self.lights[0].new_dose()?;
+        for (i, own) in own_frames(&self.patterns, &frames) {
+            self.unmix(i, cotangent, &mut c);
+            let (light, layout) = (&self.lights[i], &self.patterns[i]);
+            let mut back = light.new_patterns()?;
+            light.pullback_of(own.clone(), &self.own(i, x), &c, &mut back, run)?;
+            let range = layout.elements_of(own);
+            let own = range.start - layout.offset..range.end - layout.offset;
+            grad.as_mut_slice()[range].copy_from_slice(&back.as_slice()[own]);
         }
         Ok(())
     }
@@ -285,9 +301,10 @@ impl DoseModel for SpectralMixing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 

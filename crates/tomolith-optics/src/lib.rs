@@ -5,6 +5,7 @@ pub mod edges;
 pub mod exposure;
 pub mod gradient;
 pub mod interface;
+pub mod light;
 pub mod motion;
 pub mod obstacle;
 pub mod phase;

@@ -143,6 +143,7 @@ pub(super) fn target_projection<F: Field>(
     let mut patterns = x.zeros_like();
     problem.project(x, &wanted, &mut patterns)?;
     let model = problem.model();
+    // All doses of a model are on one grid
     let (lights, voxel_mm3) = (model.patterns(), model.outputs()[0].grid.voxel_mm3());
     Projection::new(patterns, lights, &wanted)?.filtered(lights, filter, voxel_mm3)
 }
@@ -289,7 +290,8 @@ mod tests {
     use tomolith_core::dose::{DoseModel, Run};
     use tomolith_core::field::HostField;
     use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
-    use tomolith_models::parallel::{Light, Parallel};
+    use tomolith_models::parallel::Parallel;
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 

@@ -111,7 +111,11 @@ impl Measure {
 /// Part and void as the target of a problem has them; None without a target, and for gray values.
 fn labels<F: Field>(problem: &Problem<F>) -> Option<Vec<u8>> {
     let target = problem.target().ok()?.to_host();
-    let voxels = problem.model().outputs()[0].voxels();
+    // A target is that of one dose
+    let [output] = problem.model().outputs() else {
+        return None;
+    };
+    let voxels = output.voxels();
     let label = |&value: &f32| match value {
         1.0 => Some(label::PART),
         0.0 => Some(label::VOID),

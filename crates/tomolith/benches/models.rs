@@ -1,6 +1,6 @@
 //! Throughput of the dose models: `cargo bench -p tomolith --bench models` (add `-- quick` for the 256³ rows alone, `-- plane`
 //! for single slices of 512² and packs of 64 of them, `-- matrix FILE` for a stored matrix of such a slice; `peers_2d.py`
-//! beside this file runs both next to other programs).
+//! beside this file runs both next to other programs; `-- frame` for the gradient of one frame of 180).
 //!
 //! One *update* is one voxel lit by one frame, counted after all masks. Per update the kernel reads two floats of lanes and
 //! does two fused multiply-adds, half that where two opposite frames are one; dose and lanes themselves are streamed once
@@ -13,8 +13,9 @@ use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::io::csr::Csr;
 use tomolith::models::matrix::MatrixModel;
-use tomolith::models::parallel::{Kernel, Light, Parallel};
+use tomolith::models::parallel::{Kernel, Parallel};
 use tomolith::models::{DoseModel, Run};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
 
@@ -173,9 +174,64 @@ fn matrix(file: &Path) -> Result<(), tomolith::Error> {
     rows(&case, &model, (512 * 512 * case.angles) as f64, built)
 }
 
+/// Processor seconds of this thread so far (Linux).
+fn processor_s() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(text.split_whitespace().next()?.parse::<f64>().ok()? * 1e-9)
+}
+
+/// Processor seconds of one thread for the gradient of one frame of 180 at 200³: taken from that of all frames, and computed alone.
+fn one_frame() -> Result<(), tomolith::Error> {
+    println!("model      all frames, s  frame 45 alone, s  its dose, s  ratio");
+    for case in cases(true) {
+        let case = Case {
+            n: 200,
+            slices: 200,
+            angles: 180,
+            ..case
+        };
+        let light = Light::new(case.pixels(), case.resin);
+        let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
+        let run = Run::new();
+        let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
+        x.fill(1.0);
+        model.dose(&x, &mut dose, &run)?;
+        let mut grad = x.zeros_like();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let pool = pool.expect("a thread");
+        let least = |call: &mut (dyn FnMut() + Send)| {
+            let timed = |_| {
+                pool.install(|| {
+                    let start = processor_s().unwrap_or(f64::NAN);
+                    call();
+                    processor_s().unwrap_or(f64::NAN) - start
+                })
+            };
+            (0..3).map(timed).fold(f64::MAX, f64::min)
+        };
+        let never = "never cancelled";
+        let all = least(&mut || model.pullback(&x, &dose, &mut grad, &run).expect(never));
+        let own = least(&mut || {
+            let done = model.pullback_of(45..46, &x, &dose, &mut grad, &run);
+            done.expect(never);
+        });
+        let mut sum = dose.zeros_like();
+        let forward = least(&mut || model.dose_of(45..46, &x, &mut sum, &run).expect(never));
+        println!(
+            "{:10} {all:13.4}  {own:17.4}  {forward:11.4}  {:5.0}",
+            case.name,
+            all / own
+        );
+    }
+    Ok(())
+}
+
 fn main() -> Result<(), tomolith::Error> {
     let arguments: Vec<String> = std::env::args().collect();
     let asked = |name: &str| arguments.iter().any(|a| a == name);
+    if asked("frame") {
+        return one_frame();
+    }
     println!("{} threads", rayon::current_num_threads());
     println!("model      voxels     call      seconds  updates/s  bytes/update  peak MB  build s");
     if let Some(i) = arguments.iter().position(|a| a == "matrix") {
@@ -187,10 +243,10 @@ fn main() -> Result<(), tomolith::Error> {
         cases(asked("quick"))
     };
     for case in cases {
-        let mut light = Light::new(case.pixels(), case.resin);
-        light.kernel = case.kernel;
+        let lights = vec![Light::new(case.pixels(), case.resin)];
+        let (vial, run) = (case.vial.as_ref(), Run::new());
         let start = Instant::now();
-        let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
+        let model = Parallel::under(vial, lights, case.kernel, case.grid(), &run)?;
         let built = start.elapsed().as_secs_f64();
         rows(&case, &model, DoseModel::updates(&model) as f64, built)?;
     }

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
-use tomolith::models::parallel::{Light, Parallel};
+use tomolith::models::parallel::Parallel;
 use tomolith::models::{DoseModel, Run};
 use tomolith::optics::absorption_map::AbsorptionMap;
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 use tomolith_material::diffused::Diffused;

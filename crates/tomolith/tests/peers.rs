@@ -11,8 +11,9 @@ use std::fs::File;
 use std::path::PathBuf;
 use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, VolumeGrid};
-use tomolith::models::parallel::{Light, Parallel};
+use tomolith::models::parallel::Parallel;
 use tomolith::models::{DoseModel, Run};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
 

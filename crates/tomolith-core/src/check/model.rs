@@ -1,7 +1,7 @@
 //! What every dose model must satisfy.
 //!
 //! Derivative and adjoint are one matrix: ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩, with c half along F′d, so that a wrong scale shows (with an
-//! independent c a 20 % scale error passes at 256³). Outputs are overwritten whatever they held. Linear models are
+//! independent c a 20 % scale error passes at 256³); so it is for some frames alone, whose gradient leaves that of all others. Outputs are overwritten whatever they held. Linear models are
 //! linear, and the sum over parts of the frames is the whole. Numbers do not depend on the number of threads.
 //!
 //! ```
@@ -10,7 +10,7 @@
 //! assert!(found.adjoint_error < 1e-5); // relative to ‖F′d‖‖c‖
 //! ```
 
-use crate::dose::{DoseModel, Run};
+use crate::dose::{DoseModel, Run, elements_of, frames_of};
 use crate::error::Error;
 use crate::field::Field;
 
@@ -54,6 +54,7 @@ pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<Found, Error
     let found = adjoint(model, &x, seed + 1, &run)?;
     overwrites(model, &x, &run)?;
     frames_add_up(model, &x, &run)?;
+    adjoint_of_frames(model, &x, seed + 3, &run)?;
     if model.is_linear() {
         linear(model, &x, seed + 2, &run)?;
     }
@@ -104,20 +105,7 @@ fn adjoint<M: DoseModel + ?Sized>(
     if norm == 0.0 {
         return Err(failed("derivative", "no light reaches any voxel".into()));
     }
-    // Noise lives only where the model can put dose: padding lanes are no voxels
-    let mut c = model.new_dose()?;
-    for layout in model.outputs() {
-        let mut volume = crate::grid::Volume::filled(layout.grid.clone(), 0.0f32);
-        volume.values = noise(seed + 1, volume.values.len());
-        let mut host = c.to_host();
-        host[layout.range()].copy_from_slice(&layout.field_of(&volume));
-        let cells = layout.offset + layout.voxels()..layout.range().end;
-        let own = noise(seed + 2, cells.len());
-        host[cells].copy_from_slice(&own);
-        c.copy_from_host(&host);
-    }
-    let scale = (1.0 / c.norm()) as f32;
-    c.scale(scale);
+    let mut c = noise_of_dose(model, seed + 1)?;
     c.axpy((1.0 / norm) as f32, &fd);
     let mut back = model.new_patterns()?;
     model.pullback(x, &c, &mut back, run)?;
@@ -133,6 +121,82 @@ fn adjoint<M: DoseModel + ?Sized>(
         "adjoint",
         format!("{found:?}: ⟨F′d, c⟩ = {forward}, ⟨d, F′ᵀc⟩ = {backward}"),
     ))
+}
+
+/// Noise of norm 1, only where the model can put dose: padding lanes are no voxels.
+fn noise_of_dose<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<M::Field, Error> {
+    let mut c = model.new_dose()?;
+    for layout in model.outputs() {
+        let mut volume = crate::grid::Volume::filled(layout.grid.clone(), 0.0f32);
+        volume.values = noise(seed, volume.values.len());
+        let mut host = c.to_host();
+        host[layout.range()].copy_from_slice(&layout.field_of(&volume));
+        let cells = layout.offset + layout.voxels()..layout.range().end;
+        let own = noise(seed + 1, cells.len());
+        host[cells].copy_from_slice(&own);
+        c.copy_from_host(&host);
+    }
+    let scale = (1.0 / c.norm()) as f32;
+    c.scale(scale);
+    Ok(c)
+}
+
+/// ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩ for d of some frames: one at either end, one in the middle, those of a third, none. All other elements are left as they were, and the bits
+/// are those of the gradient of all frames.
+fn adjoint_of_frames<M: DoseModel + ?Sized>(
+    model: &M,
+    x: &M::Field,
+    seed: u64,
+    run: &Run,
+) -> Result<(), Error> {
+    let all = frames_of(model.patterns());
+    let mut c = noise_of_dose(model, seed)?;
+    let noise = noise(seed + 2, model.new_patterns()?.len());
+    for frames in [
+        0..1,
+        all / 2..all / 2 + 1,
+        all - 1..all,
+        all / 3..2 * all / 3,
+        0..0,
+    ] {
+        let mut own = vec![0.0f32; noise.len()];
+        for (range, _) in elements_of(model.patterns(), &frames) {
+            own[range.clone()].copy_from_slice(&noise[range]);
+        }
+        let mut d = model.new_patterns()?;
+        d.copy_from_host(&own);
+        let fd = derivative(model, x, &d, run)?;
+        let norm = fd.norm();
+        if norm > 0.0 {
+            c.axpy((1.0 / norm) as f32, &fd);
+        }
+        let mut whole = model.new_patterns()?;
+        model.pullback(x, &c, &mut whole, run)?;
+        let mut back = model.new_patterns()?;
+        back.fill(f32::NAN);
+        model.pullback_of(frames.clone(), x, &c, &mut back, run)?;
+        let (whole, back) = (whole.to_host(), back.to_host());
+        let mut expected = vec![f32::NAN; whole.len()];
+        for (range, _) in elements_of(model.patterns(), &frames) {
+            expected[range.clone()].copy_from_slice(&whole[range]);
+        }
+        let bits = |v: &[f32]| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        let written = back.iter().filter(|v| !v.is_nan()).count();
+        let pairs = own.iter().zip(&back).filter(|(_, b)| !b.is_nan());
+        let backward: f64 = pairs.map(|(d, b)| f64::from(*d) * f64::from(*b)).sum();
+        let forward = fd.dot(&c);
+        let error = (forward - backward).abs();
+        if error > 1e-5 * norm * c.norm() || bits(&back) != bits(&expected) {
+            return Err(failed(
+                "pullback_of",
+                format!(
+                    "frames {frames:?} of {all}: ⟨F′d, c⟩ = {forward}, ⟨d, F′ᵀc⟩ = {backward}; {written} of {} elements written",
+                    back.len()
+                ),
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
@@ -160,7 +224,7 @@ fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Resu
 }
 
 fn frames_add_up<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
-    let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
+    let frames = frames_of(model.patterns());
     let (mut whole, mut parts) = (model.new_dose()?, model.new_dose()?);
     model.dose(x, &mut whole, run)?;
     let middle = frames / 3;

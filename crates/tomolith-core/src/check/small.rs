@@ -2,7 +2,7 @@
 
 use crate::dose::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
 use crate::error::Result;
-use crate::field::{Field, HostField};
+use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::target::{Target, label, label_voxels};
 use std::ops::Range;
@@ -140,14 +140,24 @@ impl LinearOperator for SmallModel {
         Ok(())
     }
 
-    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, _: &Run) -> Result<()> {
+    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.entries.len(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        _: &Run,
+    ) -> Result<()> {
         let [layout] = &self.outputs;
         let [pixels] = &self.patterns;
         let (slices, columns) = (layout.grid.shape[0], pixels.grid.columns);
-        grad.fill(0.0);
         let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
-        for (frame, entries) in self.entries.iter().enumerate() {
-            for &(voxel, column, weight) in entries {
+        grad[pixels.elements_of(frames.clone())].fill(0.0);
+        for frame in frames {
+            for &(voxel, column, weight) in &self.entries[frame] {
                 let to = pixels.runs[frame * columns + column].offset;
                 for z in 0..slices {
                     grad[to + z] += weight * cotangent[voxel * layout.row + z];

@@ -394,3 +394,35 @@ impl PatternLayout {
         }
     }
 }
+
+/// Frames of all lights.
+#[must_use]
+pub fn frames_of(lights: &[PatternLayout]) -> usize {
+    lights.iter().map(|light| light.grid.frames()).sum()
+}
+
+/// The lights that have some of these frames, which are counted through all lights, and which of their own frames these are.
+pub fn own_frames<'a>(
+    lights: &'a [PatternLayout],
+    frames: &Range<usize>,
+) -> impl Iterator<Item = (usize, Range<usize>)> + use<'a> {
+    let frames = frames.clone();
+    let mut first = 0;
+    let of_light = move |(light, layout): (usize, &PatternLayout)| {
+        let end = first + layout.grid.frames();
+        let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+        first = end;
+        (light, own)
+    };
+    let all = lights.iter().enumerate().map(of_light);
+    all.filter(|(_, own)| !own.is_empty())
+}
+
+/// Elements of the pattern field that belong to some frames of all lights, light by light, and what a value there means.
+pub fn elements_of<'a>(
+    lights: &'a [PatternLayout],
+    frames: &Range<usize>,
+) -> impl Iterator<Item = (Range<usize>, Quantity)> + use<'a> {
+    own_frames(lights, frames)
+        .map(|(light, own)| (lights[light].elements_of(own), lights[light].quantity))
+}

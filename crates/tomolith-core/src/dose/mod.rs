@@ -5,12 +5,13 @@
 //! Layouts say which pixel and which voxel an element of a field is.
 
 pub mod cells;
+mod forward;
 pub mod layout;
 
 use crate::error::Result;
 use crate::field::Field;
 pub use crate::run::{Run, Steps};
-pub use layout::{DoseLayout, PatternLayout, Quantity};
+pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 use std::ops::Range;
 
 /// How far along z a pattern row reaches: whether a job may be cut into z slabs.
@@ -73,6 +74,24 @@ pub trait DoseModel: Send + Sync {
         dose: &mut Self::Field,
         run: &Run,
     ) -> Result<()>;
+    /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others. By default all are computed and these
+    /// taken; models that know their frames take the time of these alone.
+    ///
+    /// # Errors
+    /// As [`pullback`](Self::pullback).
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &Self::Field,
+        cotangent: &Self::Field,
+        grad: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()> {
+        let mut all = grad.zeros_like();
+        self.pullback(x, cotangent, &mut all, run)?;
+        take_elements(self.patterns(), &frames, &all, grad);
+        Ok(())
+    }
     /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial. Searches know F(x).
     ///
     /// # Errors
@@ -104,6 +123,14 @@ pub trait DoseModel: Send + Sync {
     }
     /// One line for people: which model, which kernel.
     fn describe(&self) -> String;
+}
+
+/// Copies the elements of some frames.
+fn take_elements<F: Field>(lights: &[PatternLayout], frames: &Range<usize>, all: &F, to: &mut F) {
+    let all = all.to_host();
+    for (range, _) in elements_of(lights, frames) {
+        to.write(range.start, &all[range]);
+    }
 }
 
 /// A linear dose model; every one of them is a [`DoseModel`].
@@ -141,9 +168,25 @@ pub trait LinearOperator: Send + Sync {
     /// # Errors
     /// [`Error::Cancelled`](crate::Error::Cancelled).
     fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()>;
+    /// The elements of Aᵀ c that belong to some frames, as [`DoseModel::pullback_of`].
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &Self::Field,
+        grad: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()> {
+        let mut all = grad.zeros_like();
+        self.adjoint(cotangent, &mut all, run)?;
+        take_elements(self.patterns(), &frames, &all, grad);
+        Ok(())
+    }
     /// Number of frames of all lights.
     fn frames(&self) -> usize {
-        self.patterns().iter().map(|p| p.grid.frames()).sum()
+        frames_of(self.patterns())
     }
     /// How far a row reaches along z.
     fn z_coupling(&self) -> ZCoupling;
@@ -164,21 +207,7 @@ pub trait LinearOperator: Send + Sync {
 impl<A: LinearOperator> DoseModel for A {
     type Field = A::Field;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        LinearOperator::patterns(self)
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        LinearOperator::outputs(self)
-    }
-
-    fn new_patterns(&self) -> Result<Self::Field> {
-        LinearOperator::new_patterns(self)
-    }
-
-    fn new_dose(&self) -> Result<Self::Field> {
-        LinearOperator::new_dose(self)
-    }
+    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, renew, is_renewed, updates, describe);
 
     fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
         dose.fill(0.0);
@@ -205,6 +234,17 @@ impl<A: LinearOperator> DoseModel for A {
         self.add_forward(frames, x, dose, run)
     }
 
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        _x: &Self::Field,
+        cotangent: &Self::Field,
+        grad: &mut Self::Field,
+        run: &Run,
+    ) -> Result<()> {
+        self.adjoint_of(frames, cotangent, grad, run)
+    }
+
     fn along(
         &self,
         _x: &Self::Field,
@@ -216,27 +256,7 @@ impl<A: LinearOperator> DoseModel for A {
         Ok(Some(vec![dose]))
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        LinearOperator::z_coupling(self)
-    }
-
     fn is_linear(&self) -> bool {
         true
-    }
-
-    fn renew(&self, iteration: usize) -> bool {
-        LinearOperator::renew(self, iteration)
-    }
-
-    fn is_renewed(&self) -> bool {
-        LinearOperator::is_renewed(self)
-    }
-
-    fn updates(&self) -> u64 {
-        LinearOperator::updates(self)
-    }
-
-    fn describe(&self) -> String {
-        LinearOperator::describe(self)
     }
 }

@@ -5,8 +5,11 @@ use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use crate::schedule::Turns;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
+use tomolith_core::forward;
 use tomolith_core::response::{Logistic, Response, logistic};
 
 fn small() -> SmallModel {
@@ -201,6 +204,108 @@ fn the_gradient_through_time_passes_a_taylor_test() {
             "{lights}: {slope} {exact}"
         );
     }
+}
+
+#[test]
+fn the_gradient_of_some_frames_is_that_part_of_the_whole() {
+    let with_memory = [1, 2].map(in_time);
+    let without = memoryless(
+        Mixing::new(vec![vec![1.0, 0.5]]).unwrap(),
+        &[Turns::new(12, 7.0, 49.0), Turns::new(12, 3.0, 9.0)],
+    );
+    let run = Run::new();
+    for printing in with_memory.iter().chain([&without]) {
+        let x = positive(printing.new_patterns().unwrap().len(), 7);
+        let c = positive(printing.new_dose().unwrap().len(), 8);
+        let mut whole = x.zeros_like();
+        printing.pullback(&x, &c, &mut whole, &run).unwrap();
+        let all = frames_of(printing.patterns());
+        for frames in [0..1, 3..8, all - 1..all, all / 2 - 2..all / 2 + 3, 5..5] {
+            let (mut part, mut expected) = (x.zeros_like(), x.zeros_like());
+            part.fill(-7.5);
+            expected.fill(-7.5);
+            printing
+                .pullback_of(frames.clone(), &x, &c, &mut part, &run)
+                .unwrap();
+            for (range, _) in elements_of(printing.patterns(), &frames) {
+                expected.as_mut_slice()[range.clone()].copy_from_slice(&whole.as_slice()[range]);
+            }
+            assert_eq!(bits(&part), bits(&expected), "{frames:?} of {all}");
+        }
+    }
+}
+
+/// A model that counts the frames it pulls back.
+struct Counting(SmallModel, Arc<AtomicUsize>);
+
+impl DoseModel for Counting {
+    type Field = HostField;
+
+    forward!(DoseModel, self => self.0; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, updates, describe);
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        self.0.dose(x, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        c: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.pullback_of(0..frames_of(self.patterns()), x, c, grad, run)
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.0.dose_of(frames, x, dose, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        c: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.1.fetch_add(frames.len(), Ordering::Relaxed);
+        self.0.pullback_of(frames, x, c, grad, run)
+    }
+
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        DoseModel::along(&self.0, x, d, run)
+    }
+}
+
+#[test]
+fn the_way_back_asks_for_the_frames_that_shine_and_no_others() {
+    let counted = Arc::new(AtomicUsize::new(0));
+    let network = Network {
+        inhibitors: vec![Inhibitor::default()],
+        ..Network::new("a", Curing::threshold(0.4))
+    };
+    let domain = Domain::of(&small()).unwrap();
+    let params = Params::new(vec![network]);
+    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let optics: Vec<Box<Model>> = vec![Box::new(Counting(small(), Arc::clone(&counted)))];
+    let schedule = Schedule::of_turns(&[Turns::new(12, 6.0, 1.0)]).unwrap();
+    let printing = Printing::new(optics, schedule, Box::new(material), Some(0.5)).unwrap();
+    let x = positive(printing.new_patterns().unwrap().len(), 1);
+    let c = positive(printing.new_dose().unwrap().len(), 2);
+    let (mut grad, run) = (x.zeros_like(), Run::new());
+    let blocks = printing.blocks.len();
+    printing.pullback(&x, &c, &mut grad, &run).unwrap();
+    // A block a frame: 12 frames, where the whole gradient of every block would take 144
+    assert_eq!((blocks, counted.swap(0, Ordering::Relaxed)), (12, 12));
+    printing.pullback_of(4..5, &x, &c, &mut grad, &run).unwrap();
+    assert_eq!(counted.load(Ordering::Relaxed), 1);
 }
 
 #[test]

@@ -357,12 +357,13 @@ impl Heights {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Parallel;
     use super::super::kernel::Isa;
-    use super::super::{Light, Parallel};
     use super::*;
     use crate::{LinearOperator, Run};
     use tomolith_core::check::model::{model, noise};
     use tomolith_core::field::Field;
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
 

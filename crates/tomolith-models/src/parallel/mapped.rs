@@ -241,11 +241,12 @@ impl Mapped {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use crate::{DoseModel, LinearOperator, Run};
     use tomolith_core::check;
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
+    use tomolith_optics::light::Light;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
     fn model(map: AbsorptionMap, azimuths: Vec<f64>, nz: usize) -> Parallel {

@@ -43,7 +43,8 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::{Light, Parallel}};
+//! use tomolith_models::{DoseModel, Run, parallel::Parallel};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(4, 0.0, 4, 40, 0.1);
 //! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
@@ -74,10 +75,9 @@ mod tiles;
 mod views;
 mod walls;
 
-use crate::selection::Selection;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Quantity, Refines, Run, Steps, ZCoupling,
+    ModelKind, OpticalScene, PatternLayout, Refines, Run, Steps, ZCoupling, own_frames,
 };
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
@@ -94,12 +94,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{BLOCK, TILE, Tile, TileEntries};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
-use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_core::units::exact;
-use tomolith_optics::absorption_map::AbsorptionMap;
-use tomolith_optics::interface::Polarisation;
-use tomolith_optics::resin::Resin;
-use tomolith_optics::trace::Bath;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Keys of `[model.parallel]`.
@@ -147,91 +143,14 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let mut lights = input.scene.lights.to_vec();
-        for light in &mut lights {
-            light.kernel = self.kernel;
-        }
-        let model = Parallel::under(input.scene.vial, lights, input.grid.clone(), input.run)?;
+        let (scene, grid) = (&input.scene, input.grid.clone());
+        let lights = scene.lights.to_vec();
+        let model = Parallel::under(scene.vial, lights, self.kernel, grid, input.run)?;
         Ok(Box::new(model))
     }
 
     fn merit(&self) -> String {
         "collimated light and a vial that does not change along z, so one slice's geometry serves all heights".to_owned()
-    }
-}
-
-/// One light: its pixels and what the resin does at its wavelength.
-#[derive(Clone, Debug)]
-pub struct Light {
-    /// Frames, rows, columns.
-    pub pixels: PatternGrid,
-    /// The resin at this wavelength.
-    pub resin: Resin,
-    /// Vacuum wavelength, nm: what waves diffract by.
-    pub wavelength_nm: f64,
-    /// Index of what surrounds the vial.
-    pub surrounding_index: f64,
-    /// Absorption that changes across the plane; None: the resin's plain numbers everywhere.
-    pub map: Option<Arc<AbsorptionMap>>,
-    /// What weakens light before the vial.
-    pub bath: Option<Bath>,
-    /// Polarization at the projector.
-    pub polarisation: Polarisation,
-    /// How a column's light is shared among voxels; a [`ModelFamily`] sets it to its own.
-    pub kernel: Kernel,
-    /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
-    pub sub_angles: usize,
-    /// Rows that may be lit, per (frame, column): `(bottom, count)` counted from the lowest row. None: all.
-    pub active: Option<Vec<(u32, u32)>>,
-    /// Which pixels the [planner](crate::planner) makes unknowns; it sets `active`.
-    pub selection: Selection,
-}
-
-impl Light {
-    /// Unpolarized light of 405 nm in air, standing still, all pixels active.
-    #[must_use]
-    pub fn new(pixels: PatternGrid, resin: Resin) -> Self {
-        Light {
-            pixels,
-            resin,
-            wavelength_nm: 405.0,
-            surrounding_index: 1.0,
-            map: None,
-            bath: None,
-            polarisation: Polarisation::Unpolarised,
-            kernel: Kernel::DistanceDriven,
-            sub_angles: 1,
-            active: None,
-            selection: Selection::default(),
-        }
-    }
-
-    /// Refuses a light without pixels, or a resin in which nothing absorbs.
-    pub(crate) fn check(&self) -> Result<()> {
-        if self.pixels.is_empty() {
-            return Err(Error::config(
-                "light",
-                format!("{:?} frames, rows, columns", self.pixels.shape()),
-                "at least one pixel",
-            ));
-        }
-        let resin = &self.resin;
-        let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
-        if !(resin.pure_radon || absorbs) {
-            return Err(Error::config(
-                "resin.absorption_per_mm",
-                format!("found {}", exact(resin.absorption_per_mm)),
-                "a finite number > 0 (or `pure_radon = true`)",
-            ));
-        }
-        Ok(())
-    }
-
-    /// Where its active pixels lie in a field, from `offset` on.
-    pub(crate) fn layout(&self, offset: usize) -> PatternLayout {
-        let all = vec![(0, self.pixels.rows as u32); self.pixels.frames() * self.pixels.columns];
-        let active = self.active.as_deref().unwrap_or(&all);
-        PatternLayout::new(self.pixels.clone(), Quantity::Energy, offset, active)
     }
 }
 
@@ -241,6 +160,7 @@ pub struct Parallel {
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
     tiles: Vec<Tile>,
+    kernel: Kernel,
     path: KernelPath,
     /// Lanes of pixels, kept between calls.
     scratch: Mutex<Vec<HostField>>,
@@ -259,14 +179,20 @@ impl Parallel {
     /// # Errors
     /// [`Error::Config`] when there is nothing to light or nothing that absorbs.
     pub fn new(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid) -> Result<Self> {
-        Self::under(vial, lights, grid, &Run::new())
+        Self::under(vial, lights, Kernel::default(), grid, &Run::new())
     }
 
-    /// The same as a part of a run.
+    /// The same with a kernel, which shares a column's light among voxels, as a part of a run.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Cancelled`].
-    pub fn under(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid, run: &Run) -> Result<Self> {
+    pub fn under(
+        vial: &dyn Vial,
+        lights: Vec<Light>,
+        kernel: Kernel,
+        grid: VolumeGrid,
+        run: &Run,
+    ) -> Result<Self> {
         if grid.is_empty() {
             return Err(Error::config(
                 "grid",
@@ -277,24 +203,16 @@ impl Parallel {
         let [_, ny, nx] = grid.shape;
         let tiles = Tile::cover(nx, ny);
         let (mut plans, mut patterns) = (Vec::new(), Vec::new());
-        let (mut offset, mut first_frame) = (0, 0);
+        let mut offset = 0;
         for light in lights {
             light.check()?;
-            check_kernel(&light, vial)?;
-            must_be_even(&light, vial)?;
+            check_kernel(kernel, &light, vial)?;
+            must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
-            plans.push(LightPlan::new(
-                vial,
-                &light,
-                &layout,
-                &grid,
-                &tiles,
-                first_frame,
-                run,
-            ));
+            let own = (&light, kernel);
+            plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
-            first_frame += light.pixels.frames();
             patterns.push(layout);
         }
         Ok(Parallel {
@@ -302,6 +220,7 @@ impl Parallel {
             patterns,
             outputs: vec![DoseLayout::new("dose", grid, 0)],
             tiles,
+            kernel,
             path: KernelPath::of(Isa::in_use()),
             scratch: Mutex::new(Vec::new()),
             updates: OnceLock::new(),
@@ -444,16 +363,17 @@ impl Parallel {
         }
     }
 
-    /// grad = Aᵀ c for one light.
+    /// grad = Aᵀ c for these views of one light, from these sides.
     fn adjoint_light(
         &self,
         light: usize,
+        (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.adjoint_light_of_plane(light, cotangent, grad, run);
+            return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, run);
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
@@ -466,23 +386,25 @@ impl Parallel {
         });
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        let views = plan.of_view.len();
         // Few long chunks read the dose less often; the result does not depend on their length
-        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
+        let chunk = views
+            .len()
+            .div_ceil(4 * rayon::current_num_threads())
+            .max(1);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
+        let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
-        lanes.as_mut_slice()[used.clone()]
-            .par_chunks_mut(chunk * plan.columns * row)
+        lanes.as_mut_slice()[used.clone()][views.start * per_view..views.end * per_view]
+            .par_chunks_mut(chunk * per_view)
             .enumerate()
             .for_each_init(
                 Default::default,
                 |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
                     lanes.fill(0.0);
-                    let first = i * chunk;
+                    let first = views.start + i * chunk;
                     for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                        for group in plan.groups(first..(first + chunk).min(views)) {
-                            let per_view = plan.columns * row;
+                        for group in plan.groups(first..(first + chunk).min(views.end)) {
                             let own = &mut lanes
                                 [(group.start - first) * per_view..(group.end - first) * per_view];
                             for (index, tile) in (i * neighbors..).zip(tiles) {
@@ -501,7 +423,9 @@ impl Parallel {
                     }
                 },
             );
-        plan.collect(&self.patterns[light], &lanes.as_slice()[used], grad, row);
+        let frames = plan.views.frames_of(&views, &sides);
+        let lanes_of_views = &lanes.as_slice()[used];
+        plan.collect((&self.patterns[light], frames), lanes_of_views, grad, row);
         self.return_scratch(lanes);
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
@@ -538,8 +462,8 @@ fn neighbors(row: usize) -> usize {
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.
-fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
-    let name = light.kernel.name();
+fn check_kernel(kernel: Kernel, light: &Light, vial: &dyn Vial) -> Result<()> {
+    let name = kernel.name();
     let refused = |found: String| {
         Err(Error::config(
             "model.parallel.kernel",
@@ -547,7 +471,7 @@ fn check_kernel(light: &Light, vial: &dyn Vial) -> Result<()> {
             "\"distance-driven\" (\"line\", \"linear\" and \"strip\" need an index-matched vial and resin.pure_radon = true)",
         ))
     };
-    if light.kernel == Kernel::DistanceDriven {
+    if kernel == Kernel::DistanceDriven {
         return Ok(());
     }
     if !is_straight(vial, light) {
@@ -585,7 +509,7 @@ pub fn beyond(light: &Light, vial: &dyn Vial) -> Option<&'static str> {
 }
 
 /// Refuses a resin that differs from place to place where light bends, or where nothing absorbs.
-fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
+fn must_be_even(kernel: Kernel, light: &Light, vial: &dyn Vial) -> Result<()> {
     let refused = |what: &str, reason: &str| {
         Err(Error::Unsupported {
             what: what.to_owned(),
@@ -603,7 +527,7 @@ fn must_be_even(light: &Light, vial: &dyn Vial) -> Result<()> {
         (None, Some(_)) if light.resin.pure_radon => {
             refused(what, "with resin.pure_radon nothing absorbs")
         }
-        (None, Some(_)) if light.kernel != Kernel::DistanceDriven => {
+        (None, Some(_)) if kernel != Kernel::DistanceDriven => {
             refused(what, "the kernels of pure Radon do not model absorption")
         }
         (None, Some(_)) => Ok(()),
@@ -667,11 +591,8 @@ impl LinearOperator for Parallel {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        for (light, plan) in self.lights.iter().enumerate() {
-            let count = plan.views.frames;
-            let local = |f: usize| f.saturating_sub(plan.first_frame).min(count);
-            let own = local(frames.start)..local(frames.end);
-            let parts = plan.views.of_frames(own);
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            let parts = self.lights[light].views.of_frames(own);
             let share = 1.0 / (self.lights.len() * parts.len()) as f64;
             for part in parts {
                 let run = run.part(share);
@@ -682,8 +603,21 @@ impl LinearOperator for Parallel {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        for light in 0..self.lights.len() {
-            self.adjoint_light(light, cotangent.as_slice(), grad.as_mut_slice(), run)?;
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            for part in self.lights[light].views.of_frames(own) {
+                self.adjoint_light(light, part, cotangent, grad, run)?;
+            }
         }
         Ok(())
     }
@@ -699,7 +633,7 @@ impl LinearOperator for Parallel {
     fn describe(&self) -> String {
         format!(
             "parallel ({} kernel, {} path)",
-            self.lights[0].kernel.name(),
+            self.kernel.name(),
             self.path.isa.name()
         )
     }

@@ -12,12 +12,13 @@ use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::views::Views;
 use super::walls::Walls;
-use super::{GROUP, Light, is_straight};
+use super::{GROUP, is_straight};
 use crate::{PatternLayout, Run};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 
@@ -60,17 +61,15 @@ pub(super) struct LightPlan {
     /// Vectors of slices that one of (frame, column) lights.
     lit_by_frame: Vec<(u16, u16)>,
     pub(super) columns: usize,
-    pub(super) first_frame: usize,
 }
 
 impl LightPlan {
     pub(super) fn new(
         vial: &dyn Vial,
-        light: &Light,
+        (light, kernel): (&Light, Kernel),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
-        first_frame: usize,
         run: &Run,
     ) -> Self {
         let tracer = Tracer::new(
@@ -89,7 +88,7 @@ impl LightPlan {
         let sub_angles = light.sub_angles.max(1);
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        let beams = if light.kernel == Kernel::DistanceDriven {
+        let beams = if kernel == Kernel::DistanceDriven {
             strips::beams(
                 &tracer,
                 vial.is_round(),
@@ -100,7 +99,7 @@ impl LightPlan {
             )
         } else {
             let radius = vial.resin_wall().inscribed_radius();
-            radon::beams(light.kernel, radius, &pixels, sub_angles, grid)
+            radon::beams(kernel, radius, &pixels, sub_angles, grid)
         };
         let mut of_view = vec![0..0; views.count()];
         for (i, beam) in beams.iter().enumerate() {
@@ -119,7 +118,7 @@ impl LightPlan {
         let is_even = mapped.is_none();
         let is_comb = grid.shape[0] == 1
             && is_even
-            && light.kernel == Kernel::DistanceDriven
+            && kernel == Kernel::DistanceDriven
             && is_straight(vial, light);
         let combs: Vec<Option<Comb>> = beams
             .par_iter()
@@ -128,7 +127,7 @@ impl LightPlan {
                 is_comb.then(comb).flatten()
             })
             .collect();
-        let is_rake = grid.shape[0] == 1 && light.kernel == Kernel::Line;
+        let is_rake = grid.shape[0] == 1 && kernel == Kernel::Line;
         let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
         let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
         let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
@@ -186,12 +185,11 @@ impl LightPlan {
             levels,
             deposit,
             walls,
-            kernel: light.kernel,
+            kernel,
             mapped,
             lit,
             lit_by_frame: lit_by(&heights),
             columns: light.pixels.columns,
-            first_frame,
         }
     }
 
@@ -243,17 +241,18 @@ impl LightPlan {
             );
     }
 
-    /// Lanes → rows of pixels, of all frames. `grad` is the whole field.
+    /// Lanes → rows of pixels, of some frames. `lanes` and `grad` are those of all.
     pub(super) fn collect(
         &self,
-        layout: &PatternLayout,
+        (layout, frames): (&PatternLayout, Range<usize>),
         lanes: &[f32],
         grad: &mut [f32],
         row: usize,
     ) {
-        let mut pieces = Vec::with_capacity(self.views.frames);
-        let mut rest = &mut grad[layout.range()];
-        for runs in layout.runs.chunks(self.columns) {
+        let mut pieces = Vec::with_capacity(frames.len());
+        let mut rest = &mut grad[layout.elements_of(frames.clone())];
+        let of_frames = &layout.runs[frames.start * self.columns..frames.end * self.columns];
+        for runs in of_frames.chunks(self.columns) {
             let len = runs.iter().map(|r| r.count as usize).sum();
             let (piece, tail) = rest.split_at_mut(len);
             pieces.push(piece);
@@ -261,8 +260,8 @@ impl LightPlan {
         }
         pieces
             .into_par_iter()
-            .zip(layout.runs.par_chunks(self.columns))
-            .enumerate()
+            .zip(of_frames.par_chunks(self.columns))
+            .zip(frames)
             .for_each_init(
                 || {
                     [
@@ -270,7 +269,7 @@ impl LightPlan {
                         vec![0.0; self.levels.heights.buffer()],
                     ]
                 },
-                |[buffer, rows], (frame, (mut piece, runs))| {
+                |[buffer, rows], ((mut piece, runs), frame)| {
                     for (column, run) in runs.iter().enumerate() {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {

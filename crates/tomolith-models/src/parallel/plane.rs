@@ -125,27 +125,29 @@ impl Parallel {
         }
     }
 
-    /// grad = Aᵀ c for one light, for a single slice.
+    /// grad = Aᵀ c for these views of one light, from these sides, for a single slice.
     pub(super) fn adjoint_light_of_plane(
         &self,
         light: usize,
+        (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
         let plan = &self.lights[light];
-        let views = plan.of_view.len();
         let mut pixels = self.borrow_scratch(plan.lit.len());
         // Few long chunks read the cotangent less often; the result does not depend on their length
-        let chunk = views.div_ceil(4 * rayon::current_num_threads()).max(1);
-        pixels
-            .as_mut_slice()
+        let chunk = views
+            .len()
+            .div_ceil(4 * rayon::current_num_threads())
+            .max(1);
+        pixels.as_mut_slice()[views.start * plan.columns..views.end * plan.columns]
             .par_chunks_mut(chunk * plan.columns)
             .enumerate()
             .for_each_init(Gathering::default, |gathering, (i, pixels)| {
                 pixels.fill(0.0);
-                let first = i * chunk;
-                gathering.begin(plan, first..(first + chunk).min(views));
+                let first = views.start + i * chunk;
+                gathering.begin(plan, first..(first + chunk).min(views.end));
                 for (index, tile) in self.tiles.iter().enumerate() {
                     if run.is_cancelled() {
                         return;
@@ -154,7 +156,9 @@ impl Parallel {
                 }
                 gathering.end(plan, pixels);
             });
-        plan.collect(&self.patterns[light], pixels.as_slice(), grad, 1);
+        let frames = plan.views.frames_of(&views, &sides);
+        let layout = &self.patterns[light];
+        plan.collect((layout, frames), pixels.as_slice(), grad, 1);
         self.return_scratch(pixels);
         if run.is_cancelled() {
             Err(Error::Cancelled)

@@ -286,11 +286,12 @@ fn mean_of_clamped(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use crate::{LinearOperator, Run};
     use tomolith_core::check;
     use tomolith_core::field::HostField;
     use tomolith_core::grid::Volume;
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
 
@@ -372,9 +373,9 @@ mod tests {
     const ANGLES: [f64; 4] = [0.0, 0.3, 1.1, 2.0];
 
     fn model(kernel: Kernel, pixels: PatternGrid, grid: VolumeGrid) -> Parallel {
-        let mut light = Light::new(pixels, Resin::pure_radon(1.5));
-        light.kernel = kernel;
-        Parallel::new(&IndexMatched { radius_mm: 50.0 }, vec![light], grid).unwrap()
+        let light = Light::new(pixels, Resin::pure_radon(1.5));
+        let vial = IndexMatched { radius_mm: 50.0 };
+        Parallel::under(&vial, vec![light], kernel, grid, &Run::new()).unwrap()
     }
 
     #[test]
@@ -512,12 +513,17 @@ mod tests {
         let pixels = PatternGrid::full_turn(3, 0.0, 1, 9, 0.2);
         let grid = VolumeGrid::centered([1, 5, 5], 0.2);
         let mut light = Light::new(pixels, Resin::pure_radon(1.5));
-        light.kernel = Kernel::Strip;
         let refused = |vial: &dyn tomolith_optics::vial::Vial, light: &Light| {
-            Parallel::new(vial, vec![light.clone()], grid.clone())
-                .err()
-                .map(|e| e.to_string())
-                .unwrap_or_default()
+            Parallel::under(
+                vial,
+                vec![light.clone()],
+                Kernel::Strip,
+                grid.clone(),
+                &Run::new(),
+            )
+            .err()
+            .map(|e| e.to_string())
+            .unwrap_or_default()
         };
         assert!(refused(&glass, &light).contains("this vial refracts"));
         light.resin = Resin::absorbing(1.5, 0.1);

@@ -7,7 +7,8 @@ use super::walls::Walls;
 use super::*;
 use crate::selection;
 use tomolith_core::check;
-use tomolith_core::grid::{Patterns, Volume};
+use tomolith_core::grid::{PatternGrid, Patterns, Volume};
+use tomolith_optics::resin::Resin;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::{
     cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
@@ -101,7 +102,7 @@ fn masked_pixels_leave_an_exact_pair() {
     );
     let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
     let brought = selection::contributions(&all, &wanted, &Run::new()).unwrap();
-    let selections = [selection::Selection::default()];
+    let selections = [tomolith_optics::light::Selection::default()];
     let chosen = selection::chosen(&all.patterns, &selections, Some(brought.as_slice()));
     light.active = Some(selection::rows_of(&all.patterns, &chosen)[0].clone());
     let masked = Parallel::new(vials()[1].as_ref(), vec![light], grid.clone()).unwrap();

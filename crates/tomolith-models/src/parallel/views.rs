@@ -5,10 +5,11 @@
 //! evenly about the axis. They are one *view*: the dose of both is that of the sum of their pixels, and one adjoint serves both. Geometry, lanes and kernels
 //! know views only; what a beam calls its frame is its view. Everywhere else a view is a frame.
 
-use super::{Light, is_straight};
+use super::is_straight;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use tomolith_core::grid::PatternGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// How the frames of one light are views.
@@ -86,6 +87,12 @@ impl Views {
             })
             .filter(|(views, _)| !views.is_empty())
             .collect()
+    }
+
+    /// The frames that see these views from these sides: all of both, or one side.
+    pub(super) fn frames_of(&self, views: &Range<usize>, sides: &Range<usize>) -> Range<usize> {
+        let count = self.count();
+        sides.start * count + views.start..(sides.end - 1) * count + views.end
     }
 
     /// The pixel column (counted through all frames) that lights a slot from one side.

@@ -5,7 +5,7 @@ use super::column_rays::ColumnRay;
 use super::segment::{Lattice, Segment};
 use super::solid::Pieces;
 use super::traversal::{self, Ways};
-use crate::{PatternLayout, Run};
+use crate::Run;
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
@@ -51,25 +51,6 @@ impl Rays {
             chunks.push(first..frames.end * columns);
         }
         chunks
-    }
-
-    /// The lights and those of their own frames that are among these.
-    pub(super) fn own_frames(&self, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
-        let mut first = 0;
-        let of_light = |(light, layout): (usize, &PatternLayout)| {
-            let end = first + layout.grid.frames();
-            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
-            first = end;
-            (light, own)
-        };
-        let all = self.patterns.iter().enumerate().map(of_light);
-        all.filter(|(_, own)| !own.is_empty()).collect()
-    }
-
-    /// The lights and all of their frames.
-    pub(super) fn all_frames(&self) -> Vec<(usize, Range<usize>)> {
-        let frames: usize = self.patterns.iter().map(|p| p.grid.frames()).sum();
-        self.own_frames(&(0..frames))
     }
 
     /// Calls `visit` with the segments of some frames of a light, of pixels that `wants` chooses, chunk by chunk.

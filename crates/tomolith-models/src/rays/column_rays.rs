@@ -66,8 +66,8 @@ impl ColumnRaysCache {
     /// Those of a model; None when their ways and rows are more than `most` numbers.
     pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
         let (mut all, mut numbers) = (Vec::new(), 0);
-        for (light, frames) in model.all_frames() {
-            for pairs in model.chunks(light, frames) {
+        for (light, layout) in model.patterns.iter().enumerate() {
+            for pairs in model.chunks(light, 0..layout.grid.frames()) {
                 if run.is_cancelled() {
                     return Err(Error::Cancelled);
                 }

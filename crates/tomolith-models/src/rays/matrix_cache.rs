@@ -123,13 +123,15 @@ impl RayMatrixCache {
             .for_each(each);
     }
 
-    /// grad[pixel] = Σ entries · c[place]
-    pub(super) fn collect(&self, c: &[f32], grad: &mut [f32]) {
+    /// grad[pixel] = Σ entries · c[place], for the pixels of a range
+    pub(super) fn collect(&self, c: &[f32], pixels: &Range<usize>, grad: &mut [f32]) {
         let each = |(pixel, sum): (usize, &mut f32)| {
             *sum = 0.0;
+            let pixel = pixels.start + pixel;
             (self.pixels).add(pixel, c, &(0..usize::MAX), std::slice::from_mut(sum));
         };
-        grad.par_iter_mut()
+        grad[pixels.clone()]
+            .par_iter_mut()
             .with_min_len(256)
             .enumerate()
             .for_each(each);

@@ -38,7 +38,8 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Light, rays::{Optics, Params, Rays}};
+//! use tomolith_models::{DoseModel, Run, rays::{Optics, Params, Rays}};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let pixels = PatternGrid::full_turn(3, 0.0, 1, 1, 0.1);
 //! let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
@@ -65,10 +66,9 @@ mod source;
 mod traversal;
 pub(crate) mod weighted;
 
-use crate::parallel::{Kernel, Light};
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
 use column_rays::{ColumnRay, ColumnRaysCache};
@@ -87,6 +87,7 @@ use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::obstacle::{Material, Obstacle};
 use tomolith_optics::phase::Scattering;
@@ -558,9 +559,6 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
     if let (Some(map), Some(scattering)) = (&light.map, &optics.scattering) {
         map.must_hold(scattering.per_mm)?;
     }
-    if light.kernel != Kernel::DistanceDriven {
-        return unsupported("model.parallel.kernel", "rays have a kernel of their own");
-    }
     Ok(())
 }
 
@@ -601,7 +599,7 @@ impl LinearOperator for Rays {
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
         let kept = self.cache(run)?;
-        for (light, own) in self.own_frames(&frames) {
+        for (light, own) in own_frames(&self.patterns, &frames) {
             if let Some(kept) = kept {
                 let pixels = self.patterns[light].elements_of(own);
                 match &mut split {
@@ -650,17 +648,27 @@ impl LinearOperator for Rays {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
-        grad.fill(0.0);
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
-        if let Some(kept) = self.cache(run)? {
-            match &split {
-                None => kept.collect(c, grad),
-                Some(sides) => kept.collect(&sides.concat(), grad),
+        let kept = self.cache(run)?;
+        let sides = kept.and(split.as_ref()).map(|sides| sides.concat());
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            let pixels = self.patterns[light].elements_of(own.clone());
+            if let Some(kept) = kept {
+                kept.collect(sides.as_deref().unwrap_or(c), &pixels, grad);
+                continue;
             }
-            return Ok(());
-        }
-        for (light, own) in self.all_frames() {
+            grad[pixels].fill(0.0);
             if self.has_column_rays() {
                 self.for_each_sheets(
                     (light, own),

@@ -10,9 +10,9 @@ use super::{Optics, Scattered};
 use crate::DoseLayout;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
-use crate::parallel::Light;
 use std::borrow::Cow;
 use std::sync::Arc;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// The cells of a model.

@@ -1,12 +1,12 @@
 //! Source of rays: pixels of frames → path segments in the resin.
 
 use super::Emission;
-use crate::parallel::Light;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::grid::PatternGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::motion::{Motion, turned};
 use tomolith_optics::power_balance::PowerBalance;
 use tomolith_optics::projector::{Projector, Ray};

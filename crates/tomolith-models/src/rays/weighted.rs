@@ -3,7 +3,7 @@
 use super::Rays;
 use super::batch::Bundles;
 use super::segment::{Lattice, Segment};
-use crate::{DoseLayout, Run};
+use crate::{DoseLayout, Run, own_frames};
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
@@ -26,7 +26,7 @@ impl Rays {
         run: &Run,
     ) -> Result<()> {
         let x = x.as_slice();
-        for (light, own) in self.own_frames(&frames) {
+        for (light, own) in own_frames(&self.patterns, &frames) {
             let is_lit = |pixel: usize| x[pixel] != 0.0;
             self.for_each_chunk((light, own), is_lit, run, |lit| {
                 for (weight, dose) in weights.iter().zip(&mut *doses) {
@@ -38,22 +38,23 @@ impl Rays {
         Ok(())
     }
 
-    /// grad = transpose of [`add_weighted`](Self::add_weighted) of all frames
+    /// grad = transpose of [`add_weighted`](Self::add_weighted), in the elements of these frames
     ///
     /// # Errors
     /// [`Error::Cancelled`](tomolith_core::Error::Cancelled).
     pub(crate) fn collect_weighted(
         &self,
+        frames: Range<usize>,
         cotangents: &[HostField],
         weights: &[Box<Weight>],
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
         let grad = grad.as_mut_slice();
-        grad.fill(0.0);
-        for light in self.all_frames() {
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            grad[self.patterns[light].elements_of(own.clone())].fill(0.0);
             self.for_each_chunk(
-                light,
+                (light, own),
                 |_| true,
                 run,
                 |lit| {
@@ -113,10 +114,10 @@ fn weighted(bundles: &Bundles, weight: &Weight) -> Bundles {
 mod tests {
     use super::*;
     use crate::LinearOperator;
-    use crate::parallel::Light;
     use crate::rays::{Optics, Params};
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
+    use tomolith_optics::light::Light;
     use tomolith_optics::motion::Motion;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -161,7 +162,7 @@ mod tests {
                 assert!((found - expected).abs() < 1e-5, "{azimuth}: {axis} {found}");
             }
             let mut grad = LinearOperator::new_patterns(&rays).unwrap();
-            rays.collect_weighted(&doses, &weights, &mut grad, &run)
+            rays.collect_weighted(0..1, &doses, &weights, &mut grad, &run)
                 .unwrap();
             let norm: f64 = doses.iter().map(|dose| dose.dot(dose)).sum();
             let found = f64::from(grad.as_slice()[0]);

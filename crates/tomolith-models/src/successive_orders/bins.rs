@@ -2,10 +2,10 @@
 
 use crate::PatternLayout;
 use crate::cell_blur::CellBlur;
-use crate::parallel::Light;
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::grid::PatternGrid;
+use tomolith_optics::light::Light;
 
 /// Pixels of a light, and the larger ones that share out their energy.
 pub(super) struct Bins {
@@ -141,30 +141,34 @@ impl Bins {
             });
     }
 
-    /// Transpose of [`fill`](Self::fill), added.
-    pub(super) fn add_back(&self, bins: &[f32], weights: &[f32], mut x: &mut [f32]) {
-        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
+    /// Transpose of [`fill`](Self::fill), added to the pixels of some frames; `x` has those of all.
+    pub(super) fn add_back(
+        &self,
+        frames: Range<usize>,
+        bins: &[f32],
+        weights: &[f32],
+        x: &mut [f32],
+    ) {
+        let columns = self.pixels.grid.columns;
         let scale = self.scale();
-        let mut by_frame = Vec::with_capacity(frames);
-        for frame in 0..frames {
+        let mut by_frame = Vec::with_capacity(frames.len());
+        let mut x = &mut x[self.pixels.elements_of(frames.clone())];
+        for frame in frames {
             let runs = &self.pixels.runs[frame * columns..(frame + 1) * columns];
             let len = runs.iter().map(|run| run.count as usize).sum();
             let (own, rest) = x.split_at_mut(len);
-            by_frame.push((runs[0].offset, own));
+            by_frame.push((frame, runs[0].offset, own));
             x = rest;
         }
-        by_frame
-            .into_par_iter()
-            .enumerate()
-            .for_each(|(frame, (first, own))| {
-                let slots = frame * columns..(frame + 1) * columns;
-                for (slot, weight) in slots.clone().zip(&weights[slots]) {
-                    let weight = scale * weight;
-                    self.for_each_part(slot, |pixel, bin, part| {
-                        own[pixel - first] += weight * part * bins[bin];
-                    });
-                }
-            });
+        by_frame.into_par_iter().for_each(|(frame, first, own)| {
+            let slots = frame * columns..(frame + 1) * columns;
+            for (slot, weight) in slots.clone().zip(&weights[slots]) {
+                let weight = scale * weight;
+                self.for_each_part(slot, |pixel, bin, part| {
+                    own[pixel - first] += weight * part * bins[bin];
+                });
+            }
+        });
     }
 }
 
@@ -208,7 +212,7 @@ mod tests {
         bins.fill(&x, &weights, &mut found);
         let back = noise(3, found.len());
         let mut sum = vec![0.0; len];
-        bins.add_back(&back, &weights, &mut sum);
+        bins.add_back(0..2, &back, &weights, &mut sum);
         let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
         assert!((dot(&found, &back) - dot(&x, &sum)).abs() < 1e-5);
     }

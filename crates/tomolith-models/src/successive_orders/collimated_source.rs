@@ -7,13 +7,14 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
-use crate::parallel::{Light, Parallel};
+use crate::parallel::Parallel;
 use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 
@@ -68,11 +69,18 @@ impl UnscatteredSource for CollimatedSource {
         self.weights.iter().map(of_channel).collect()
     }
 
-    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()> {
+    fn add_adjoint(
+        &self,
+        frames: Range<usize>,
+        fields: &[HostField],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
         let mut own = LinearOperator::new_patterns(&self.parallel)?;
         for (field, weights) in fields.iter().zip(&self.weights) {
-            self.parallel.adjoint(field, &mut own, run)?;
-            self.bins.add_back(own.as_slice(), weights, grad);
+            self.parallel
+                .adjoint_of(frames.clone(), field, &mut own, run)?;
+            (self.bins).add_back(frames.clone(), own.as_slice(), weights, grad);
         }
         Ok(())
     }

@@ -61,11 +61,17 @@ impl UnscatteredSource for DivergentSource {
         Ok(fields)
     }
 
-    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()> {
+    fn add_adjoint(
+        &self,
+        frames: Range<usize>,
+        fields: &[HostField],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
         let mut own = LinearOperator::new_patterns(&self.rays)?;
         self.rays
-            .collect_weighted(fields, &self.weights, &mut own, run)?;
-        self.bins.add_back(own.as_slice(), &self.even, grad);
+            .collect_weighted(frames.clone(), fields, &self.weights, &mut own, run)?;
+        self.bins.add_back(frames, own.as_slice(), &self.even, grad);
         Ok(())
     }
 

@@ -39,7 +39,8 @@
 //! use std::sync::Arc;
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, successive_orders, parallel::Light, rays::Optics};
+//! use tomolith_models::{DoseModel, Run, successive_orders, rays::Optics};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let mut light = Light::new(PatternGrid::full_turn(8, 0.0, 2, 16, 0.25), Resin::absorbing(1.5, 0.1));
@@ -69,13 +70,13 @@ mod scattered_light;
 mod unscattered_source;
 
 use super::monte_carlo;
-use super::parallel::{self, Light, Parallel};
+use super::parallel::{self, Parallel};
 use super::rays::matrix_cache::CachedEntries;
 use super::rays::{self, Optics, Rays};
 use super::scene::CUT;
 use super::{
     Capabilities, Cost, DoseLayout, Family, HostModel, LinearOperator, MakeFamily, ModelFamily,
-    ModelInput, ModelKind, OpticalScene, PatternLayout, Purpose, Run, ZCoupling,
+    ModelInput, ModelKind, OpticalScene, Purpose, Run, ZCoupling,
 };
 use scattered_light::{DeltaScaledPhase, ScatteredLight};
 use schemars::JsonSchema;
@@ -84,9 +85,11 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
+use tomolith_core::forward;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Keys of `[model.successive_orders]`.
@@ -359,21 +362,7 @@ impl SuccessiveOrders {
 impl LinearOperator for SuccessiveOrders {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.straight.operator().patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.straight.operator().outputs()
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.straight.operator().new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        self.straight.operator().new_dose()
-    }
+    forward!(LinearOperator, self => *self.straight.operator(); patterns, outputs, new_patterns, new_dose);
 
     fn add_forward(
         &self,
@@ -391,9 +380,21 @@ impl LinearOperator for SuccessiveOrders {
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.straight.operator().adjoint(cotangent, grad, run)?;
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let straight = self.straight.operator();
+        straight.adjoint_of(frames.clone(), cotangent, grad, run)?;
+        let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for scattered_light in &self.scattered_lights {
-            scattered_light.add_adjoint(cotangent.as_slice(), grad.as_mut_slice(), run)?;
+            scattered_light.add_adjoint(&frames, c, grad, run)?;
         }
         Ok(())
     }

@@ -11,7 +11,6 @@ use super::unscattered_source::{Channel, UnscatteredSource};
 use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
-use crate::parallel::Light;
 use crate::rays::Optics;
 use crate::{DoseLayout, Run};
 use realfft::num_complex::Complex;
@@ -21,6 +20,7 @@ use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
 use tomolith_optics::phase::Scattering;
 use tomolith_optics::vial::Vial;
 
@@ -183,6 +183,12 @@ impl ScatteredLight {
         )
     }
 
+    /// Which of this light's frames are among these of all lights.
+    fn own(&self, frames: &Range<usize>) -> Range<usize> {
+        let Range { start, end } = self.frames;
+        frames.start.clamp(start, end) - start..frames.end.clamp(start, end) - start
+    }
+
     /// dose += scattered light of these frames
     pub(super) fn add_forward(
         &self,
@@ -191,9 +197,7 @@ impl ScatteredLight {
         dose: &mut [f32],
         run: &Run,
     ) -> Result<()> {
-        let first = self.frames.start;
-        let own = frames.start.clamp(first, self.frames.end) - first
-            ..frames.end.clamp(first, self.frames.end) - first;
+        let own = self.own(&frames);
         if own.is_empty() {
             return Ok(());
         }
@@ -210,8 +214,18 @@ impl ScatteredLight {
         Ok(())
     }
 
-    /// grad += transpose of the scattered light on a cotangent
-    pub(super) fn add_adjoint(&self, cotangent: &[f32], grad: &mut [f32], run: &Run) -> Result<()> {
+    /// grad += transpose of the scattered light of these frames on a cotangent
+    pub(super) fn add_adjoint(
+        &self,
+        frames: &Range<usize>,
+        cotangent: &[f32],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let own = self.own(frames);
+        if own.is_empty() {
+            return Ok(());
+        }
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
         let once = self.convolver.transform(&self.seen.of(&cells));
@@ -230,7 +244,7 @@ impl ScatteredLight {
         };
         let sources: Vec<HostField> = self.kernels.iter().enumerate().map(source).collect();
         let grad = &mut grad[self.pixels.clone()];
-        self.straight.add_adjoint(&sources, grad, run)
+        self.straight.add_adjoint(own, &sources, grad, run)
     }
 }
 

@@ -30,11 +30,17 @@ pub(super) trait UnscatteredSource: Send + Sync {
     /// When there is not enough memory; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>>;
 
-    /// grad += transpose of [`fields`](Self::fields) of all frames
+    /// grad += transpose of [`fields`](Self::fields); `grad` has the pixels of all frames
     ///
     /// # Errors
     /// As [`fields`](Self::fields).
-    fn add_adjoint(&self, fields: &[HostField], grad: &mut [f32], run: &Run) -> Result<()>;
+    fn add_adjoint(
+        &self,
+        frames: Range<usize>,
+        fields: &[HostField],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()>;
 
     /// Cells that are lit by pixels, of all fields.
     fn updates(&self) -> u64;

@@ -34,7 +34,8 @@
 //! ```
 //! use tomolith_core::field::HostField;
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Light, wave::incoherent_cone::{Params, IncoherentCone}};
+//! use tomolith_models::{DoseModel, Run, wave::incoherent_cone::{Params, IncoherentCone}};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 65, 65, 0.002), Resin::pure_radon(1.5));
 //! let params = Params { half_angle_deg: 2.0, focus_mm: -0.5, ..Params::default() };
@@ -54,7 +55,7 @@ use super::cones::{Cone, Cones};
 use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
-use crate::parallel::{self, Light};
+use crate::parallel;
 use crate::rays::Rays;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
@@ -69,6 +70,7 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Keys of `[model.incoherent_cone]`.
@@ -303,10 +305,20 @@ impl LinearOperator for IncoherentCone {
         self.0.add_dose(frames, x, dose, run)
     }
 
-    /// Linear: the same wherever it is taken.
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.0.frames(), cotangent, grad, run)
+    }
+
+    /// Linear: the same wherever it is taken.
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
         let anywhere = grad.zeros_like();
-        self.0.pull_back(&anywhere, cotangent, grad, run)
+        self.0.pull_back(frames, &anywhere, cotangent, grad, run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -318,7 +330,7 @@ impl LinearOperator for IncoherentCone {
     }
 
     fn describe(&self) -> String {
-        format!("incoherent_cone ({})", self.0.described())
+        format!("incoherent_cone ({})", self.0.described(|_| String::new()))
     }
 }
 

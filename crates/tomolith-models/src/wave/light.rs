@@ -257,10 +257,10 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         }
     }
 
-    /// grad of this light's pixels = F′(x)ᵀ cotangent; `grad` holds the pixels of this light only.
+    /// grad of the pixels of some of this light's frames = F′(x)ᵀ cotangent; `grad` holds these only.
     pub(super) fn pull_back(
         &self,
-        layout: &PatternLayout,
+        (layout, own): (&PatternLayout, Range<usize>),
         x: &[T],
         cotangent: &[T],
         grad: &mut [T],
@@ -268,8 +268,8 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
     ) -> Result<()> {
         let columns = layout.grid.columns;
         let mut rest = grad;
-        let mut frames = Vec::with_capacity(layout.grid.frames());
-        for frame in 0..layout.grid.frames() {
+        let mut frames = Vec::with_capacity(own.len());
+        for frame in own {
             let len = layout.elements_of(frame..frame + 1).len();
             let (own, others) = rest.split_at_mut(len);
             frames.push((frame, own));

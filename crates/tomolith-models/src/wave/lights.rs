@@ -8,13 +8,14 @@ use super::sampling::{Needs, Sampling};
 use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
-use crate::parallel::{Light, is_straight};
-use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
+use crate::parallel::is_straight;
+use crate::{DoseLayout, PatternLayout, Run, ZCoupling, frames_of};
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::units::concise;
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::{Curve, Vial};
 
 /// The reason why the model does not support a vial and its lights; None when it does.
@@ -107,19 +108,26 @@ impl<W: Way<f32>> Lights<W> {
         Ok(())
     }
 
-    /// grad = F′(x)ᵀ cotangent
+    /// grad = F′(x)ᵀ cotangent, in the elements of some frames
     pub(super) fn pull_back(
         &self,
+        frames: Range<usize>,
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
         for (light, layout) in self.each() {
-            let own = &mut grad.as_mut_slice()[layout.range()];
-            light.pull_back(layout, x.as_slice(), cotangent.as_slice(), own, run)?;
+            let own = light.own(&frames, layout);
+            let grad = &mut grad.as_mut_slice()[layout.elements_of(own.clone())];
+            light.pull_back((layout, own), x.as_slice(), cotangent.as_slice(), grad, run)?;
         }
         Ok(())
+    }
+
+    /// Of all lights.
+    pub(super) fn frames(&self) -> usize {
+        frames_of(&self.patterns)
     }
 
     /// How far along z light reaches from its row.
@@ -143,18 +151,24 @@ impl<W: Way<f32>> Lights<W> {
             .sum()
     }
 
-    /// The sampling of the first light, for people.
-    pub(super) fn described(&self) -> String {
-        let s = &self.lights[0].way.windows().sampling;
-        let depths = s.transformed();
-        format!(
-            "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples",
-            depths.count,
-            concise(depths.step),
-            s.padded[0],
-            s.padded[1],
-            s.across.computed.count
-        )
+    /// The sampling of the lights, and what `more` says of each, for people; lights that are alike are said once.
+    pub(super) fn described(&self, more: impl Fn(&W) -> String) -> String {
+        let of_light = |light: &WaveLight<f32, W>| {
+            let s = &light.way.windows().sampling;
+            let depths = s.transformed();
+            format!(
+                "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples{}",
+                depths.count,
+                concise(depths.step),
+                s.padded[0],
+                s.padded[1],
+                s.across.computed.count,
+                more(&light.way)
+            )
+        };
+        let mut lights: Vec<String> = self.lights.iter().map(of_light).collect();
+        lights.dedup();
+        lights.join("; ")
     }
 }
 

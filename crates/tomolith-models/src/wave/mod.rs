@@ -45,7 +45,8 @@
 //! ```
 //! use tomolith_core::field::{Field, HostField};
 //! use tomolith_core::grid::{PatternGrid, VolumeGrid};
-//! use tomolith_models::{DoseModel, Run, parallel::Light, wave::{Params, Wave}};
+//! use tomolith_models::{DoseModel, Run, wave::{Params, Wave}};
+//! use tomolith_optics::light::Light;
 //! use tomolith_optics::{resin::Resin, vial::index_matched::IndexMatched};
 //! let light = Light::new(PatternGrid::full_turn(1, 0.0, 64, 128, 0.002), Resin::pure_radon(1.5));
 //! let vial = IndexMatched { radius_mm: 1.0 };
@@ -81,7 +82,7 @@ mod taps;
 mod tests;
 mod window;
 
-use super::parallel::{self, Light};
+use super::parallel;
 use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
@@ -105,6 +106,7 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::{concise, exact};
+use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Where the resin begins to absorb.
@@ -523,8 +525,7 @@ impl DoseModel for Wave {
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);
-        let frames = self.0.patterns.iter().map(|p| p.grid.frames()).sum();
-        self.0.add_dose(0..frames, x, dose, run)
+        self.0.add_dose(0..self.0.frames(), x, dose, run)
     }
 
     fn pullback(
@@ -534,7 +535,18 @@ impl DoseModel for Wave {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.0.pull_back(x, cotangent, grad, run)
+        (self.0).pull_back(0..self.0.frames(), x, cotangent, grad, run)
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        self.0.pull_back(frames, x, cotangent, grad, run)
     }
 
     fn dose_of(
@@ -570,10 +582,10 @@ impl DoseModel for Wave {
     }
 
     fn describe(&self) -> String {
-        let modes = match self.0.lights[0].way.modes.len() {
+        let modes = |way: &Coherent<f32>| match way.modes.len() {
             1 => String::new(),
             n => format!(", {n} modes"),
         };
-        format!("wave ({}{modes})", self.0.described())
+        format!("wave ({})", self.0.described(modes))
     }
 }

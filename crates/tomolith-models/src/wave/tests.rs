@@ -305,7 +305,13 @@ fn derivative_error(model: &Precise) -> f64 {
     let (more, less) = (at(1.0), at(-1.0));
     let mut grad = vec![0.0; pixels.len()];
     built
-        .pull_back(pixels, &x, &cotangent, &mut grad, &Run::new())
+        .pull_back(
+            (pixels, 0..pixels.grid.frames()),
+            &x,
+            &cotangent,
+            &mut grad,
+            &Run::new(),
+        )
         .unwrap();
     let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
     (slope - 0.5 * (more - less)).abs() / (more.abs() + less.abs())
@@ -328,7 +334,13 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
             let cotangent = vec![1.0; layout.len()];
             let mut grad = vec![0.0; pixels.len()];
             built
-                .pull_back(pixels, &x, &cotangent, &mut grad, &run)
+                .pull_back(
+                    (pixels, 0..pixels.grid.frames()),
+                    &x,
+                    &cotangent,
+                    &mut grad,
+                    &run,
+                )
                 .unwrap();
             built.kept_bytes()
         });

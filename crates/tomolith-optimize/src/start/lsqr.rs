@@ -117,8 +117,9 @@ impl<F: Field> InitialPatterns<F> for Lsqr {
                 .collect(),
         };
         let mut counts = input.model.new_dose()?;
-        let layout = &input.model.outputs()[0];
-        counts.write(layout.offset, &layout.field_of(&labels));
+        for layout in input.model.outputs() {
+            counts.write(layout.offset, &layout.field_of(&labels));
+        }
         let masked = Masked { input, counts, run };
         let mut x = self.solve(&masked, &wanted)?;
         x.clamp(0.0, f32::INFINITY);

@@ -2,9 +2,10 @@
 
 use super::field::SealedField;
 use std::ops::Range;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::forward;
 
 /// The model.
 pub(crate) struct Sealed<M>(pub(crate) M);
@@ -16,13 +17,7 @@ fn opened(field: &SealedField) -> HostField {
 impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
     type Field = SealedField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        self.0.patterns()
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        self.0.outputs()
-    }
+    forward!(DoseModel, self => self.0; patterns, outputs, z_coupling, is_linear, updates);
 
     fn new_patterns(&self) -> Result<SealedField> {
         Ok(SealedField::of(self.0.new_patterns()?.as_slice()))
@@ -75,18 +70,6 @@ impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
         let terms = self.0.along(&opened(x), &opened(d), run)?;
         let seal = |term: &HostField| SealedField::of(term.as_slice());
         Ok(terms.map(|terms| terms.iter().map(seal).collect()))
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        self.0.z_coupling()
-    }
-
-    fn is_linear(&self) -> bool {
-        self.0.is_linear()
-    }
-
-    fn updates(&self) -> u64 {
-        self.0.updates()
     }
 
     fn describe(&self) -> String {

@@ -12,8 +12,9 @@ use std::f64::consts::FRAC_PI_2;
 use std::fs::File;
 use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
-use tomolith::models::parallel::{Kernel, Light, Parallel};
+use tomolith::models::parallel::{Kernel, Parallel};
 use tomolith::models::{DoseModel, LinearOperator, Run};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 
@@ -56,12 +57,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 pitch_mm: [1.0; 2],
                 offset_mm: [0.0; 2],
             };
-            let mut light = Light::new(pixels.clone(), Resin::pure_radon(1.5));
-            light.kernel = kernel;
+            let light = Light::new(pixels.clone(), Resin::pure_radon(1.5));
             let vial = IndexMatched {
                 radius_mm: 2.0 * n as f64,
             };
-            let model = Parallel::new(&vial, vec![light], grid.clone())?;
+            let model = Parallel::under(&vial, vec![light], kernel, grid.clone(), &Run::new())?;
             let (run, layout) = (Run::new(), &DoseModel::outputs(&model)[0]);
             let image = Volume {
                 grid: grid.clone(),

@@ -22,9 +22,10 @@ use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::csr::Csr;
 use tomolith::kind::Section;
 use tomolith::models::matrix::MatrixModel;
-use tomolith::models::parallel::{Kernel, Light, Parallel};
+use tomolith::models::parallel::{Kernel, Parallel};
 use tomolith::models::{DoseModel, Run};
 use tomolith::objective::{OBJECTIVES, ObjectiveInput};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 use tomolith::optimize::start::{STARTS, StartInput};
@@ -252,11 +253,16 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
             grid,
         )?),
         Operator::Kernel(kernel) => {
-            let mut light = Light::new(pixels, Resin::pure_radon(1.5));
-            light.kernel = kernel;
+            let light = Light::new(pixels, Resin::pure_radon(1.5));
             // Beyond the corners: rows that no wall cuts are quick, and light that nothing absorbs does not care
             let vial = IndexMatched { radius_mm: edge };
-            Box::new(Parallel::new(&vial, vec![light], grid)?)
+            Box::new(Parallel::under(
+                &vial,
+                vec![light],
+                kernel,
+                grid,
+                &Run::new(),
+            )?)
         }
     };
     let model = model.as_ref();

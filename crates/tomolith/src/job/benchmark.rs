@@ -16,12 +16,11 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
-use crate::models::parallel::Light;
 use crate::models::planner::{self, Plan};
 use crate::models::rays::matrix_cache;
-use crate::models::selection::Selection;
 use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::objective::Objective;
+use crate::optics::light::{Light, Selection};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -133,7 +132,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
-    let (objective_s, vector_s) = passes(plan.model.as_ref(), scene, voxels, run)?;
+    let (objective_s, vector_s) = passes(&plan.model, scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
     let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
@@ -293,7 +292,7 @@ impl Calls {
         cotangent: Option<&HostField>,
         run: &Run,
     ) -> Result<Self> {
-        let model = plan.model.as_ref();
+        let model = &plan.model;
         let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
         let mut gradient = x.zeros_like();
         x.fill(1.0);
@@ -368,17 +367,20 @@ fn passes(
     x.fill(1.0);
     let zeros = x.zeros_like();
     let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = scene.objective(&scene.spec, &model.outputs()[0], voxels)?;
+    let objective = scene.objective(&scene.kinds, &model.outputs()[0], voxels)?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
-    let (objective_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    let (of_one_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
+    // Every species has an objective of its own on as many voxels
+    let objective_s = of_one_s * model.outputs().len() as f64;
     Ok((objective_s, vector_s / x.len().max(1) as f64))
 }
 
 /// What the objective says of a dose that is nearly the wanted one.
 fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
-    let layout = &plan.model.outputs()[0];
-    let response = scene.response()?;
+    let outputs = plan.model.outputs();
+    let layout = &outputs[0];
+    let response = scene.response();
     let wanted = Volume {
         grid: layout.grid.clone(),
         values: (voxels.target.inside.values.par_iter())
@@ -389,8 +391,13 @@ fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Resu
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
     let mut cotangent = plan.model.new_dose()?;
     scene
-        .objective(&scene.spec, layout, voxels)?
+        .objective(&scene.kinds, layout, voxels)?
         .value_and_gradient(&dose, &mut cotangent);
+    // That of the first species stands for those of all
+    let first = cotangent.as_slice()[layout.range()].to_vec();
+    for other in &outputs[1..] {
+        cotangent.as_mut_slice()[other.range()].copy_from_slice(&first);
+    }
     Ok(cotangent)
 }
 

@@ -8,11 +8,10 @@ use crate::grid::{PatternGrid, VolumeGrid};
 use crate::io::mesh::read_mesh;
 use crate::io::npy::read_levels;
 use crate::kind::Section;
-use crate::models::parallel::{Kernel, Light};
-use crate::models::selection::Selection;
 use crate::models::{Family, MODELS, OpticalScene, Purpose, planner, rays};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::Gradient;
+use crate::optics::light::{Light, Selection};
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::{Material, Obstacle};
 use crate::optics::phase::{PHASES, Scattering};
@@ -203,9 +202,11 @@ impl Optics {
         move |[x, y, z]| x.hypot(y) < radius && self.vial.in_resin([x, y, z])
     }
 
-    /// (n_surrounding/n_resin)²: 1 where the bath has the resin's index.
+    /// (n_surrounding/n_resin)²: 1 where the bath has the resin's index. Both indices are those of the job, the same for all its lights.
     fn refracted_factor(&self) -> f64 {
-        let light = &self.lights[0];
+        let Some(light) = self.lights.first() else {
+            return 1.0;
+        };
         let resin = light.resin.refractive_index;
         let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
         (surrounding / resin).powi(2)
@@ -442,7 +443,6 @@ fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2])
         map: None,
         bath: None,
         polarisation: light.polarisation,
-        kernel: Kernel::default(),
         sub_angles: light.sub_angles.unwrap_or(1),
         active: None,
         selection: Selection::default(),
@@ -454,6 +454,7 @@ pub(super) mod tests {
     use super::*;
     use crate::job::Document;
     use crate::job::tests::FULL;
+    use crate::models::DoseModel;
 
     pub(in crate::job) fn spec(changes: &[&str]) -> JobSpec {
         let mut document = Document::toml("a.toml", FULL).unwrap();

@@ -5,7 +5,7 @@ use super::refinement::LEAST_REFINE;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
-use crate::models::parallel::Light;
+use crate::optics::light::Light;
 use crate::target::{Shape, label};
 use crate::units::{concise, exact};
 use rayon::prelude::*;

@@ -17,7 +17,7 @@ use crate::io::npy::read_patterns;
 use crate::io::stack::{read_stack, write_stack};
 use crate::io::write_whole;
 use crate::models::Run;
-use crate::models::parallel::Light;
+use crate::optics::light::Light;
 use crate::report::MovieReport;
 use crate::response::Response;
 use crate::units::exact;

@@ -9,6 +9,7 @@ use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
 use crate::models::rays::matrix_cache::{self, CachedEntries};
+use crate::optics::light::Light;
 use crate::optimize::levels;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
@@ -103,7 +104,7 @@ impl Extent {
     ) -> Self {
         let corner = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
         let radius = corner.min(optics.vial.resin_wall().inscribed_radius());
-        let active = |light: &crate::models::parallel::Light| {
+        let active = |light: &Light| {
             let [across, along] = light.pixels.pitch_mm;
             let field = light.selection.field_mm(&light.pixels);
             let lit = |axis: usize, pitch: f64| {
@@ -263,7 +264,7 @@ pub(crate) fn whole_mb(parts: [f64; 3]) -> u64 {
 /// Rows of pixels beside a grid, of the light that has the most of them; None where the kernel does not run along rows.
 fn rows_beside(optics: &Optics, grid: &VolumeGrid) -> Option<usize> {
     let [bottom, top] = grid.bounds_mm().map(|corner| corner[2]);
-    let rows = |light: &crate::models::parallel::Light| {
+    let rows = |light: &Light| {
         let [low, high] = light.pixels.field_mm().map(|corner| corner[1]);
         let height = high.min(top) - low.max(bottom);
         (height / light.pixels.pitch_mm[1]).ceil().max(0.0) as usize
@@ -283,7 +284,7 @@ pub(crate) struct Work<'a> {
     /// The most iterations there will be.
     pub(crate) iterations: usize,
     /// Angles at which a frame of the optimization and of the evaluation is averaged.
-    pub(crate) sub_angles: [usize; 2],
+    pub(crate) sub_angles: [f64; 2],
     /// Random paths of the evaluation for each of the optimization, where light is followed along such.
     pub(crate) random_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
@@ -299,6 +300,15 @@ pub(crate) struct Cost {
     pub(crate) optimisation_s: f64,
     /// Everything else: sampling, evaluation, files.
     pub(crate) rest_s: f64,
+}
+
+/// Angles at which a frame is averaged, mean over the frames of all lights.
+pub(crate) fn mean_sub_angles(lights: &[Light]) -> f64 {
+    let frames = lights.iter().map(|light| light.pixels.frames());
+    let angles = lights
+        .iter()
+        .map(|light| light.pixels.frames() * light.sub_angles);
+    angles.sum::<usize>() as f64 / frames.sum::<usize>().max(1) as f64
 }
 
 impl Work<'_> {
@@ -317,7 +327,7 @@ impl Work<'_> {
             return more as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
         }
         // Raw and written on the job's voxels, standing and turning on finer ones
-        let [own, turning] = self.sub_angles.map(|n| n as f64);
+        let [own, turning] = self.sub_angles;
         let tried = self.extent.work(rates.judging_refine);
         let calls = 2.0 * own * self.extent.work(1) + (1.0 + turning) * self.extent.work(refine);
         4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
@@ -328,7 +338,7 @@ impl Work<'_> {
         let Work {
             extent, iterations, ..
         } = *self;
-        let own = self.sub_angles[0] as f64;
+        let own = self.sub_angles[0];
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
         let frames = extent.frames as f64;
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
@@ -429,7 +439,7 @@ mod tests {
         let work = Work {
             extent: &extent,
             iterations: 7,
-            sub_angles: [1, 4],
+            sub_angles: [1.0, 4.0],
             random_paths: None,
             levels: false,
             wall_s: None,
@@ -458,7 +468,7 @@ mod tests {
         assert!((paths.rest_s - rest - (16.0 * 8.0 * 7.0 - 256.0)).abs() < 1e-9);
         // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
         let averaged = Work {
-            sub_angles: [3, 4],
+            sub_angles: [3.0, 4.0],
             ..work
         }
         .cost(&rates());

@@ -9,19 +9,16 @@ use super::in_time::{InTime, print_in_time};
 use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scene::{Scene, Voxels};
-use super::spec::JobSpec;
 use super::species::planned;
 use crate::error::Result;
 use crate::field::{BLOCK, Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use crate::kind::Section;
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
-use crate::models::parallel::Light;
-use crate::models::selection::Selection;
-use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
+use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
+use crate::optics::light::{Light, Selection};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -146,7 +143,7 @@ impl std::fmt::Display for KeepDark {
 impl Evaluated {
     /// Dose at which the print of the headline is solid; None when nothing is.
     pub(crate) fn gel_dose(&self, scene: &Scene) -> Result<Option<f64>> {
-        let response = scene.response()?;
+        let response = scene.response();
         let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
         Ok(self.evaluation.gel_threshold.map(dose))
     }
@@ -176,7 +173,8 @@ pub(crate) fn evaluate_patterns(
             let run = cancel.part(share::OWN_NUMBERS);
             let evaluation = measure(scene, voxels, &response, raw, run)?;
             workspace.values = response.values;
-            Some(evaluation.with_sub_angles(scene.optics.lights[0].sub_angles))
+            let sub_angles = scene.optics.lights.iter().map(|light| light.sub_angles);
+            Some(evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)))
         }
     };
     let written = match &optimisation {
@@ -238,7 +236,7 @@ pub(crate) fn evaluate_patterns(
     }
     let mean = averaged(&turning, &scene.grid);
     cancel.check()?;
-    let material = scene.response()?;
+    let material = scene.response();
     let options = published::Options {
         response: material.as_ref(),
         grey: fine.target.grey,
@@ -469,7 +467,7 @@ fn print_under<'a>(
     let inside = &voxels.target.inside;
     let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
     if voxels.target.grey {
-        print = print.with_gray(inside, scene.spec.half_width())?;
+        print = print.with_gray(inside, scene.half_width())?;
     }
     if let Some(threshold) = scene.spec.evaluate.threshold {
         print = print.with_threshold(threshold)?;
@@ -522,24 +520,15 @@ fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
 /// Half width of the band round gray values, where the objective has none.
 const HALF_WIDTH: f64 = 0.05;
 
-impl JobSpec {
+impl Scene {
     /// Half width of the band round gray values: ε of the first objective that has one.
     fn half_width(&self) -> f64 {
-        let epsilon = |section: &Section| {
-            let parameters = section.value.as_object()?.values();
-            parameters.filter_map(|v| v.get("epsilon")?.as_f64()).next()
-        };
-        let objectives = self.objectives().unwrap_or_default();
-        objectives.iter().find_map(epsilon).unwrap_or(HALF_WIDTH)
+        self.kinds.epsilon().unwrap_or(HALF_WIDTH)
     }
-}
 
-impl Scene {
     /// ε of the job's BCLP objective, or the paper's own where there is none.
     fn band_half_width(&self) -> f64 {
-        let sections = self.spec.objectives().unwrap_or_default();
-        let epsilon = |s: &Section| s.value.get("bclp")?.get("epsilon")?.as_f64();
-        let given = sections.iter().find_map(epsilon);
+        let given = self.kinds.bclp_epsilon();
         given.unwrap_or(published::Options::default().epsilon)
     }
 
@@ -548,7 +537,7 @@ impl Scene {
     /// # Errors
     /// As [`response`](Scene::response).
     pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Result<Volume<f32>> {
-        let response = self.response()?;
+        let response = self.response();
         if !response.is_identity() {
             dose.values.par_chunks_mut(BLOCK).for_each(|block| {
                 block

@@ -13,7 +13,7 @@ use crate::exposure::{Budget, Calibration, PrinterSpec, Quantized, quantize};
 use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
-use crate::models::{Family, Run, matrix, planner};
+use crate::models::{DoseModel, Family, Run, matrix, planner};
 use crate::response::RESPONSES;
 use serde::Serialize;
 use serde_json::Value;
@@ -242,7 +242,7 @@ pub fn matrix(
     progress.event(&Event::Note { text: plan.reason });
     stage(progress, "lighting every pixel");
     let tell = &mut |done| progress.event(&Event::Part { done, left_s: None });
-    matrix::export(plan.model.as_ref(), path, cancel, tell)
+    matrix::export(&plan.model, path, cancel, tell)
 }
 
 /// Refuses models that no matrix stands for.

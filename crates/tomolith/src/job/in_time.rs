@@ -19,10 +19,9 @@ use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::io::frames::FrameSet;
 use crate::io::mp4::write_movie;
 use crate::metrics::Evaluation;
-use crate::models::parallel::Light;
-use crate::models::selection::Selection;
 use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
+use crate::optics::light::{Light, Selection};
 use crate::target::{Role, label};
 use crate::units::exact;
 use rayon::prelude::*;
@@ -396,6 +395,12 @@ fn resin(scene: &Scene, grid: &VolumeGrid) -> Result<Volume<bool>> {
     })
 }
 
+/// Whether the doses of a job diffuse.
+pub(super) fn diffuses(scene: &Scene) -> bool {
+    let material = scene.spec.material.as_ref();
+    material.is_some_and(|material| material.diffusion.is_some())
+}
+
 /// A model whose dose is that at the end of the schedule, where the job's dose diffuses.
 ///
 /// # Errors
@@ -546,7 +551,8 @@ impl<'a> Lights<'a> {
         light[0].map = map.or_else(|| light[0].map.take());
         let own = self.scene_of(i, &light, purpose);
         let asked = self.scene.optics.model.as_ref();
-        Ok(planner::plan(asked, own, &self.scene.grid, None, self.run)?.model)
+        let plan = planner::plan(asked, own, &self.scene.grid, None, self.run)?;
+        Ok(Box::new(plan.model))
     }
 
     /// The model of the resin in which nothing has cured, where light runs level and straight through it.

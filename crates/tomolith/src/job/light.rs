@@ -4,8 +4,7 @@ use super::build::Optics;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::OpticalScene;
-use crate::models::parallel::Light;
-use crate::models::selection::Selection;
+use crate::optics::light::{Light, Selection};
 use crate::optics::power_balance::PowerBalance;
 
 /// Frames, rows and columns that are looked at.

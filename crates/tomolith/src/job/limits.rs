@@ -3,8 +3,10 @@
 use super::evaluate::{Evaluated, headline};
 use super::optimize::Optimized;
 use super::scene::{Scene, few_angles};
+use super::spec::JobSpec;
 use crate::grid::PatternGrid;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
+use crate::optics::light::Light;
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, Limits};
@@ -21,10 +23,9 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
     let spec = &scene.spec;
     let kind = headline(judged.evaluation.half_width.is_some());
     let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
-    let light = &spec.light[0];
-    let kinds = light.projector.0.as_object();
-    let projector = kinds.and_then(|kinds| kinds.keys().next());
-    let (_, arc) = light.angles.azimuths(light.rotation);
+    let lights = &scene.optics.lights;
+    let arc = |light: &Light| light.pixels.frame_arc;
+    let arc = lights.iter().map(arc).fold(0.0, f64::max);
     let arc_deg = (arc > 0.0).then(|| arc.to_degrees());
     let finest = scene.levels.last();
     if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
@@ -49,15 +50,16 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
         bits: spec.evaluate.bit_depth,
         has_machine: spec.printer.is_some(),
         arc_deg,
-        is_optimized_turning: finest.is_some_and(|level| level.lights[0].sub_angles > 1),
+        is_optimized_turning: finest.is_some_and(|level| {
+            let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
+            let mut turning = level.lights.iter().filter(turning).peekable();
+            turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
+        }),
         saw_finer: finest.is_some_and(|level| {
             level.grid.pitch_mm < scene.grid.pitch_mm
                 && level.grid.pitch_mm <= judged.evaluation.grid.pitch_mm
         }),
-        pixel_key: projector.map_or_else(
-            || "light.projector".to_owned(),
-            |kind| format!("light[0].projector.{kind}.pixel_pitch_mm"),
-        ),
+        pixel_key: pixel_key(spec, lights),
         is_simulated: optimized.is_none(),
         has_few_angles: few_angles(spec).is_some(),
         best: spec.evaluate.threshold.and(best.reduce(f64::max)),
@@ -65,12 +67,27 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
             .shape
             .upright_mm()
             .filter(|_| !scene.shape.is_gray() && scene.optics.scene().beyond_slices().is_none())
-            .map(|z| Ends::of(z, &scene.optics.lights[0].pixels)),
+            .and_then(|z| Ends::worst(z, lights)),
         falling: optimized
             .filter(|o| !converges(o))
             .and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
     };
     found.limits()
+}
+
+/// The key of the coarsest pixels' size.
+fn pixel_key(spec: &JobSpec, lights: &[Light]) -> String {
+    let mut coarsest = 0;
+    for (i, light) in lights.iter().enumerate() {
+        if light.pixels.pixel_mm2() > lights[coarsest].pixels.pixel_mm2() {
+            coarsest = i;
+        }
+    }
+    let kinds = spec.light[coarsest].projector.0.as_object();
+    match kinds.and_then(|kinds| kinds.keys().next()) {
+        Some(kind) => format!("light[{coarsest}].projector.{kind}.pixel_pitch_mm"),
+        None => "light.projector".to_owned(),
+    }
 }
 
 /// Flat ends of a part, and the nearest edges of rows of pixels.
@@ -89,6 +106,18 @@ impl Ends {
             part_mm,
             rows_mm: part_mm.map(nearest),
         }
+    }
+
+    /// Those of the light whose rows end farthest from the part's ends.
+    fn worst(part_mm: [f64; 2], lights: &[Light]) -> Option<Self> {
+        let ends = lights.iter().map(|light| Ends::of(part_mm, &light.pixels));
+        ends.reduce(|worst, ends| {
+            if ends.share() > worst.share() {
+                ends
+            } else {
+                worst
+            }
+        })
     }
 
     /// Share of a prism's volume that lies between its ends and the rows'.

@@ -7,8 +7,8 @@
 use super::build::Optics;
 use super::scene::Scene;
 use crate::grid::{PatternGrid, VolumeGrid};
-use crate::models::parallel::Light;
 use crate::models::{OpticalScene, planner};
+use crate::optics::light::Light;
 
 /// Smallest number of voxels along an edge, and of frames, that a level may have.
 const LEAST: usize = 8;

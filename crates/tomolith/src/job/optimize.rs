@@ -15,7 +15,7 @@ use crate::field::{Field, HostField};
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
-use crate::models::masked::{MaskedModel, darken, pixels_through};
+use crate::models::masked::{darken, pixels_through};
 use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, PerSpecies, Sum};
 use crate::optimize::start::given::Given;
@@ -239,21 +239,18 @@ impl<'a> Stage<'a> {
             planned(scene, asked, optics, &level.grid, Some(&all), cancel)?
         };
         let straight = plan.surrogate.as_deref();
-        let known = straight.unwrap_or(plan.model.as_ref());
+        let known = straight.unwrap_or(&plan.model);
         let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
-        let model: Box<dyn DoseModel<Field = HostField>> = match &of_bodies {
-            Some(dark) => Box::new(MaskedModel::new(plan.model, dark)),
-            None => plan.model,
-        };
-        let mut dark = of_bodies.unwrap_or_else(|| vec![false; plan.dark.len()]);
+        let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
         for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
             *dark |= left_out;
         }
+        let model = plan.model.and_dark(of_bodies.unwrap_or_default());
         Ok(Stage {
             level,
             voxels,
             others,
-            model,
+            model: Box::new(model),
             straight: plan.surrogate,
             dark,
             reason: plan.reason,
@@ -268,7 +265,7 @@ impl<'a> Stage<'a> {
     ) -> Result<HostField> {
         let models = (self.model.as_ref(), self.straight.as_deref());
         let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
-        darken(&mut x, &self.dark);
+        darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
 
@@ -283,11 +280,11 @@ impl<'a> Stage<'a> {
     pub(super) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
         let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
-            let spec = match wider {
+            let wider = match wider {
                 0 => None,
-                steps => refinement::widened(&scene.spec, steps)?,
+                steps => refinement::widened(&scene.kinds, steps),
             };
-            scene.objective(spec.as_ref().unwrap_or(&scene.spec), layout, voxels)
+            scene.objective(wider.as_ref().unwrap_or(&scene.kinds), layout, voxels)
         };
         if outputs.len() == 1 {
             return own(scene, &outputs[0], &self.voxels);
@@ -310,7 +307,7 @@ impl<'a> Stage<'a> {
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
     fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
-        darken(x, &self.dark);
+        darken(x.as_mut_slice(), &self.dark);
         levels::patterns(self.model.patterns(), x)
     }
 
@@ -371,7 +368,7 @@ impl<'a> Stage<'a> {
             }
             let mut widened = false;
             for species in scene.species() {
-                widened |= refinement::widened(&species.spec, steps)?.is_some();
+                widened |= refinement::widened(&species.kinds, steps).is_some();
             }
             if !widened {
                 break;
@@ -397,6 +394,7 @@ impl<'a> Stage<'a> {
         cancel: &Run,
     ) -> Result<Outcome> {
         let model = self.model.as_ref();
+        // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
         let objective = self.objective(scene, wider)?;
         let spec = &scene.spec;
@@ -404,7 +402,7 @@ impl<'a> Stage<'a> {
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(scene.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
-        let response = scene.response()?;
+        let response = scene.response();
         let input = start_input(model, &self.voxels, response.as_ref(), &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
@@ -544,7 +542,7 @@ pub(super) fn starting_patterns(
         max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
     });
     let limits: Vec<Limits> = given.collect();
-    let response = scene.response()?;
+    let response = scene.response();
     let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
     let known = straight.unwrap_or(model);
     let mut x = match scene.rows() {
@@ -557,7 +555,7 @@ pub(super) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(x.as_mut_slice(), GLIMMER)?;
-    if scene.starts_as_given()? {
+    if scene.kinds.starts_as_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
@@ -578,7 +576,7 @@ fn starting_lights(
         let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
             continue;
         };
-        let response = scenes[s].response()?;
+        let response = scenes[s].response();
         let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
         own.scale((factor * scene.dose_needed(s, i)?) as f32);
@@ -696,7 +694,7 @@ impl Watch<'_> {
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
             return None;
         }
-        let response = self.scene.response().ok()?;
+        let response = self.scene.response();
         let dose = self.layout.voxels_of(report.dose.as_slice());
         let values: Cow<'_, [f32]> = if response.is_identity() {
             dose
@@ -834,7 +832,7 @@ mod tests {
         let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
         let (optics, run) = (scene.optimizing(), Run::new());
         let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
-        let models = (plan.model.as_ref(), plan.surrogate.as_deref());
+        let models = (&plan.model as _, plan.surrogate.as_deref());
         let start = scene.start().unwrap();
         let x = starting_patterns(&scene, &[&voxels], models, start.as_ref(), &Run::new()).unwrap();
         (voxels, plan, x)
@@ -863,7 +861,7 @@ mod tests {
     fn a_start_of_waves_brings_the_dose_that_is_wanted_whatever_the_pupil_takes() {
         for model in ["{ wave = {} }", "{ wave = { numerical_aperture = 0.02 } }"] {
             let (voxels, plan, x) = started(model);
-            let found = factor(&in_part(plan.model.as_ref(), &x, &voxels));
+            let found = factor(&in_part(&plan.model, &x, &voxels));
             assert!((found - 1.0).abs() < 1e-5, "{model}: {found}");
             let mut energies = x.clone();
             for value in energies.as_mut_slice() {
@@ -888,7 +886,7 @@ mod tests {
     fn a_start_of_light_that_spreads_is_that_of_straight_light_in_energies() {
         let (voxels, plan, x) = started("{ incoherent_cone = { half_angle_deg = 0.5 } }");
         let straight = plan.surrogate.as_deref().unwrap();
-        let [own, rays] = [plan.model.as_ref(), straight].map(|m| factor(&in_part(m, &x, &voxels)));
+        let [own, rays] = [&plan.model as _, straight].map(|m| factor(&in_part(m, &x, &voxels)));
         assert!((rays - 1.0).abs() < 1e-5, "{rays}");
         // Roots of energies would be off by several times
         assert!((own - 1.0).abs() < 0.1, "{own}");

@@ -15,16 +15,13 @@
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
 use super::build::Optics;
-use super::cells;
 use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
-use super::resolve::optimizer;
+use super::resolve::JobKinds;
 use super::spec::{Against, JobSpec};
-use crate::error::Result;
 use crate::grid::VolumeGrid;
-use crate::models::parallel::Light;
 use crate::models::{ModelFamily, Refines};
-use crate::objective::voxel_weights::Common;
-use crate::objective::{OBJECTIVES, threshold};
+use crate::objective::threshold;
+use crate::optics::light::Light;
 use crate::report::number::significant;
 
 /// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 40 iterations on the gyroid of
@@ -55,17 +52,23 @@ pub(crate) struct Level {
 }
 
 impl Level {
-    fn new(grid: VolumeGrid, lights: &[Light], sub_angles: Option<usize>, until: usize) -> Self {
-        let mut lights = lights.to_vec();
-        for light in &mut lights {
-            light.sub_angles = sub_angles.unwrap_or(light.sub_angles);
-        }
+    fn new(grid: VolumeGrid, lights: &[Light], until: usize) -> Self {
+        let lights = lights.to_vec();
         Level {
             grid,
             lights,
             until,
         }
     }
+}
+
+/// Lights whose frames are averaged at so many angles, each light's its own.
+fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
+    let turned = |(light, &sub_angles): (&Light, &usize)| Light {
+        sub_angles,
+        ..light.clone()
+    };
+    lights.iter().zip(sub_angles).map(turned).collect()
 }
 
 /// What the iterations of all levels cost, relative to `iterations` on the job's own voxels.
@@ -92,15 +95,12 @@ fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
 }
 
 /// The levels of a job, the finest last.
-///
-/// # Errors
-/// [`Error::Config`](crate::Error::Config) for an objective that is none.
 pub(super) fn levels(
-    spec: &JobSpec,
+    (spec, kinds): (&JobSpec, &JobKinds),
     (optics, family): (&Optics, &dyn ModelFamily),
     grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
-) -> Result<Vec<Level>> {
+) -> Vec<Level> {
     let lights = &optics.lights;
     let iterations = spec.stop.iterations;
     if let Some(coarse) = &spec.multiresolution {
@@ -114,18 +114,18 @@ pub(super) fn levels(
                 )
             })
             .enumerate()
-            .map(|(i, (grid, lights))| Level::new(grid, &lights, None, (i + 1) * coarse.iterations))
+            .map(|(i, (grid, lights))| Level::new(grid, &lights, (i + 1) * coarse.iterations))
             .collect();
         let until = levels.len() * coarse.iterations + iterations;
-        levels.push(Level::new(grid.clone(), lights, None, until));
-        return Ok(levels);
+        levels.push(Level::new(grid.clone(), lights, until));
+        return levels;
     }
     let refines = family.capabilities().refines;
-    if !is_free(spec, refines)? {
-        let has_cells = has_free_cells(spec, refines)?;
+    if !is_free((spec, kinds), refines) {
+        let has_cells = has_free_cells((spec, kinds), refines);
         let fine = has_cells.then(|| of_cells(spec, lights, grid));
         let grid = fine.unwrap_or_else(|| grid.clone());
-        return Ok(vec![Level::new(grid, lights, None, iterations)]);
+        return vec![Level::new(grid, lights, iterations)];
     }
     let (fine, sub_angles) = match spec.grid.refine {
         Some(refine) => {
@@ -143,10 +143,10 @@ pub(super) fn levels(
     let mut levels = Vec::new();
     if is_costly && half > 0 && is_large_enough(optics, grid, 2) {
         let lights = coarser_lights(lights, 2);
-        levels.push(Level::new(coarser_grid(grid, 2), &lights, None, half));
+        levels.push(Level::new(coarser_grid(grid, 2), &lights, half));
     }
-    levels.push(Level::new(fine, lights, Some(sub_angles), iterations));
-    Ok(levels)
+    levels.push(Level::new(fine, &turned(lights, &sub_angles), iterations));
+    levels
 }
 
 /// How much finer than a job's voxels those of an evaluation are at least.
@@ -169,9 +169,18 @@ pub(super) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
 pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
     let of = |level: &Level| {
         let [nz, ny, nx] = level.grid.shape;
-        let angles = match level.lights[0].sub_angles {
-            1 => String::new(),
-            angles => format!(", {angles} angles a frame"),
+        let mut angles: Vec<usize> = level.lights.iter().map(|light| light.sub_angles).collect();
+        angles.dedup();
+        let angles = match &angles[..] {
+            [1] => String::new(),
+            [angles] => format!(", {angles} angles a frame"),
+            of_lights => {
+                let of_lights: Vec<String> = of_lights.iter().map(ToString::to_string).collect();
+                format!(
+                    ", {} angles a frame, light by light",
+                    of_lights.join(" and ")
+                )
+            }
         };
         let pitch = significant(level.grid.pitch_mm, 3);
         format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
@@ -190,8 +199,8 @@ pub(super) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
-fn is_free(spec: &JobSpec, refines: Refines) -> Result<bool> {
-    Ok(refines == Refines::Voxels && !asks_of_voxels(spec) && sees_fractions(spec)?)
+fn is_free((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
+    refines == Refines::Voxels && !asks_of_voxels(spec) && kinds.sees_fractions()
 }
 
 /// Whether a run ends by what the job's own voxels say, or prints in time on them.
@@ -202,16 +211,11 @@ fn asks_of_voxels(spec: &JobSpec) -> bool {
 }
 
 /// Whether the program chooses the voxels of a job with surface-aware cells.
-fn has_free_cells(spec: &JobSpec, refines: Refines) -> Result<bool> {
-    if refines != Refines::Cells || asks_of_voxels(spec) || cells::key(spec)?.is_none() {
-        return Ok(false);
-    }
-    for section in spec.objectives()? {
-        if Common::split(section)?.0.has_fields() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
+fn has_free_cells((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
+    refines == Refines::Cells
+        && !asks_of_voxels(spec)
+        && kinds.cells_key().is_some()
+        && !kinds.common().any(|(_, common)| common.has_fields())
 }
 
 /// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
@@ -247,107 +251,71 @@ fn finest(
     lights: &[Light],
     grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
-) -> (VolumeGrid, usize) {
+) -> (VolumeGrid, Vec<usize>) {
     let along = along(grid, lights);
     let wanted = across(grid, lights, PER_PIXEL);
-    let cost = |grid: &VolumeGrid, angles: usize| {
-        let frames = lights
-            .iter()
-            .map(|light| light.pixels.frames())
-            .sum::<usize>();
+    let cost = |grid: &VolumeGrid, angles: &[usize], most: usize| {
+        let of_light = |(light, &own): (&Light, &usize)| light.pixels.frames() * own.min(most);
+        let frames: usize = lights.iter().zip(angles).map(of_light).sum();
         let [nz, ny, nx] = grid.shape;
-        ((nz + COLUMN) * ny * nx) as f64 * (frames * angles) as f64
+        ((nz + COLUMN) * ny * nx) as f64 * frames as f64
     };
     let turning = fit_angles(spec, lights, bounds_mm, |_| true);
     let fine = (1..=wanted.next_multiple_of(along))
         .rev()
         .filter(|across| across % along == 0)
         .map(|across| grid.divided(across, along))
-        .find(|fine| cost(fine, turning.min(2)) <= BUDGET);
+        .find(|fine| cost(fine, &turning, 2) <= BUDGET);
     match fine {
         Some(fine) => {
-            let angles = fit_angles(spec, lights, bounds_mm, |n| cost(&fine, n) <= BUDGET);
+            let angles = fit_angles(spec, lights, bounds_mm, |angles| {
+                cost(&fine, angles, usize::MAX) <= BUDGET
+            });
             (fine, angles)
         }
-        None => (grid.clone(), spec.light[0].sub_angles.unwrap_or(1)),
+        None => {
+            let given = spec.light.iter().map(|light| light.sub_angles.unwrap_or(1));
+            (grid.clone(), given.collect())
+        }
     }
 }
 
-/// Angles at which frames are averaged: those of the job, or one for every half pixel that the rim of the part moves during a frame.
+/// Angles at which the frames of each light are averaged: those of the job, or one for every half pixel that the rim of the part moves during a
+/// frame, as far as all of them fit.
 fn fit_angles(
     spec: &JobSpec,
     lights: &[Light],
     [low, high]: [[f64; 3]; 2],
-    fits: impl Fn(usize) -> bool,
-) -> usize {
-    if let Some(given) = spec.light[0].sub_angles {
-        return given;
-    }
+    fits: impl Fn(&[usize]) -> bool,
+) -> Vec<usize> {
     let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
-    let moved = |light: &Light| rim * light.pixels.frame_arc / light.pixels.pitch_mm[0];
-    let most = lights.iter().map(moved).fold(0.0, f64::max);
-    let wanted = (2.0 * most - ROUNDING)
-        .ceil()
-        .clamp(1.0, MOST_ANGLES as f64) as usize;
-    (1..=wanted).rev().find(|&n| fits(n)).unwrap_or(1)
-}
-
-/// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimizes
-/// them: one that compares doses with the target itself knows part and void alone.
-///
-/// # Errors
-/// [`Error::Config`](crate::Error::Config) for an objective that is none.
-pub(super) fn sees_fractions(spec: &JobSpec) -> Result<bool> {
-    if optimizer(spec)?.requirements().target.is_some() {
-        return Ok(false);
-    }
-    for section in spec.objectives()? {
-        let (common, section) = Common::split(section)?;
-        let (kind, inner) = section.kind(OBJECTIVES)?;
-        let default = if kind.name == "threshold" {
-            "fraction"
-        } else {
-            "voxel"
-        };
-        let surface = inner.value.get("surface").and_then(|s| s.as_str());
-        if surface.unwrap_or(default) != "fraction" || common.has_fields() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
+    let wanted = |light: &Light| {
+        let moved = rim * light.pixels.frame_arc / light.pixels.pitch_mm[0];
+        (2.0 * moved - ROUNDING)
+            .ceil()
+            .clamp(1.0, MOST_ANGLES as f64) as usize
+    };
+    let at_most = |most: usize| {
+        let lights = lights.iter().zip(&spec.light);
+        let own = lights.map(|(light, job)| job.sub_angles.unwrap_or(wanted(light).min(most)));
+        own.collect::<Vec<usize>>()
+    };
+    let mut all = (1..=MOST_ANGLES).rev().map(at_most);
+    all.find(|angles| fits(angles))
+        .unwrap_or_else(|| at_most(1))
 }
 
 /// By how much a wider window lowers what the void may have.
 pub(super) const WIDER: f64 = 0.05;
 
-/// The job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or no
-/// lower one is left.
-///
-/// # Errors
-/// [`Error::Config`](crate::Error::Config) for an objective that is none.
-pub(super) fn widened(spec: &JobSpec, steps: usize) -> Result<Option<JobSpec>> {
-    let sections = spec.objectives()?;
-    let [section] = sections.as_slice() else {
-        return Ok(None);
-    };
-    let (kind, inner) = Common::split(section.clone())?.1.kind(OBJECTIVES)?;
-    let named = ["lower", "upper"]
-        .iter()
-        .any(|key| inner.value.get(key).is_some());
+/// The kinds of a job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
+/// no lower one is left.
+pub(super) fn widened(kinds: &JobKinds, steps: usize) -> Option<JobKinds> {
     let lower = threshold::Params::default().lower - steps as f64 * WIDER;
-    if kind.name != threshold::NAME || named || lower < WIDER {
-        return Ok(None);
+    if lower < WIDER {
+        return None;
     }
-    let mut spec = spec.clone();
-    let mut parameters = inner.value.as_object().cloned().unwrap_or_default();
-    parameters.insert("lower".to_owned(), lower.into());
-    let mut table = match spec.objective.take() {
-        Some(serde_json::Value::Object(table)) => table,
-        _ => serde_json::Map::new(),
-    };
-    table.insert(kind.name.to_owned(), parameters.into());
-    spec.objective = Some(table.into());
-    Ok(Some(spec))
+    kinds.with_lower(lower)
 }
 
 #[cfg(test)]
@@ -387,8 +355,63 @@ mod tests {
         };
         let family = planner::choose(optics.model.as_ref(), &scene, &grid).unwrap();
         let of = (&optics, family.as_ref());
-        let levels = levels(&job.spec, of, &grid, bounds).unwrap();
+        let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
+        let levels = levels((&job.spec, &kinds), of, &grid, bounds);
         levels.iter().map(|level| level.grid.pitch_mm).collect()
+    }
+
+    #[test]
+    fn every_light_is_averaged_at_its_own_angles() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 0.8 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 1.0 } }
+            [[light]]
+            pixels = [24, 16]
+            angles = 40
+            projector = { collimated = { pixel_pitch_mm = 0.1 } }
+            [[light]]
+            pixels = [24, 16]
+            angles = 6
+            projector = { collimated = { pixel_pitch_mm = 0.1 } }
+        "#;
+        std::fs::write(&file, text).unwrap();
+        let angles = |more: &[&str], limit: usize| {
+            let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
+            let job = Job::read(&file, &more).unwrap();
+            let optics = Optics::new(&job.spec, &job.base()).unwrap();
+            let bounds = [[-0.4; 3], [0.4; 3]];
+            fit_angles(&job.spec, &optics.lights, bounds, |n| {
+                n.iter().sum::<usize>() <= limit
+            })
+        };
+        // The rim, at 0.57 mm, moves by 0.089 and 0.59 mm during a frame: 1.8 and 12 half pixels
+        assert_eq!(angles(&[], usize::MAX), [2, 4]);
+        assert_eq!(angles(&[], 5), [2, 3]);
+        assert_eq!(angles(&[], 1), [1, 1]);
+        assert_eq!(angles(&["light[1].sub_angles=3"], usize::MAX), [2, 3]);
+        assert_eq!(angles(&["light[0].sub_angles=1"], 4), [1, 3]);
+        let levels = |sub_angles: &[usize]| {
+            let job = Job::read(&file, &[]).unwrap();
+            let optics = Optics::new(&job.spec, &job.base()).unwrap();
+            let grid = VolumeGrid::centered([10, 10, 10], 0.1);
+            let fine = grid.refined(2);
+            note(
+                &[Level::new(fine, &turned(&optics.lights, sub_angles), 9)],
+                &grid,
+            )
+            .unwrap()
+        };
+        assert!(
+            levels(&[2, 2]).ends_with(", 2 angles a frame"),
+            "{}",
+            levels(&[2, 2])
+        );
+        assert!(levels(&[1, 1]).ends_with("mm wide"));
+        assert!(levels(&[2, 4]).ends_with(", 2 and 4 angles a frame, light by light"));
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! The kinds that a job names: built, tried on a few voxels before any work, and refused where they do not go together.
 
-use super::cells;
 use super::scene::at_section;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
@@ -9,53 +8,117 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
 use crate::models::{DoseLayout, Family, PatternLayout};
-use crate::objective::penalty::{PENALTIES, Penalties};
+use crate::objective::penalty::{BuildPenalty, PENALTIES, Penalties};
+use crate::objective::preset::Surface;
 use crate::objective::voxel_weights::{Common, Ground};
-use crate::objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
-use crate::optimize::start::{InitialPatterns, STARTS};
+use crate::objective::{BuildObjective, OBJECTIVES, Objective, ObjectiveInput, Sum, threshold};
+use crate::optimize::start::{BuildStart, InitialPatterns, STARTS};
 use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements};
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{Target, label, label_voxels};
 use crate::units::exact;
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// The kinds that a job names, read once: the row of each family's table, the section that it is built from, and what the rest of the job asks of it.
+#[derive(Clone)]
+pub(crate) struct JobKinds {
+    /// What the material makes of a dose.
+    pub(crate) response: Arc<dyn Response>,
+    objectives: Vec<ObjectiveKind>,
+    penalties: Vec<PenaltyKind>,
+    optimizer: Named<BuildOptimizer>,
+    start: Named<BuildStart>,
+    /// What the optimizer needs beside it.
+    pub(crate) requirements: Requirements,
+    /// Where files begin.
+    base: PathBuf,
+}
+
+/// A row of a family's table, and the section that names it.
+#[derive(Clone)]
+struct Named<B: 'static> {
+    kind: &'static Kind<B>,
+    section: Section,
+}
+
+impl<B> Named<B> {
+    fn read(section: &Section, table: &'static [Kind<B>]) -> Result<Self> {
+        let (kind, section) = section.kind(table)?;
+        Ok(Named { kind, section })
+    }
+
+    /// A number among its parameters, where the job gives it.
+    fn number(&self, key: &str) -> Option<f64> {
+        self.section.value.get(key)?.as_f64()
+    }
+}
+
+/// One objective of a job.
+#[derive(Clone)]
+struct ObjectiveKind {
+    /// Its key, without the kind's name.
+    path: String,
+    common: Common,
+    response: Arc<dyn Response>,
+    /// None: a word that is no surface, which building it refuses.
+    surface: Option<Surface>,
+    of: Named<BuildObjective>,
+}
+
+/// One penalty of a job.
+#[derive(Clone)]
+struct PenaltyKind {
+    weight: f64,
+    of: Named<BuildPenalty>,
+}
 
 pub(super) fn response(section: Section) -> Result<Arc<dyn Response>> {
     let (kind, inner) = section.kind(RESPONSES)?;
     Ok(Arc::from((kind.build)(&inner)?))
 }
 
-pub(super) fn optimizer(spec: &JobSpec) -> Result<Box<dyn Optimizer<HostField>>> {
-    let section = Section::new("optimizer", spec.optimizer.clone());
-    let (kind, inner) = section.kind(OPTIMIZERS)?;
-    (kind.build)(&inner)
-}
-
-pub(super) fn start(spec: &JobSpec) -> Result<Box<dyn InitialPatterns>> {
-    let section = Section::new("start", spec.start.clone());
-    let (kind, inner) = section.kind(STARTS)?;
-    (kind.build)(&inner)
-}
-
-/// The sum of a job's objectives; `base` is where files begin, `on_grid` whether fields of voxels fit the input's grid.
-pub(super) fn objectives(
-    spec: &JobSpec,
-    input: &ObjectiveInput<'_>,
-    base: &Path,
-    on_grid: bool,
-) -> Result<Sum<HostField>> {
-    let mut parts: Vec<(f64, Box<dyn Objective<HostField>>)> = Vec::new();
-    for section in spec.objectives()? {
+impl ObjectiveKind {
+    fn read(section: Section, job: &Arc<dyn Response>, base: &Path) -> Result<Self> {
         let path = section.path.clone();
         let (common, section) = Common::split(section)?;
+        let response = match &common.response {
+            Some(own) => {
+                let own = Section::new(format!("{path}.response"), own.clone());
+                response(own.based(base))?
+            }
+            None => Arc::clone(job),
+        };
+        let of = Named::read(&section, OBJECTIVES)?;
+        let surface = match of.section.value.get("surface").map(Value::as_str) {
+            None if of.kind.name == threshold::NAME => Some(Surface::Fraction),
+            None | Some(Some("voxel")) => Some(Surface::Voxel),
+            Some(Some("fraction")) => Some(Surface::Fraction),
+            Some(Some("cells")) => Some(Surface::Cells),
+            Some(_) => None,
+        };
+        Ok(ObjectiveKind {
+            path,
+            common,
+            response,
+            surface,
+            of,
+        })
+    }
+
+    /// The objective of a dose; `on_grid` whether fields of voxels fit the input's grid.
+    fn build(
+        &self,
+        input: &ObjectiveInput<'_>,
+        base: &Path,
+        on_grid: bool,
+    ) -> Result<Box<dyn Objective<HostField>>> {
         let mut input = input.clone();
-        if let Some(own) = &common.response {
-            let own = Section::new(format!("{path}.response"), own.clone());
-            input.response = response(own.based(base))?;
-        }
-        let (kind, inner) = section.kind(OBJECTIVES)?;
-        let mut objective = (kind.build)(&inner, &input).map_err(|e| at_section(&inner.path, e))?;
+        input.response = Arc::clone(&self.response);
+        let inner = &self.of.section;
+        let build = self.of.kind.build;
+        let mut objective = build(inner, &input).map_err(|e| at_section(&inner.path, e))?;
         let ObjectiveInput {
             layout,
             labels,
@@ -68,28 +131,24 @@ pub(super) fn objectives(
             target,
             base,
         };
-        let (weight, knows_tolerance) = (common.weight, common.knows_tolerance());
         let common = if on_grid {
-            common
+            self.common.clone()
         } else {
-            common.without_fields()
+            self.common.clone().without_fields()
         };
-        let voxel_weights = common.voxel_weights(&ground).map_err(|e| e.under(&path))?;
-        objective.set_voxel_weights(&voxel_weights)?;
-        if on_grid || knows_tolerance {
+        let voxel_weights = common.voxel_weights(&ground);
+        objective.set_voxel_weights(&voxel_weights.map_err(|e| e.under(&self.path))?)?;
+        if on_grid || self.common.knows_tolerance() {
             objective
                 .must_be_reached()
                 .map_err(|e| e.under(&inner.path))?;
         }
-        parts.push((weight, objective));
+        Ok(objective)
     }
-    Sum::new(parts)
 }
 
-/// The sum of a job's penalties.
-pub(super) fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-    let mut parts = Vec::new();
-    for (i, value) in spec.penalties.iter().enumerate() {
+impl PenaltyKind {
+    fn read(i: usize, value: &Value) -> Result<Self> {
         let mut section = Section::new(format!("penalties[{i}]"), value.clone());
         let weight = section
             .value
@@ -102,22 +161,152 @@ pub(super) fn penalties(spec: &JobSpec, lights: &[PatternLayout]) -> Result<Pena
                 "a number, 0 or more",
             )
         })?;
-        let (kind, inner) = section.kind(PENALTIES)?;
-        parts.push((weight, (kind.build)(&inner, lights)?));
+        let of = Named::read(&section, PENALTIES)?;
+        Ok(PenaltyKind { weight, of })
     }
-    Penalties::new(parts)
+}
+
+impl JobKinds {
+    /// Reads the kinds of a job; `base` is where its files begin.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of what is no kind, or of a parameter of the response or the optimizer.
+    pub(super) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
+        let of_job = Section::new("response", spec.response.clone());
+        let response = response(of_job.based(base))?;
+        let objective = |section| ObjectiveKind::read(section, &response, base);
+        let objectives = spec.objectives()?.into_iter().map(objective);
+        let objectives = objectives.collect::<Result<Vec<_>>>()?;
+        let penalties = spec.penalties.iter().enumerate();
+        let penalties = penalties.map(|(i, value)| PenaltyKind::read(i, value));
+        let penalties = penalties.collect::<Result<Vec<_>>>()?;
+        let optimizer = Section::new("optimizer", spec.optimizer.clone());
+        let optimizer = Named::read(&optimizer, OPTIMIZERS)?;
+        let requirements = (optimizer.kind.build)(&optimizer.section)?.requirements();
+        let start = Section::new("start", spec.start.clone());
+        Ok(JobKinds {
+            objectives,
+            penalties,
+            requirements,
+            optimizer,
+            start: Named::read(&start, STARTS)?,
+            response,
+            base: base.to_owned(),
+        })
+    }
+
+    /// A new optimizer.
+    pub(super) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
+        (self.optimizer.kind.build)(&self.optimizer.section)
+    }
+
+    /// The optimizer's name in a job.
+    pub(super) fn method(&self) -> &'static str {
+        self.optimizer.kind.name
+    }
+
+    /// The same with an optimizer that keeps so many steps.
+    pub(super) fn set_memory(&mut self, memory: usize) {
+        self.optimizer.section.value["memory"] = memory.into();
+    }
+
+    /// Where the optimizer begins.
+    pub(super) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
+        (self.start.kind.build)(&self.start.section)
+    }
+
+    /// Whether the start asks for the doses with which the material responds as the target wants.
+    pub(super) fn asks_for_doses(&self) -> bool {
+        !["zero", "patterns"].contains(&self.start.kind.name)
+    }
+
+    /// Whether it begins at patterns that are to be taken as they are.
+    pub(super) fn starts_as_given(&self) -> bool {
+        self.start.kind.name == "patterns"
+    }
+
+    /// The sum of the objectives; `on_grid` whether fields of voxels fit the input's grid.
+    pub(super) fn objective(
+        &self,
+        input: &ObjectiveInput<'_>,
+        on_grid: bool,
+    ) -> Result<Sum<HostField>> {
+        let build = |own: &ObjectiveKind| {
+            let objective = own.build(input, &self.base, on_grid)?;
+            Ok((own.common.weight, objective))
+        };
+        Sum::new(self.objectives.iter().map(build).collect::<Result<_>>()?)
+    }
+
+    /// The sum of the penalties.
+    pub(super) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
+        let build =
+            |own: &PenaltyKind| Ok((own.weight, (own.of.kind.build)(&own.of.section, lights)?));
+        Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
+    }
+
+    /// What every objective may have, and its key.
+    pub(super) fn common(&self) -> impl Iterator<Item = (&str, &Common)> {
+        (self.objectives.iter()).map(|own| (own.path.as_str(), &own.common))
+    }
+
+    /// The key that asks for surface-aware cells, when there is one.
+    pub(super) fn cells_key(&self) -> Option<String> {
+        let has_cells = |own: &&ObjectiveKind| own.surface == Some(Surface::Cells);
+        let own = self.objectives.iter().find(has_cells)?;
+        Some(format!("{}.surface", own.of.section.path))
+    }
+
+    /// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimizes
+    /// them: one that compares doses with the target itself knows part and void alone.
+    pub(super) fn sees_fractions(&self) -> bool {
+        let sees = |own: &ObjectiveKind| {
+            own.surface == Some(Surface::Fraction) && !own.common.has_fields()
+        };
+        self.requirements.target.is_none() && self.objectives.iter().all(sees)
+    }
+
+    /// Half width ε of the band round gray values, of the first objective that has one.
+    pub(super) fn epsilon(&self) -> Option<f64> {
+        let mut objectives = self.objectives.iter();
+        objectives.find_map(|own| own.of.number("epsilon"))
+    }
+
+    /// ε of the first BCLP objective.
+    pub(super) fn bclp_epsilon(&self) -> Option<f64> {
+        let bclp = |own: &&ObjectiveKind| own.of.kind.name == "bclp";
+        let mut objectives = self.objectives.iter().filter(bclp);
+        objectives.find_map(|own| own.of.number("epsilon"))
+    }
+
+    /// The same with a wider window: what the void may have at most is `lower`. None where the job has another objective, or names thresholds.
+    pub(super) fn with_lower(&self, lower: f64) -> Option<Self> {
+        let [own] = self.objectives.as_slice() else {
+            return None;
+        };
+        let is_named = ["lower", "upper"].iter().any(|key| {
+            let parameters = &own.of.section.value;
+            parameters.get(key).is_some()
+        });
+        if own.of.kind.name != threshold::NAME || is_named {
+            return None;
+        }
+        let mut wider = self.clone();
+        wider.objectives[0].of.section.value["lower"] = lower.into();
+        Some(wider)
+    }
 }
 
 /// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
 pub(super) fn try_kinds(
     spec: &JobSpec,
+    kinds: &JobKinds,
     model: Option<&Family>,
     grey: bool,
-    base: &Path,
 ) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let mut layout = DoseLayout::new("dose", grid.clone(), 0);
-    if cells::key(spec)?.is_some() {
+    if kinds.cells_key().is_some() {
         let halves = Volume::filled(grid.clone(), 0.5);
         let cells = Cells::new(&layout, &halves);
         layout = layout.with_cells(Arc::new(cells));
@@ -132,29 +321,25 @@ pub(super) fn try_kinds(
         grey,
     };
     let labels = label_voxels(&target, |_| true);
-    let response = response(Section::new("response", spec.response.clone()).based(base))?;
-    let objective = objectives(
-        spec,
-        &ObjectiveInput {
-            layout: &layout,
-            labels: &labels,
-            target: &target,
-            response: response.clone(),
-        },
-        base,
-        false,
-    )?;
+    let response = Arc::clone(&kinds.response);
+    let input = ObjectiveInput {
+        layout: &layout,
+        labels: &labels,
+        target: &target,
+        response: Arc::clone(&response),
+    };
+    let objective = kinds.objective(&input, false)?;
     solid_at(spec, response.as_ref())?;
-    penalties(spec, &[])?;
+    kinds.penalties(&[])?;
     let is = Are {
         linear: model.is_none_or(|model| model.capabilities().is_linear()),
         convex: objective.is_convex(),
         tolerant: grey || tolerates_dose(&objective, &layout, &labels),
     };
-    fit_together(spec, &optimizer(spec)?.requirements(), is)?;
-    start(spec)?;
+    fit_together(spec, &kinds.requirements, is)?;
+    kinds.start()?;
     // Of a gray target the values are not known yet
-    if asks_for_doses(spec)? && !grey {
+    if kinds.asks_for_doses() && !grey {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
     }
     Ok(())
@@ -175,12 +360,6 @@ fn tolerates_dose(
     let labels = layout.field_of(labels);
     let mut voxels = labels.iter().zip(slope.as_slice()).take(layout.voxels());
     voxels.any(|(&label, &slope)| label == label::VOID && slope <= 0.0)
-}
-
-/// Whether the start asks for the doses with which the material responds as the target wants.
-pub(super) fn asks_for_doses(spec: &JobSpec) -> Result<bool> {
-    let (kind, _) = Section::new("start", spec.start.clone()).kind(STARTS)?;
-    Ok(!["zero", "patterns"].contains(&kind.name))
 }
 
 /// Refuses a threshold at which no dose makes the resin solid, or every one.

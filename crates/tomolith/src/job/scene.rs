@@ -8,9 +8,7 @@ use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::refinement::{self, Level};
-use super::resolve::{
-    asks_for_doses, counted_as, objectives, optimizer, penalties, response, start, try_kinds,
-};
+use super::resolve::{JobKinds, counted_as, try_kinds};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, in_time, light, multiresolution, property, species};
@@ -19,13 +17,12 @@ use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::io::npy::read_patterns;
-use crate::kind::Section;
 use crate::models::{DoseLayout, PatternLayout, Run};
 use crate::models::{OpticalScene, Purpose, planner};
 use crate::objective::penalty::Penalties;
-use crate::objective::voxel_weights::Common;
 use crate::objective::{ObjectiveInput, Sum};
-use crate::optimize::start::{InitialPatterns, STARTS};
+use crate::optics::light::Light;
+use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Keep, Optimizer};
 use crate::report;
 use crate::response::{Response, dose_for};
@@ -52,8 +49,8 @@ pub(crate) struct Scene {
     pub(crate) name: String,
     /// The shape.
     pub(crate) shape: Arc<dyn Shape>,
-    /// Whether its objectives see which share of a voxel is part.
-    pub(crate) sees_fractions: bool,
+    /// The kinds that the job names.
+    pub(crate) kinds: JobKinds,
     /// Whether its surface cuts voxels of the optimization into cells.
     pub(crate) has_cells: bool,
     /// Vial and lights.
@@ -127,10 +124,11 @@ impl Scene {
         let shape =
             target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
-        let has_cells = cells::key(&spec)?.is_some();
-        try_kinds(&spec, optics.model.as_ref(), shape.is_gray(), &job.base())
+        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
+        let has_cells = kinds.cells_key().is_some();
+        try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
             .map_err(known_elsewhere)?;
-        cells::must_fit(&spec, shape.as_ref(), optics.model.as_ref())?;
+        cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
         property::must_fit(&spec, &job.base())?;
         counted_as(&spec, shape.is_gray())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
@@ -160,17 +158,15 @@ impl Scene {
         let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
         optics.must_be_judged(&spec)?;
         let light = light::must_arrive(&optics, &grid)?;
-        for section in spec.objectives()? {
-            let path = section.path.clone();
-            let (common, _) = Common::split(section)?;
+        for (path, common) in kinds.common() {
             common
                 .check_files(&grid, &job.base())
-                .map_err(|e| e.under(&path))?;
+                .map_err(|e| e.under(path))?;
         }
         let lit = optimizing(&optics, &shape, has_cells);
         let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
         let of = (&optics, family.as_ref());
-        let levels = refinement::levels(&spec, of, &grid, shape.bounds_mm())?;
+        let levels = refinement::levels((&spec, &kinds), of, &grid, shape.bounds_mm());
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
@@ -184,7 +180,7 @@ impl Scene {
                 .ok()
                 .and_then(|cost| cost.cached_entries),
             finest,
-            fields: with_fields(&spec, shape.is_gray())?
+            fields: with_fields(&spec, &kinds, shape.is_gray())
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
@@ -216,7 +212,7 @@ impl Scene {
             levels,
             mixing: spec.mixing()?,
             others: Vec::new(),
-            sees_fractions: refinement::sees_fractions(&spec)?,
+            kinds,
             spec,
             optics,
             printers,
@@ -254,7 +250,7 @@ impl Scene {
 
     /// Bounds the pixels by what the machine can give in the time that it has.
     fn bound_by_time(&mut self) -> Result<()> {
-        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response()?.as_ref())?
+        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response().as_ref())?
         else {
             return Ok(());
         };
@@ -287,6 +283,7 @@ impl Scene {
         if self.extent.memory < asked {
             let memory = self.extent.memory;
             set_quasi_newton_memory(&mut self.spec.optimizer, memory);
+            self.kinds.set_memory(memory);
             self.warnings.push(format!(
                 "the memory budget (resources.memory_gb) is too small: optimizer.lbfgs.memory is {memory}, not {asked}"
             ));
@@ -390,7 +387,11 @@ impl Scene {
                 };
             }
         }
-        let least = if self.sees_fractions { SLIVER } else { 0.5 };
+        let least = if self.kinds.sees_fractions() {
+            SLIVER
+        } else {
+            0.5
+        };
         Ok(Voxels {
             target,
             labels,
@@ -403,7 +404,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
-        if !voxels.target.grey || !asks_for_doses(&self.spec)? {
+        if !voxels.target.grey || !self.kinds.asks_for_doses() {
             return Ok(());
         }
         let values = voxels
@@ -414,7 +415,7 @@ impl Scene {
             .zip(&voxels.labels.values);
         let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
         let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
-        dose_for(self.response()?.as_ref(), f64::from(highest))
+        dose_for(self.response().as_ref(), f64::from(highest))
             .map(drop)
             .map_err(|e| e.under("response"))
     }
@@ -459,36 +460,29 @@ impl Scene {
     }
 
     /// The response of the material.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub(crate) fn response(&self) -> Result<Arc<dyn Response>> {
-        response(Section::new("response", self.spec.response.clone()).based(&self.base))
+    pub(crate) fn response(&self) -> Arc<dyn Response> {
+        Arc::clone(&self.kinds.response)
     }
 
-    /// The sum of the objectives of the job, or of one that differs from it in these alone.
+    /// The sum of the objectives of the job, or of kinds that differ from its own in these alone.
     ///
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn objective(
         &self,
-        spec: &JobSpec,
+        kinds: &JobKinds,
         layout: &DoseLayout,
         voxels: &Voxels,
     ) -> Result<Sum<HostField>> {
         let Voxels { target, labels, .. } = voxels;
-        objectives(
-            spec,
-            &ObjectiveInput {
-                layout,
-                labels,
-                target,
-                response: self.response()?,
-            },
-            &self.base,
-            true,
-        )
-        .map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
+        let input = ObjectiveInput {
+            layout,
+            labels,
+            target,
+            response: self.response(),
+        };
+        let sum = kinds.objective(&input, true);
+        sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
     }
 
     /// The penalties on the patterns.
@@ -496,7 +490,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-        penalties(&self.spec, lights)
+        self.kinds.penalties(lights)
     }
 
     /// The optimizer.
@@ -504,7 +498,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        optimizer(&self.spec)
+        self.kinds.optimizer()
     }
 
     /// Where the optimizer begins.
@@ -512,16 +506,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
-        start(&self.spec)
-    }
-
-    /// Whether it begins at patterns that are to be taken as they are.
-    ///
-    /// # Errors
-    /// As [`start`](Self::start).
-    pub(crate) fn starts_as_given(&self) -> Result<bool> {
-        let (kind, _) = Section::new("start", self.spec.start.clone()).kind(STARTS)?;
-        Ok(kind.name == "patterns")
+        self.kinds.start()
     }
 }
 
@@ -558,21 +543,20 @@ const PER_SPECIES: usize = 2;
 const PER_PRINT: usize = 5;
 
 /// Objectives with numbers of their own for every voxel.
-fn with_fields(spec: &JobSpec, grey: bool) -> Result<usize> {
-    let mut count = 0;
-    for section in spec.objectives()? {
-        let (common, _) = Common::split(section)?;
-        count += usize::from(grey || common.has_fields());
-    }
+fn with_fields(spec: &JobSpec, kinds: &JobKinds, grey: bool) -> usize {
+    let common = kinds.common();
+    let count = common
+        .filter(|(_, common)| grey || common.has_fields())
+        .count();
     // Dose and target of each further species; state and snapshots of a print in time
     let further = spec.species.len().saturating_sub(1);
-    Ok(count
+    count
         + PER_SPECIES * further
         + if spec.schedule.is_some() {
             PER_PRINT
         } else {
             0
-        })
+        }
 }
 
 /// Bytes of a canvas pixel in `frames.npz`, 0 when the job asks for none.
@@ -663,8 +647,11 @@ const SMALL: f64 = 0.01;
 /// Asks for the unit of a mesh whose part is far too large or small for the vial.
 fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Option<String> {
     let across = 2.0 * optics.vial.resin_wall().inscribed_radius();
-    let field = optics.lights[0].pixels.field_mm();
-    let room = across.max(field[1][1] - field[0][1]);
+    let height = |light: &Light| {
+        let field = light.pixels.field_mm();
+        field[1][1] - field[0][1]
+    };
+    let room = optics.lights.iter().map(height).fold(across, f64::max);
     let expected = [SMALL * across, room];
     spec.target.ask_for_unit(shape.bounds_mm(), expected)
 }
@@ -738,7 +725,7 @@ fn grid_of(spec: &JobSpec, optics: &Optics, bounds: [[f64; 3]; 2]) -> Result<(Vo
         }),
         (None, Some(counts)) => default_grid(bounds, Resolution::Shape(*counts)).map_err(under),
         (pitch, None) => {
-            let [across, along] = optics.lights[0].pixels.pitch_mm;
+            let [across, along] = finest(optics)?.pitch_mm;
             let pitch = pitch.map_or(across.min(along), |pitch| pitch.0);
             let grid = default_grid(bounds, Resolution::Pitch(pitch)).map_err(under)?;
             Ok(cut(&grid, optics.vial.resin_wall().inscribed_radius()))
@@ -747,11 +734,19 @@ fn grid_of(spec: &JobSpec, optics: &Optics, bounds: [[f64; 3]; 2]) -> Result<(Vo
     if !spec.grid.on_rows {
         return Ok((grid, 0.0));
     }
-    let rows = &optics.lights[0].pixels;
+    let rows = finest(optics)?;
     let before = grid.center_mm[2];
     let grid = on_rows(grid, rows, [bounds[0][2], bounds[1][2]]);
     let moved_mm = grid.center_mm[2] - before;
     Ok((grid, moved_mm))
+}
+
+/// The pixels with the shortest edge.
+fn finest(optics: &Optics) -> Result<&PatternGrid> {
+    let edge = |pixels: &PatternGrid| pixels.pitch_mm[0].min(pixels.pitch_mm[1]);
+    let pixels = optics.lights.iter().map(|light| &light.pixels);
+    let finest = pixels.reduce(|a, b| if edge(b) < edge(a) { b } else { a });
+    finest.ok_or_else(|| Error::config("light", "there is none", "at least one [[light]]"))
 }
 
 /// Says that the grid does not stand where the target is.

@@ -11,9 +11,10 @@ use super::scene::{Scene, Voxels};
 use super::spec::{JobSpec, ResinSpec};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
+use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, Plan};
 use crate::models::spectral::SpectralMixing;
-use crate::models::{Family, HostModel, OpticalScene, Run};
+use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 use crate::units::exact;
 use std::borrow::Cow;
 
@@ -148,7 +149,7 @@ pub(super) fn must_fit(scene: &Scene) -> Result<()> {
     if scene.others.is_empty() {
         return Ok(());
     }
-    let needs = scene.optimizer()?.requirements();
+    let needs = scene.kinds.requirements;
     if needs.target.is_some() {
         let found = "a method that compares one dose with one target";
         let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
@@ -204,7 +205,10 @@ pub(super) fn planned(
             planner::plan(asked, optics, grid, wanted.as_ref(), run)?
         }
     };
-    plan.model = in_time::diffused(scene, plan.model)?;
+    if in_time::diffuses(scene) {
+        let diffused = in_time::diffused(scene, Box::new(plan.model))?;
+        plan.model = MaskedModel::new(diffused, Vec::new(), 1.0);
+    }
     let surrogate = plan.surrogate.take();
     plan.surrogate = surrogate.map(|m| in_time::diffused(scene, m)).transpose()?;
     Ok(plan)
@@ -248,13 +252,14 @@ pub(super) fn joined(
     };
     let reason = plans[0].reason.clone();
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
-    let model = join(plans.into_iter().map(|plan| plan.model).collect())?;
+    let boxed = |plan: Plan| Box::new(plan.model) as HostModel;
+    let model = join(plans.into_iter().map(boxed).collect())?;
     Ok(Plan {
         reason: format!(
             "{} species by {count} lights, each alone: {reason}",
             rows.len()
         ),
-        model,
+        model: MaskedModel::new(model, Vec::new(), 1.0),
         dark,
         surrogate: surrogates.map(mixed).transpose()?,
     })

@@ -2,7 +2,7 @@
 
 use super::benchmark;
 use super::device::{self, Written};
-use super::estimate::Work;
+use super::estimate::{Work, mean_sub_angles};
 use super::evaluate::evaluate_patterns;
 use super::folder::RunFolder;
 use super::in_time::InTime;
@@ -351,8 +351,8 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         extent: &scene.extent,
         iterations: scene.spec.stop.iterations,
         sub_angles: [
-            scene.optics.lights[0].sub_angles,
-            scene.spec.evaluate.sub_angles,
+            mean_sub_angles(&scene.optics.lights),
+            scene.spec.evaluate.sub_angles as f64,
         ],
         random_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
         levels: levels::asked(&scene.spec.evaluate),

@@ -199,7 +199,7 @@ impl Headline {
         let times = shown.lights().iter().map(|light| light.budget.time_s);
         let time_s = times.sum::<Option<f64>>();
         let (scene, judged) = (&done.scene, &done.judged);
-        let response = scene.response()?;
+        let response = scene.response();
         Ok(Headline {
             exposure: ExposureWindow::new(&judged.evaluation, response.as_ref(), time_s),
             limits: limits(scene, judged, done.optimized.as_ref()),

@@ -11,11 +11,11 @@ use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use tomolith::kind::Section;
 use tomolith::metrics::published::{Options, published, value_of};
 use tomolith::metrics::scan::Scan;
-use tomolith::models::parallel::Light;
 use tomolith::models::planner::{self, Plan};
 use tomolith::models::rays::Optics;
 use tomolith::models::{DoseModel, OpticalScene, Purpose, Run};
 use tomolith::objective::{OBJECTIVES, Objective, ObjectiveInput};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 use tomolith::optimize::start::given::Given;
@@ -122,7 +122,7 @@ impl Case {
     }
 
     pub(crate) fn model(&self) -> &dyn DoseModel<Field = HostField> {
-        self.plan.model.as_ref()
+        &self.plan.model
     }
 
     fn objective(&self, name: &str, json: Value) -> Result<Box<dyn Objective<HostField>>, Error> {

@@ -5,9 +5,9 @@ use super::{EDGES, random_pixels, sampling_of, savings_of, tight_window};
 use tomolith::Error;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
-use tomolith::models::parallel::Light;
 use tomolith::models::wave::{Params, Wave};
 use tomolith::models::{DoseModel, Run};
+use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 
