@@ -330,23 +330,26 @@ fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result
     found.iter().map(cost).collect()
 }
 
-/// `{name}` stands for the folder of a job's run.
+/// `{name}` stands for the folder of a job's run, `{name[2]}` for that of a sweep's third.
 fn filled_in(words: &[String], found: &BTreeMap<String, Found>) -> Vec<String> {
-    let folders = found.iter().filter_map(|(name, found)| match found {
-        Found::Sweep(plan) => {
-            let folder = plan.run_folder(0);
-            let folder = std::path::absolute(&folder).unwrap_or(folder);
-            Some((format!("{{{name}}}"), folder.display().to_string()))
+    let mut words = words.to_vec();
+    for (name, found) in found {
+        let Found::Sweep(plan) = found else { continue };
+        for i in 0..plan.runs.len() {
+            let folder = plan.run_folder(i);
+            let folder = std::path::absolute(&folder)
+                .unwrap_or(folder)
+                .display()
+                .to_string();
+            for word in &mut words {
+                *word = word.replace(&format!("{{{name}[{i}]}}"), &folder);
+                if i == 0 {
+                    *word = word.replace(&format!("{{{name}}}"), &folder);
+                }
+            }
         }
-        _ => None,
-    });
-    let folders: Vec<(String, String)> = folders.collect();
-    let fill = |word: &String| {
-        folders.iter().fold(word.clone(), |word, (name, folder)| {
-            word.replace(name, folder)
-        })
-    };
-    words.iter().map(fill).collect()
+    }
+    words
 }
 
 /// A command's answer (the report of the folder that it writes, where it writes one), and its pictures.
@@ -430,7 +433,9 @@ fn ours(
         return Ok(f64::from(u8::from(holds.is_met(&of))));
     }
     let Some(name) = &row.of else {
-        return Err(Verdict::NotCompared("not computed".to_owned()));
+        return Err(
+            explained(row).unwrap_or_else(|| Verdict::NotCompared("not computed".to_owned()))
+        );
     };
     let metric = row.metric.as_deref().unwrap_or_default();
     match &found[name] {
@@ -547,6 +552,12 @@ fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> Row {
     }
 }
 
+/// What the study says of a number that is not the published one.
+fn explained(row: &RowSpec) -> Option<Verdict> {
+    let differs = row.differs.clone().map(Verdict::Differs);
+    differs.or_else(|| row.under_specified.clone().map(Verdict::UnderSpecified))
+}
+
 fn verdict(row: &RowSpec, ours: f64, is_quick: bool) -> Verdict {
     if row.full_size && is_quick {
         return Verdict::NotCompared("full size only".to_owned());
@@ -563,10 +574,7 @@ fn verdict(row: &RowSpec, ours: f64, is_quick: bool) -> Verdict {
     };
     let is_near = differences.and_then(|pair| tolerance(pair).map(|most| pair.0.abs() <= most));
     let is_met = is_near.or_else(|| row.holds.as_ref().map(|_| ours != 0.0));
-    let explained = || {
-        let differs = row.differs.clone().map(Verdict::Differs);
-        differs.or_else(|| row.under_specified.clone().map(Verdict::UnderSpecified))
-    };
+    let explained = || explained(row);
     match is_met {
         Some(true) => Verdict::Reproduced,
         Some(false) => explained().unwrap_or(Verdict::Unexplained),

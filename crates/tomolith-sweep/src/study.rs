@@ -292,15 +292,17 @@ impl Study {
 }
 
 impl Study {
-    /// Whether a command names the folder of a job's run.
+    /// Whether a command names the folder of a run.
     fn is_read_by_a_command(&self, name: &str) -> bool {
-        let name = format!("{{{name}}}");
+        let names = [format!("{{{name}}}"), format!("{{{name}[")];
         let words = self
             .spec
             .runs
             .values()
             .flat_map(|run| run.command.iter().flatten());
-        words.into_iter().any(|word| word.contains(&name))
+        words
+            .into_iter()
+            .any(|word| names.iter().any(|name| word.contains(name)))
     }
 }
 
