@@ -33,6 +33,7 @@ sweep = "sweep.toml"
 quick = { axes = [{ key = "objective.ospw.lower", values = [0.3, 0.5] }] }
 [runs.voxel]
 command = ["analyze", "voxel", "--pixels", "100", "--fps", "1000", "--penetration-mm", "10", "--dose-time-s", "50", "--radius-mm", "1"]
+writes = true
 [[rows]]
 quantity = "IoU"
 where = "Table 1"
@@ -218,26 +219,26 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
         (
             "where = \"S1\"",
             "were = \"S1\"",
-            ["rows[3].were", "study.toml, line 35", "where"],
+            ["rows[3].were", "study.toml, line 36", "where"],
         ),
         (
             "of = \"voxel\"",
             "of = \"voxels\"",
-            ["rows[3].of", "study.toml, line 36", "map, voxel"],
+            ["rows[3].of", "study.toml, line 37", "map, voxel"],
         ),
         (
             "holds = \"wide < 1\"",
             "holds = \"width < 1\"",
             [
                 "rows[2].holds",
-                "line 32",
+                "line 33",
                 "no earlier row is named `width`",
             ],
         ),
         (
             "at = { lower = 0.7 }",
             "at = { upper = 0.7 }",
-            ["rows[4].at", "line 44", "`upper` is no axis"],
+            ["rows[4].at", "line 45", "`upper` is no axis"],
         ),
         (
             "metric = \"optimisation.pw\"",

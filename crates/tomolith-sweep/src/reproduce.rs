@@ -352,6 +352,9 @@ fn filled_in(words: &[String], found: &BTreeMap<String, Found>) -> Vec<String> {
     words
 }
 
+/// In a folder that a command wrote: its words.
+const COMMAND: &str = "command.json";
+
 /// A command's answer (the report of the folder that it writes, where it writes one), and its pictures.
 fn command(
     study: &Study,
@@ -363,7 +366,7 @@ fn command(
     let mut words = words.to_vec();
     if run.writes {
         let absolute = std::path::absolute(folder).map_err(|e| Error::io(folder, e))?;
-        if folder.exists() {
+        if folder.join(COMMAND).is_file() {
             std::fs::remove_dir_all(folder).map_err(|e| Error::io(folder, e))?;
         }
         words.extend(["--output".to_owned(), absolute.display().to_string()]);
@@ -381,6 +384,9 @@ fn command(
     if !run.writes {
         return Ok((Found::Answer(answer), Vec::new()));
     }
+    // What a later call may replace
+    let said = serde_json::to_vec(&words).unwrap_or_default();
+    write_whole(&folder.join(COMMAND), |out| Ok(out.write_all(&said)?))?;
     let report = std::fs::read(folder.join("report.json")).ok();
     let report = report.and_then(|bytes| serde_json::from_slice(&bytes).ok());
     let entries = std::fs::read_dir(folder).map_err(|e| Error::io(folder, e))?;
