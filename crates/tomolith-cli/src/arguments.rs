@@ -8,6 +8,7 @@ use crate::export_matrix::MatrixArguments;
 use crate::expose::ExposeArguments;
 use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
+use crate::reproduce::ReproduceArguments;
 use crate::sweep::SweepArguments;
 use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
@@ -28,6 +29,7 @@ Examples:
   tomolith export out/01-gear --output gear-frames  frames and movie for a machine
   tomolith compare out/01-gear out/02-gyroid        runs side by side on one page
   tomolith sweep examples/sweeps/threshold-map.toml many runs, one table, maps
+  tomolith reproduce papers/dual-color              the numbers of a paper beside ours
 
 Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 cancelled";
 
@@ -49,6 +51,8 @@ pub(crate) enum Command {
     Print(SimulateArguments),
     /// Run a job with many values of its keys: a table, maps, the best job
     Sweep(SweepArguments),
+    /// Run the study of a paper: its numbers beside ours, with a verdict for each
+    Reproduce(ReproduceArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),
     /// List what a job can choose from (vials, objectives, optimizers, …), with all parameters

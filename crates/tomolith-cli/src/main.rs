@@ -13,6 +13,7 @@ mod expose;
 mod help;
 mod import;
 mod metrics;
+mod reproduce;
 mod screen;
 mod sweep;
 mod trace;
@@ -49,6 +50,7 @@ fn main() -> ExitCode {
         Command::Print(given) => (given.manner, print(given)),
         Command::Check(given) => (given.manner, check(given)),
         Command::Sweep(given) => (given.manner, sweep(given)),
+        Command::Reproduce(given) => (given.manner, reproduce(given)),
         Command::Kinds { family, name, json } => {
             let manner = Manner {
                 json: *json,
@@ -159,6 +161,12 @@ fn print(given: &SimulateArguments) -> Result<bool> {
 fn sweep(given: &sweep::SweepArguments) -> Result<bool> {
     prepare(given.manner)?;
     sweep::sweep(given, &cancel_on_ctrl_c(given.manner))
+}
+
+/// `tomolith reproduce`: whether every number is there and every difference explained.
+fn reproduce(given: &reproduce::ReproduceArguments) -> Result<bool> {
+    prepare(given.manner)?;
+    reproduce::run(given, &cancel_on_ctrl_c(given.manner))
 }
 
 /// `tomolith check`: always met when it ends without an error.

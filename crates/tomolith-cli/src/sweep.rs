@@ -78,14 +78,14 @@ fn finish(outcome: &Outcome, manner: Manner) {
 }
 
 /// Where the runs of a sweep are shown: a bar on a terminal, a line a run elsewhere, JSON lines, or nothing.
-struct Board {
+pub(crate) struct Board {
     manner: Manner,
     bar: Option<ProgressBar>,
     about: String,
 }
 
 impl Board {
-    fn new(manner: Manner, plan: &Plan) -> Self {
+    pub(crate) fn new(manner: Manner, plan: &Plan) -> Self {
         Board {
             manner,
             bar: None,

@@ -114,7 +114,7 @@ impl Axis {
 }
 
 /// A key's last name, without index.
-fn last_part(key: &str) -> String {
+pub(crate) fn last_part(key: &str) -> String {
     let last = key.rsplit('.').next().unwrap_or(key);
     last.split('[').next().unwrap_or(last).to_owned()
 }

@@ -8,6 +8,7 @@
 //! | runs side by side, shares, merging | `engine` |
 //! | folders of runs → rows, CSV, Parquet | `table`, `metric` |
 //! | rows → maps and curves | `pictures`, drawn by `tomolith-report` |
+//! | a paper's numbers beside those of sweeps, jobs and commands | `study`, `reproduce` |
 //!
 //! The manual is docs/sweeps.md. A run's folder is named by the identity of its job ([`Job::identity`](tomolith::job::Job::identity)), so that
 //! what is finished is found again whatever else has changed in the sweep.
@@ -32,9 +33,13 @@ mod expression;
 mod metric;
 mod pictures;
 mod plan;
+mod reproduce;
 mod spec;
+mod study;
 mod table;
 
 pub use axes::{MOST_RUNS, Point};
 pub use engine::{BestRun, Event, Outcome, Shard, Watch, merge, run};
 pub use plan::{Plan, Planned, Sweep, duration};
+pub use reproduce::{Cost, Host, Reproduction, Row, Verdict, reproduce};
+pub use study::Study;

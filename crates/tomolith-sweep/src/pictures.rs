@@ -36,6 +36,9 @@ pub(crate) fn write(plan: &Plan, table: &Table<'_>, folder: &Path) -> Result<Vec
         write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
         Ok(file)
     };
+    if plan.sweep.axes.is_empty() {
+        return Ok(Vec::new());
+    }
     plan.sweep.metrics.iter().map(file).collect()
 }
 

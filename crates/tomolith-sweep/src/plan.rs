@@ -9,10 +9,13 @@ use serde_json::{Map, Value};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use tomolith::job::resources::memory_budget_mb;
-use tomolith::job::{self, Document, Job, Silent};
+use tomolith::job::{self, Document, Job, RunFolder, Silent};
 use tomolith::kind::Section;
 use tomolith::models::Run;
 use tomolith::{Error, Result};
+
+/// Runs whose time is estimated, at most.
+const ESTIMATES: usize = 3;
 
 /// A sweep file that was read.
 #[derive(Clone, Debug)]
@@ -67,20 +70,49 @@ impl Sweep {
     /// # Errors
     /// [`Error::Config`] with key path, file and line; [`Error::Io`].
     pub fn read(file: &Path) -> Result<Self> {
-        let document = Document::read(file)?;
-        Self::of_document(&document).map_err(|e| document.locate(e))
+        Self::read_adapted(file, &|_| Ok(()))
     }
 
-    fn of_document(document: &Document) -> Result<Self> {
-        let root = document.root.as_object().cloned().unwrap_or_default();
-        let spec = Section::new("", Value::Object(root)).parse::<SweepSpec>()?;
-        if spec.axes.is_empty() {
-            return Err(Error::config(
-                "axes",
-                "an empty list",
-                "at least one table [[axes]] with a key and values",
-            ));
-        }
+    /// Reads a sweep file that is changed before it is used.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read); those of the change.
+    pub(crate) fn read_adapted(
+        file: &Path,
+        adapt: &dyn Fn(&mut SweepSpec) -> Result<()>,
+    ) -> Result<Self> {
+        let document = Document::read(file)?;
+        let read = || {
+            let root = document.root.as_object().cloned().unwrap_or_default();
+            let mut spec = Section::new("", Value::Object(root)).parse::<SweepSpec>()?;
+            if spec.axes.is_empty() {
+                return Err(Error::config(
+                    "axes",
+                    "an empty list",
+                    "at least one table [[axes]] with a key and values",
+                ));
+            }
+            adapt(&mut spec)?;
+            Self::of_spec(&document, spec)
+        };
+        read().map_err(|e| document.locate(e))
+    }
+
+    /// A job as a sweep of one run.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read); those of the change.
+    pub(crate) fn of_job(
+        file: &Path,
+        adapt: &dyn Fn(&mut SweepSpec) -> Result<()>,
+    ) -> Result<Self> {
+        let document = Document::read(file)?;
+        let mut spec = SweepSpec::of_job(file.file_name().unwrap_or_default().into());
+        adapt(&mut spec)?;
+        Self::of_spec(&document, spec).map_err(|e| document.locate(e))
+    }
+
+    fn of_spec(document: &Document, spec: SweepSpec) -> Result<Self> {
         let axes = (spec.axes.iter().enumerate())
             .map(|(i, axis)| Axis::new(axis, &format!("axes[{i}]"), spec.sample.is_some()))
             .collect::<Result<Vec<_>>>()?;
@@ -464,6 +496,23 @@ impl Sweep {
 }
 
 impl Plan {
+    /// Seconds that the runs take which are not finished, on all cores: the mean of a few that are spread over the table, times their number.
+    ///
+    /// # Errors
+    /// As [`job::check`].
+    pub(crate) fn seconds(&self, cancel: &Run) -> Result<f64> {
+        let left: Vec<usize> = (0..self.runs.len())
+            .filter(|&i| RunFolder::finished(&self.run_folder(i)).is_none())
+            .collect();
+        let asked = left.len().min(ESTIMATES);
+        let mut seconds = 0.0;
+        for k in 0..asked {
+            let job = self.job(left[k * left.len() / asked])?;
+            seconds += job::check(&job, &mut Silent, cancel)?.seconds / asked as f64;
+        }
+        Ok(seconds * left.len() as f64)
+    }
+
     /// Where results go.
     #[must_use]
     pub fn folder(&self) -> PathBuf {

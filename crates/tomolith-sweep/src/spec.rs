@@ -43,6 +43,26 @@ pub(crate) struct SweepSpec {
     pub(crate) resources: ResourcesSpec,
 }
 
+impl SweepSpec {
+    /// A job without axes: one run.
+    pub(crate) fn of_job(job: PathBuf) -> Self {
+        SweepSpec {
+            job,
+            folder: None,
+            keep: KeepSpec::default(),
+            metrics: Vec::new(),
+            when: Vec::new(),
+            set: Map::new(),
+            derived: BTreeMap::new(),
+            axes: Vec::new(),
+            sample: None,
+            best: BestSpec::default(),
+            warm_start: None,
+            resources: ResourcesSpec::default(),
+        }
+    }
+}
+
 /// What a run leaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -90,6 +110,14 @@ pub(crate) struct AxisSpec {
     pub(crate) linear: Option<RangeSpec>,
     /// Equal ratios.
     pub(crate) log: Option<RangeSpec>,
+}
+
+impl AxisSpec {
+    /// Whether the axis goes by this name.
+    pub(crate) fn is_named(&self, name: &str) -> bool {
+        let own = || crate::axes::last_part(&self.key);
+        self.name.clone().unwrap_or_else(own) == name
+    }
 }
 
 /// A range, both ends included.

@@ -226,7 +226,7 @@ fn csv(columns: &[(String, Column)]) -> String {
 }
 
 /// A field of RFC 4180.
-fn field(text: &str) -> String {
+pub(crate) fn field(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

@@ -1,0 +1,277 @@
+//! `tomolith reproduce` as it is typed: a study of two runs and a command, done again, and slips in its file.
+
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+/// A disc of 24 × 24 voxels, 24 frames.
+const JOB: &str = r#"
+target = { phantom = { cylinder = { size_mm = 1.2, height_mm = 0.1 } } }
+grid = { shape = [24, 24, 1], pitch_mm = 0.1 }
+resin = { refractive_index = 1.5, pure_radon = true }
+vial = { index_matched = { radius_mm = 2.0 } }
+light = [{ pixels = [24, 1], angles = { count = 24, arc_deg = 180.0 }, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+objective = { ospw = { lower = 0.5, upper = 0.9 } }
+stop = { iterations = 8 }
+evaluate = { refine = 1, sub_angles = 1 }
+"#;
+
+const SWEEP: &str = r#"
+job = "job.toml"
+[[axes]]
+key = "objective.ospw.lower"
+values = [0.3, 0.5, 0.7]
+"#;
+
+/// The published numbers are made up: one that is right, one that is wrong, one of a command, which is 1000/50 µm.
+const STUDY: &str = r#"
+title = "A disc"
+paper = "Nobody, never"
+[runs.map]
+sweep = "sweep.toml"
+quick = { axes = [{ key = "objective.ospw.lower", values = [0.3, 0.5] }] }
+[runs.voxel]
+command = ["analyze", "voxel", "--pixels", "100", "--fps", "1000", "--penetration-mm", "10", "--dose-time-s", "50", "--radius-mm", "1"]
+writes = true
+[[rows]]
+quantity = "IoU"
+where = "Table 1"
+of = "map"
+at = { lower = 0.5 }
+metric = "optimisation.iou"
+published = 1
+within = 0.5
+[[rows]]
+quantity = "the larger PW | of both"
+where = "Fig. 2"
+name = "wide"
+of = "map"
+metric = "optimisation.pw"
+over = ["lower < 0.6"]
+take = "max"
+published = 7
+within_percent = 1
+differs = "nobody, \"never\" measured it"
+[[rows]]
+quantity = "it is below 1"
+where = "Fig. 2"
+says = "yes"
+holds = "wide < 1"
+[[rows]]
+quantity = "pixel, mm"
+where = "S1"
+of = "voxel"
+metric = "at_radius.pixel_mm"
+published = 0.02
+within = 1e-9
+[[rows]]
+quantity = "IoU at 0.7"
+where = "Table 1"
+of = "map"
+at = { lower = 0.7 }
+metric = "optimisation.iou"
+published = 1
+within = 0.5
+[[rows]]
+quantity = "weather"
+where = "section 3"
+says = "fair"
+under_specified = "no place is named"
+"#;
+
+struct Bench(tempfile::TempDir);
+
+impl Bench {
+    fn new(study: &str) -> Self {
+        let bench = Bench(tempfile::tempdir().unwrap());
+        fs::create_dir(bench.path("disc")).unwrap();
+        for (name, text) in [("job", JOB), ("sweep", SWEEP), ("study", study)] {
+            fs::write(bench.path(&format!("disc/{name}.toml")), text).unwrap();
+        }
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn expect(&self, code: i32, line: &str) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
+        command
+            .current_dir(self.0.path())
+            .args(line.split_whitespace());
+        let output = command.output().unwrap();
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
+        output
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+}
+
+fn events(output: &Output) -> Vec<Value> {
+    let text = String::from_utf8_lossy(&output.stdout);
+    text.lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
+}
+
+#[test]
+fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
+    let bench = Bench::new(STUDY);
+    // What it costs is said without any work
+    let said = events(&bench.expect(0, "reproduce disc --quick --check --json"));
+    assert_eq!(
+        (said.len(), said[0]["runs"][0]["runs"].as_u64()),
+        (1, Some(2))
+    );
+    assert!(!bench.path("out").exists());
+    let said = events(&bench.expect(0, "reproduce disc --quick --json"));
+    let verdicts: Vec<&str> = said[said.len() - 1]["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| row["verdict"].as_str().unwrap())
+        .collect();
+    let expected = [
+        "reproduced",
+        "differs",
+        "reproduced",
+        "reproduced",
+        "not_compared",
+        "under_specified",
+    ];
+    assert_eq!(verdicts, expected);
+    let (table, csv) = (
+        bench.read("out/papers/disc-quick/table.md"),
+        bench.read("out/papers/disc-quick/table.csv"),
+    );
+    for part in [
+        "6 rows (quick size): 3 reproduced, 1 differs, 1 under-specified, 1 not compared.",
+        "| the larger PW \\| of both | 7 | ",
+        "| differs, because nobody, \"never\" measured it | Fig. 2 |",
+        "| pixel, mm | 0.02 | 0.02 | × 1 | reproduced | S1 |",
+        "| it is below 1 | yes | yes |  | reproduced | Fig. 2 |",
+        "no run of this size has these values",
+        "![map/optimisation.pw.svg](map/optimisation.pw.svg)",
+    ] {
+        assert!(table.contains(part), "{part} is not in: {table}");
+    }
+    assert!(
+        csv.contains("differs,\"nobody, \"\"never\"\" measured it\",Fig. 2\n"),
+        "{csv}"
+    );
+    assert!(
+        bench
+            .path("out/papers/disc-quick/map/optimisation.pw.svg")
+            .is_file()
+    );
+    // Again: nothing is run, and the tables are the same
+    let again = events(&bench.expect(0, "reproduce disc --quick --json"));
+    let sweep = again
+        .iter()
+        .find(|event| event["event"] == "sweep")
+        .unwrap();
+    assert_eq!(
+        (sweep["runs"].as_u64(), sweep["finished"].as_u64()),
+        (Some(2), Some(2))
+    );
+    assert_eq!(
+        (table, csv),
+        (
+            bench.read("out/papers/disc-quick/table.md"),
+            bench.read("out/papers/disc-quick/table.csv")
+        )
+    );
+}
+
+#[test]
+fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() {
+    let study = STUDY.replace("differs = \"nobody, \\\"never\\\" measured it\"", "");
+    let bench = Bench::new(&study);
+    let text = String::from_utf8(
+        bench
+            .expect(1, "reproduce disc --quick --quiet --output a")
+            .stdout,
+    )
+    .unwrap();
+    assert_eq!(text, "");
+    assert!(
+        bench
+            .read("a/table.md")
+            .contains("differs, because the study does not say why")
+    );
+    let bench = Bench::new(&STUDY.replace("\"--pixels\", \"100\"", "\"--pixels\", \"0\""));
+    bench.expect(1, "reproduce disc --quick --output a");
+    assert!(
+        bench.read("a/table.csv").contains("no number,"),
+        "{}",
+        bench.read("a/table.csv")
+    );
+}
+
+#[test]
+fn slips_are_refused_with_file_and_line_before_any_work() {
+    for (from, to, parts) in [
+        (
+            "where = \"S1\"",
+            "were = \"S1\"",
+            ["rows[3].were", "study.toml, line 36", "where"],
+        ),
+        (
+            "of = \"voxel\"",
+            "of = \"voxels\"",
+            ["rows[3].of", "study.toml, line 37", "map, voxel"],
+        ),
+        (
+            "holds = \"wide < 1\"",
+            "holds = \"width < 1\"",
+            [
+                "rows[2].holds",
+                "line 33",
+                "no earlier row is named `width`",
+            ],
+        ),
+        (
+            "at = { lower = 0.7 }",
+            "at = { upper = 0.7 }",
+            ["rows[4].at", "line 45", "`upper` is no axis"],
+        ),
+        (
+            "metric = \"optimisation.pw\"",
+            "metric = \"optimisation.pww\"",
+            [
+                "optimisation.pww",
+                "runs.map",
+                "did you mean `optimisation.pw`",
+            ],
+        ),
+        (
+            "within = 1e-9",
+            "",
+            [
+                "rows[3]",
+                "study.toml",
+                "a published number without a verdict",
+            ],
+        ),
+    ] {
+        let bench = Bench::new(&STUDY.replace(from, to));
+        let message =
+            String::from_utf8(bench.expect(2, "reproduce disc --quick --json").stdout).unwrap();
+        let error: Value = serde_json::from_str(message.trim()).unwrap();
+        let said = format!(
+            "{error} {}, line {}",
+            error["file"].as_str().unwrap_or(""),
+            error["line"]
+        );
+        for part in parts {
+            assert!(said.contains(part), "{part} is not in: {said}");
+        }
+        assert!(!bench.path("out").exists(), "{to}");
+    }
+    Bench::new(STUDY).expect(2, "reproduce nowhere");
+}

@@ -1,0 +1,678 @@
+//! A study run and compared with what is published: one table, the pictures of its sweeps.
+//!
+//! The sweeps do the work, so that finished runs are never redone and a killed study goes on. Here their numbers are only laid beside the
+//! published ones. A verdict is computed where the study states a tolerance or a comparison; elsewhere the study says why.
+
+use crate::axes::label;
+use crate::engine::{self, Watch};
+use crate::expression::{Condition, Expression};
+use crate::metric;
+use crate::plan::{Plan, duration};
+use crate::study::{RowSpec, RunSpec, Study, Take};
+use crate::table::{State, Table, field};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::fmt::{self, Write as _};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use tomolith::io::write_whole;
+use tomolith::models::Run;
+use tomolith::report::number::significant;
+use tomolith::units::counted;
+use tomolith::{Error, Result};
+
+/// Whoever has a study run: shows it, and runs commands.
+pub trait Host {
+    /// Called once, when every job was checked and before any work.
+    fn begins(&mut self, costs: &[Cost]);
+    /// Who watches a sweep.
+    fn watch(&mut self, name: &str, plan: &Plan) -> Box<dyn Watch>;
+    /// Runs what would be typed after `tomolith` in a folder; its answer as JSON.
+    ///
+    /// # Errors
+    /// As the command.
+    fn command(&mut self, words: &[String], folder: &Path) -> Result<Value>;
+}
+
+/// What a thing that is run will cost.
+#[derive(Clone, Debug, Serialize)]
+pub struct Cost {
+    /// Its name in the study.
+    pub name: String,
+    /// Its runs; none for a command.
+    pub runs: Option<usize>,
+    /// About how long those take that are not finished, by the clock and with all cores, s.
+    pub seconds: f64,
+    /// Why it is left out.
+    pub left_out: Option<String>,
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.left_out, self.runs) {
+            (Some(why), _) => write!(f, "{}: left out, {why}", self.name),
+            (None, Some(runs)) => {
+                let time = duration(self.seconds);
+                write!(f, "{}: {}, about {time}", self.name, counted(runs, "run"))
+            }
+            (None, None) => write!(f, "{}: a command, seconds", self.name),
+        }
+    }
+}
+
+/// What a comparison came to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "verdict", content = "because", rename_all = "snake_case")]
+pub enum Verdict {
+    /// Within the tolerance that the study states, or as it is compared.
+    Reproduced,
+    /// Another number, and why.
+    Differs(String),
+    /// The paper leaves something open, which the study has chosen.
+    UnderSpecified(String),
+    /// Ours is there, and nothing to compare it with.
+    NotCompared(String),
+    /// Another number, and the study does not say why.
+    Unexplained,
+    /// There is none of ours.
+    Missing(String),
+}
+
+impl Verdict {
+    /// The verdict, and what follows it.
+    fn parts(&self) -> (&'static str, &str) {
+        match self {
+            Verdict::Reproduced => ("reproduced", ""),
+            Verdict::Differs(why) => ("differs", why),
+            Verdict::UnderSpecified(why) => ("under-specified", why),
+            Verdict::NotCompared(why) => ("not compared", why),
+            Verdict::Unexplained => ("differs", "the study does not say why"),
+            Verdict::Missing(why) => ("no number", why),
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.parts() {
+            (verdict, "") => f.write_str(verdict),
+            (verdict @ ("differs" | "under-specified"), why) => {
+                write!(f, "{verdict}, because {why}")
+            }
+            (verdict, why) => write!(f, "{verdict}: {why}"),
+        }
+    }
+}
+
+/// A row of the table.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// What it is.
+    pub quantity: String,
+    /// What is published, for people.
+    pub published: String,
+    /// Ours.
+    pub ours: Option<f64>,
+    /// Ours over the published number, where that is not 0.
+    pub ratio: Option<f64>,
+    /// Ours less the published number.
+    pub difference: Option<f64>,
+    /// What the comparison came to.
+    #[serde(flatten)]
+    pub verdict: Verdict,
+    /// Where it stands in the paper.
+    pub place: String,
+    /// Whether ours is a yes or no.
+    #[serde(skip)]
+    is_truth: bool,
+}
+
+impl Row {
+    fn ours_text(&self) -> String {
+        match self.ours {
+            None => "–".to_owned(),
+            Some(ours) if self.is_truth => if ours == 0.0 { "no" } else { "yes" }.to_owned(),
+            Some(ours) => significant(ours, 4),
+        }
+    }
+
+    fn compared_text(&self) -> String {
+        match (self.ratio, self.difference) {
+            (Some(ratio), _) => format!("× {}", significant(ratio, 3)),
+            (None, Some(difference)) => {
+                let sign = if difference > 0.0 { "+" } else { "" };
+                format!("{sign}{}", significant(difference, 3))
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+/// A study's table.
+#[derive(Clone, Debug, Serialize)]
+pub struct Reproduction {
+    /// Where results are.
+    pub folder: PathBuf,
+    /// Rows in the order of the study.
+    pub rows: Vec<Row>,
+    /// Pictures of its sweeps and commands.
+    pub figures: Vec<PathBuf>,
+    /// The table, as Markdown and CSV.
+    pub files: Vec<PathBuf>,
+}
+
+impl Reproduction {
+    /// Whether every number is there and every difference explained.
+    #[must_use]
+    pub fn is_met(&self) -> bool {
+        let is_open = |row: &Row| matches!(row.verdict, Verdict::Unexplained | Verdict::Missing(_));
+        !self.rows.iter().any(is_open)
+    }
+
+    /// How often each verdict was given, in words.
+    #[must_use]
+    pub fn counts(&self) -> String {
+        let words = [
+            "reproduced",
+            "differs",
+            "under-specified",
+            "not compared",
+            "no number",
+        ];
+        let count = |word: &str| {
+            self.rows
+                .iter()
+                .filter(|row| row.verdict.parts().0 == word)
+                .count()
+        };
+        let counts = words.map(|word| (count(word), word));
+        let said = counts.iter().filter(|(count, _)| *count > 0);
+        said.map(|(count, word)| format!("{count} {word}"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+}
+
+impl fmt::Display for Reproduction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for row in &self.rows {
+            let (quantity, published) = (&row.quantity, &row.published);
+            let ours = row.ours_text();
+            writeln!(f, "{quantity} · {published} · {ours} · {}", row.verdict)?;
+        }
+        writeln!(
+            f,
+            "{:>12} {}",
+            counted(self.rows.len(), "row"),
+            self.counts()
+        )?;
+        for file in &self.files {
+            writeln!(f, "{:>12} {}", "wrote", file.display())?;
+        }
+        Ok(())
+    }
+}
+
+/// What a thing that was run came to.
+enum Found {
+    Sweep(Box<Plan>),
+    Answer(Value),
+    /// Left out by choice, or not able to.
+    Nothing(Verdict),
+}
+
+/// Runs a study and writes `table.md` and `table.csv` into the folder of its results, beside a folder for each thing that is run.
+///
+/// # Errors
+/// [`Error::Config`] for sweeps and jobs that cannot run, before any does; [`Error::Cancelled`]; [`Error::Io`]. A run or a command that fails
+/// leaves rows without a number.
+pub fn reproduce(
+    study: &Study,
+    output: &Path,
+    threads: usize,
+    host: &mut dyn Host,
+    cancel: &Run,
+) -> Result<Reproduction> {
+    let mut found = plans(study, output, threads, cancel)?;
+    host.begins(&costs(study, &found, cancel)?);
+    let mut figures = Vec::new();
+    for (name, plan) in &found {
+        if let Found::Sweep(plan) = plan {
+            let mut watch = host.watch(name, plan);
+            figures.extend(engine::run(plan, None, watch.as_mut(), cancel)?.files);
+        }
+    }
+    // Commands may read what jobs left
+    for (name, run) in &study.spec.runs {
+        let (Some(words), None) = (&run.command, study.left_out(run)) else {
+            continue;
+        };
+        let words = filled_in(words, &found);
+        let (answer, files) = command(study, run, &words, &output.join(name), host)?;
+        found.insert(name.clone(), answer);
+        figures.extend(files);
+    }
+    figures.retain(|file| file.extension().is_some_and(|e| e == "svg"));
+    let rows = rows(study, &found)?;
+    let mut all = Reproduction {
+        folder: output.to_owned(),
+        rows,
+        figures,
+        files: Vec::new(),
+    };
+    let tables = [
+        ("table.md", markdown(study, &all)),
+        ("table.csv", csv(&all.rows)),
+    ];
+    for (name, text) in tables {
+        let file = output.join(name);
+        write_whole(&file, |out| Ok(out.write_all(text.as_bytes())?))?;
+        all.files.push(file);
+    }
+    Ok(all)
+}
+
+/// Every sweep and job, read and checked.
+fn plans(
+    study: &Study,
+    output: &Path,
+    threads: usize,
+    cancel: &Run,
+) -> Result<BTreeMap<String, Found>> {
+    let plan = |(name, run): (&String, &RunSpec)| {
+        let found = match study.left_out(run) {
+            Some(why) => Found::Nothing(Verdict::NotCompared(why)),
+            None => match study.sweep(name, run, output)? {
+                Some(sweep) => Found::Sweep(Box::new(sweep.plan(threads, cancel)?)),
+                None => Found::Nothing(Verdict::Missing("not run yet".to_owned())),
+            },
+        };
+        Ok((name.clone(), found))
+    };
+    let found = study
+        .spec
+        .runs
+        .iter()
+        .map(plan)
+        .collect::<Result<BTreeMap<_, _>>>()?;
+    let sweeps = found.iter().filter_map(|(name, found)| match found {
+        Found::Sweep(plan) => Some((name.as_str(), &plan.sweep)),
+        _ => None,
+    });
+    study.must_have_axes(&sweeps.collect())?;
+    Ok(found)
+}
+
+impl Study {
+    /// What a study will cost.
+    ///
+    /// # Errors
+    /// As [`reproduce`], before any work.
+    pub fn costs(&self, output: &Path, threads: usize, cancel: &Run) -> Result<Vec<Cost>> {
+        costs(self, &plans(self, output, threads, cancel)?, cancel)
+    }
+}
+
+fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result<Vec<Cost>> {
+    let cost = |(name, found): (&String, &Found)| {
+        let (runs, seconds) = match found {
+            Found::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(cancel)?),
+            _ => (None, 0.0),
+        };
+        Ok(Cost {
+            name: name.clone(),
+            runs,
+            seconds,
+            left_out: study.left_out(&study.spec.runs[name]),
+        })
+    };
+    found.iter().map(cost).collect()
+}
+
+/// `{name}` stands for the folder of a job's run, `{name[2]}` for that of a sweep's third.
+fn filled_in(words: &[String], found: &BTreeMap<String, Found>) -> Vec<String> {
+    let mut words = words.to_vec();
+    for (name, found) in found {
+        let Found::Sweep(plan) = found else { continue };
+        for i in 0..plan.runs.len() {
+            let folder = plan.run_folder(i);
+            let folder = std::path::absolute(&folder)
+                .unwrap_or(folder)
+                .display()
+                .to_string();
+            for word in &mut words {
+                *word = word.replace(&format!("{{{name}[{i}]}}"), &folder);
+                if i == 0 {
+                    *word = word.replace(&format!("{{{name}}}"), &folder);
+                }
+            }
+        }
+    }
+    words
+}
+
+/// In a folder that a command wrote: its words.
+const COMMAND: &str = "command.json";
+
+/// A command's answer (the report of the folder that it writes, where it writes one), and its pictures.
+fn command(
+    study: &Study,
+    run: &RunSpec,
+    words: &[String],
+    folder: &Path,
+    host: &mut dyn Host,
+) -> Result<(Found, Vec<PathBuf>)> {
+    let mut words = words.to_vec();
+    if run.writes {
+        let absolute = std::path::absolute(folder).map_err(|e| Error::io(folder, e))?;
+        if folder.join(COMMAND).is_file() {
+            std::fs::remove_dir_all(folder).map_err(|e| Error::io(folder, e))?;
+        }
+        words.extend(["--output".to_owned(), absolute.display().to_string()]);
+    }
+    let answer = match host.command(&words, &study.folder) {
+        Ok(answer) => answer,
+        Err(Error::Cancelled) => return Err(Error::Cancelled),
+        Err(error) => {
+            return Ok((
+                Found::Nothing(Verdict::Missing(error.to_string())),
+                Vec::new(),
+            ));
+        }
+    };
+    if !run.writes {
+        return Ok((Found::Answer(answer), Vec::new()));
+    }
+    // What a later call may replace
+    let said = serde_json::to_vec(&words).unwrap_or_default();
+    write_whole(&folder.join(COMMAND), |out| Ok(out.write_all(&said)?))?;
+    let report = std::fs::read(folder.join("report.json")).ok();
+    let report = report.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    let entries = std::fs::read_dir(folder).map_err(|e| Error::io(folder, e))?;
+    let mut files: Vec<PathBuf> = entries
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .collect();
+    files.sort();
+    Ok((Found::Answer(report.unwrap_or(answer)), files))
+}
+
+fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<Row>> {
+    let mut tables = BTreeMap::new();
+    for (name, found) in found {
+        if let Found::Sweep(plan) = found {
+            tables.insert(name.as_str(), Table::collect(plan)?);
+        }
+    }
+    let mut named: BTreeMap<&str, f64> = BTreeMap::new();
+    let mut rows = Vec::new();
+    for row in &study.spec.rows {
+        let ours = ours(row, found, &tables, &named);
+        if let (Some(name), Ok(ours)) = (&row.name, &ours) {
+            named.insert(name, *ours);
+        }
+        rows.push(compared(row, ours, study.is_quick));
+    }
+    Ok(rows)
+}
+
+/// Our number, or why there is none.
+fn ours(
+    row: &RowSpec,
+    found: &BTreeMap<String, Found>,
+    tables: &BTreeMap<&str, Table<'_>>,
+    named: &BTreeMap<&str, f64>,
+) -> Result<f64, Verdict> {
+    let of = |name: &str| named.get(name).copied();
+    let missing = |why: &str| Verdict::Missing(why.to_owned());
+    // Rows without a number have said why; what follows from them is not there either
+    let unknown = || Verdict::NotCompared("an earlier row has no number".to_owned());
+    let parsed = |text: &String| text.parse::<Condition>().ok();
+    if let Some(value) = &row.value {
+        let value = value.parse::<Expression>().ok();
+        return value.and_then(|value| value.value(&of)).ok_or_else(unknown);
+    }
+    if let Some(holds) = row.holds.as_ref().and_then(parsed) {
+        if holds.names().iter().any(|name| of(name).is_none()) {
+            return Err(unknown());
+        }
+        return Ok(f64::from(u8::from(holds.is_met(&of))));
+    }
+    let Some(name) = &row.of else {
+        return Err(
+            explained(row).unwrap_or_else(|| Verdict::NotCompared("not computed".to_owned()))
+        );
+    };
+    let metric = row.metric.as_deref().unwrap_or_default();
+    match &found[name] {
+        Found::Nothing(verdict) => Err(verdict.clone()),
+        Found::Answer(answer) => match metric::number(answer, metric) {
+            Ok(number) => number.ok_or_else(|| missing("not defined")),
+            Err(why) => Err(Verdict::Missing(why)),
+        },
+        Found::Sweep(plan) => of_sweep(row, plan, &tables[name.as_str()], metric),
+    }
+}
+
+fn of_sweep(row: &RowSpec, plan: &Plan, table: &Table<'_>, metric: &str) -> Result<f64, Verdict> {
+    let missing = |why: &str| Err(Verdict::Missing(why.to_owned()));
+    let number = |i: usize, name: &str| {
+        crate::axes::named(&plan.sweep.axes, &plan.runs[i].point, name)
+            .or_else(|| table.metric(i, name))
+    };
+    if let Some(over) = &row.over {
+        let conditions: Vec<Condition> = over.iter().filter_map(|text| text.parse().ok()).collect();
+        let meets = |i: &usize| {
+            conditions
+                .iter()
+                .all(|c| c.is_met(&|name| number(*i, name)))
+        };
+        let among: Vec<usize> = (0..plan.runs.len()).filter(meets).collect();
+        return of_many(row, &among, metric, &number)
+            .map_or_else(|| missing("no run meets the conditions"), Ok);
+    }
+    let i = match &row.at {
+        Some(at) => (0..plan.runs.len()).find(|&i| is_at(plan, i, at)),
+        None if row.best => table.best,
+        None => Some(0).filter(|_| plan.runs.len() == 1),
+    };
+    let Some(i) = i else {
+        return match row.at {
+            Some(_) => Err(Verdict::NotCompared(
+                "no run of this size has these values".to_owned(),
+            )),
+            None => missing("no run is the best, or none is named"),
+        };
+    };
+    match (&table.states[i], number(i, metric)) {
+        (State::Failed(why), _) => Err(Verdict::Missing(why.clone())),
+        (_, Some(number)) => Ok(number),
+        (_, None) => missing("not defined"),
+    }
+}
+
+/// The share of some runs, or what is taken of their metric.
+fn of_many(
+    row: &RowSpec,
+    among: &[usize],
+    metric: &str,
+    number: &dyn Fn(usize, &str) -> Option<f64>,
+) -> Option<f64> {
+    if let Some(share) = row
+        .share_of
+        .as_ref()
+        .and_then(|text| text.parse::<Condition>().ok())
+    {
+        let met = among
+            .iter()
+            .filter(|&&i| share.is_met(&|name| number(i, name)))
+            .count();
+        return (!among.is_empty()).then(|| met as f64 / among.len() as f64);
+    }
+    let values = among.iter().filter_map(|&i| number(i, metric));
+    match row.take? {
+        Take::Min => values.reduce(f64::min),
+        Take::Max => values.reduce(f64::max),
+        Take::Mean => {
+            let (sum, count) = values.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
+            (count > 0.0).then(|| sum / count)
+        }
+    }
+}
+
+/// Whether a run has these values, numbers to 9 digits.
+fn is_at(plan: &Plan, i: usize, at: &Map<String, Value>) -> bool {
+    let axes = &plan.sweep.axes;
+    at.iter().all(|(name, wanted)| {
+        let place = axes.iter().position(|axis| axis.name == *name);
+        place.is_some_and(|a| {
+            let value = &plan.runs[i].point.values[a];
+            match (value.as_f64(), wanted.as_f64()) {
+                (Some(value), Some(wanted)) => {
+                    (value - wanted).abs() <= 1e-9 * wanted.abs().max(1e-300)
+                }
+                _ => value == wanted || label(value) == label(wanted),
+            }
+        })
+    })
+}
+
+fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> Row {
+    let ours_number = ours.as_ref().ok().copied();
+    let pair = ours_number.zip(row.published);
+    let text = row
+        .published
+        .map(|p| significant(p, 4))
+        .or_else(|| row.says.clone());
+    Row {
+        quantity: row.quantity.clone(),
+        published: text.unwrap_or_else(|| "–".to_owned()),
+        ours: ours_number,
+        ratio: pair
+            .filter(|(_, published)| *published != 0.0)
+            .map(|(ours, published)| ours / published),
+        difference: pair.map(|(ours, published)| ours - published),
+        verdict: ours.map_or_else(|why| why, |ours| verdict(row, ours, is_quick)),
+        place: row.place.clone(),
+        is_truth: row.holds.is_some(),
+    }
+}
+
+/// What the study says of a number that is not the published one.
+fn explained(row: &RowSpec) -> Option<Verdict> {
+    let differs = row.differs.clone().map(Verdict::Differs);
+    differs.or_else(|| row.under_specified.clone().map(Verdict::UnderSpecified))
+}
+
+fn verdict(row: &RowSpec, ours: f64, is_quick: bool) -> Verdict {
+    if row.full_size && is_quick {
+        return Verdict::NotCompared("full size only".to_owned());
+    }
+    let differences = row.published.map(|published| (ours - published, published));
+    let tolerance = |(_, published): (f64, f64)| {
+        let relative = row
+            .within_percent
+            .map(|percent| 0.01 * percent * published.abs());
+        // Rounding of the last digit is no difference
+        row.within
+            .or(relative)
+            .map(|tolerance| tolerance * (1.0 + 1e-9) + 1e-12)
+    };
+    let is_near = differences.and_then(|pair| tolerance(pair).map(|most| pair.0.abs() <= most));
+    let is_met = is_near.or_else(|| row.holds.as_ref().map(|_| ours != 0.0));
+    let explained = || explained(row);
+    match is_met {
+        Some(true) => Verdict::Reproduced,
+        Some(false) => explained().unwrap_or(Verdict::Unexplained),
+        None => {
+            explained().unwrap_or_else(|| Verdict::NotCompared("no published number".to_owned()))
+        }
+    }
+}
+
+const COLUMNS: [&str; 6] = [
+    "quantity",
+    "published",
+    "ours",
+    "ours / published",
+    "verdict",
+    "where",
+];
+
+fn markdown(study: &Study, all: &Reproduction) -> String {
+    let spec = &study.spec;
+    let size = if study.is_quick {
+        "quick size"
+    } else {
+        "full size"
+    };
+    let mut text = format!("# {}\n\n{}\n\n", spec.title, spec.paper);
+    for paragraph in [
+        spec.about.trim(),
+        if study.is_quick {
+            spec.quick.trim()
+        } else {
+            ""
+        },
+    ] {
+        if !paragraph.is_empty() {
+            let _ = write!(text, "{paragraph}\n\n");
+        }
+    }
+    let _ = write!(
+        text,
+        "{} ({size}): {}.\n\n",
+        counted(all.rows.len(), "row"),
+        all.counts()
+    );
+    let _ = write!(
+        text,
+        "| {} |\n|{}\n",
+        COLUMNS.join(" | "),
+        "---|".repeat(COLUMNS.len())
+    );
+    for row in &all.rows {
+        let verdict = row.verdict.to_string();
+        let cells = [
+            &row.quantity,
+            &row.published,
+            &row.ours_text(),
+            &row.compared_text(),
+            &verdict,
+            &row.place,
+        ];
+        let cells = cells.map(|cell| {
+            cell.replace('|', "\\|")
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" ")
+        });
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    for figure in &all.figures {
+        let path = figure.strip_prefix(&all.folder).unwrap_or(figure);
+        let path = path.to_string_lossy().replace('\\', "/");
+        let _ = write!(text, "\n![{path}]({path})\n");
+    }
+    text
+}
+
+fn csv(rows: &[Row]) -> String {
+    let mut text = "quantity,published,ours,ratio,difference,verdict,because,where\n".to_owned();
+    let number = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
+    for row in rows {
+        let (verdict, because) = row.verdict.parts();
+        let cells = [
+            field(&row.quantity),
+            field(&row.published),
+            number(row.ours),
+            number(row.ratio),
+            number(row.difference),
+            verdict.to_owned(),
+            field(because),
+            field(&row.place),
+        ];
+        let _ = writeln!(text, "{}", cells.join(","));
+    }
+    text
+}

@@ -1,0 +1,415 @@
+//! A study of a paper, typed: what is run, and the published numbers that it is compared with; docs/papers/README.md is its page for people.
+
+use crate::expression::{Condition, Expression};
+use crate::metric;
+use crate::plan::Sweep;
+use crate::spec::{AxisSpec, KeepSpec, SweepSpec};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use tomolith::job::Document;
+use tomolith::kind::Section;
+use tomolith::{Error, Result};
+
+/// The file of a study in its folder.
+const FILE: &str = "study.toml";
+
+/// A whole study file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StudySpec {
+    /// What is studied.
+    pub(crate) title: String,
+    /// Who published it, and where.
+    pub(crate) paper: String,
+    /// What a reader must know before the table.
+    #[serde(default)]
+    pub(crate) about: String,
+    /// What `--quick` makes smaller.
+    #[serde(default)]
+    pub(crate) quick: String,
+    /// What is run, by name.
+    pub(crate) runs: BTreeMap<String, RunSpec>,
+    /// Numbers, in the order of the table.
+    pub(crate) rows: Vec<RowSpec>,
+}
+
+/// One thing that is run: exactly one of `sweep`, `job` and `command`.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct RunSpec {
+    /// A sweep file, relative to the study.
+    pub(crate) sweep: Option<PathBuf>,
+    /// A job file, relative to the study.
+    pub(crate) job: Option<PathBuf>,
+    /// What would be typed after `tomolith`, in the study's folder.
+    pub(crate) command: Option<Vec<String>>,
+    /// Whether the command takes `--output`.
+    pub(crate) writes: bool,
+    /// Keys of the job.
+    pub(crate) set: Map<String, Value>,
+    /// What `--quick` changes.
+    pub(crate) quick: QuickSpec,
+    /// Files without which it cannot run, relative to the study.
+    pub(crate) needs: Vec<PathBuf>,
+    /// Where they come from.
+    pub(crate) needs_from: String,
+}
+
+/// What `--quick` changes.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct QuickSpec {
+    /// Leaves it out.
+    pub(crate) skip: bool,
+    /// Keys of the job.
+    pub(crate) set: Map<String, Value>,
+    /// Axes with other values, by their keys.
+    pub(crate) axes: Vec<AxisSpec>,
+}
+
+/// One number of the table.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RowSpec {
+    /// What it is.
+    pub(crate) quantity: String,
+    /// Where it stands in the paper.
+    #[serde(rename = "where")]
+    pub(crate) place: String,
+    /// Its name in `value` and `holds` of later rows.
+    pub(crate) name: Option<String>,
+    /// The published number.
+    pub(crate) published: Option<f64>,
+    /// What is published, where that is no number.
+    pub(crate) says: Option<String>,
+    /// Where ours comes from: a name of `runs`.
+    pub(crate) of: Option<String>,
+    /// The number of its report, or an axis of the best run.
+    pub(crate) metric: Option<String>,
+    /// The run of a sweep with these values.
+    pub(crate) at: Option<Map<String, Value>>,
+    /// The best run of a sweep.
+    #[serde(default)]
+    pub(crate) best: bool,
+    /// All runs of a sweep that meet these conditions.
+    pub(crate) over: Option<Vec<String>>,
+    /// What is taken of them.
+    pub(crate) take: Option<Take>,
+    /// Of which of them the share is taken.
+    pub(crate) share_of: Option<String>,
+    /// Arithmetic on earlier rows.
+    pub(crate) value: Option<String>,
+    /// A comparison of earlier rows.
+    pub(crate) holds: Option<String>,
+    /// Reproduced within this difference.
+    pub(crate) within: Option<f64>,
+    /// Reproduced within this difference in per cent of the published number.
+    pub(crate) within_percent: Option<f64>,
+    /// Why ours is another number.
+    pub(crate) differs: Option<String>,
+    /// What the paper leaves open.
+    pub(crate) under_specified: Option<String>,
+    /// Says nothing about the published number at the quick size.
+    #[serde(default)]
+    pub(crate) full_size: bool,
+}
+
+/// What is taken of many runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Take {
+    /// The least.
+    Min,
+    /// The largest.
+    Max,
+    /// Their mean.
+    Mean,
+}
+
+/// A study that was read and checked.
+#[derive(Clone, Debug)]
+pub struct Study {
+    pub(crate) folder: PathBuf,
+    pub(crate) spec: StudySpec,
+    pub(crate) is_quick: bool,
+    document: Document,
+}
+
+impl Study {
+    /// Reads `study.toml` of a folder.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with key path, file and line; [`Error::Io`].
+    pub fn read(folder: &Path, is_quick: bool) -> Result<Self> {
+        let file = folder.join(FILE);
+        if !file.is_file() {
+            let found = format!("there is no `{}`", file.display());
+            return Err(Error::config(
+                "FOLDER",
+                found,
+                "the folder of a study, such as papers/bclp",
+            ));
+        }
+        let document = Document::read(&file)?;
+        let read = || {
+            let spec = Section::new("", document.root.clone()).parse::<StudySpec>()?;
+            check(&spec)?;
+            Ok(Study {
+                folder: folder.to_owned(),
+                spec,
+                is_quick,
+                document: document.clone(),
+            })
+        };
+        read().map_err(|e| document.locate(e))
+    }
+
+    /// Where results go by default.
+    #[must_use]
+    pub fn output(&self) -> PathBuf {
+        let name = std::path::absolute(&self.folder)
+            .ok()
+            .and_then(|folder| Some(folder.file_name()?.to_owned()))
+            .unwrap_or_else(|| "study".into());
+        let mut name = name.to_string_lossy().into_owned();
+        if self.is_quick {
+            name.push_str("-quick");
+        }
+        Path::new("out").join("papers").join(name)
+    }
+
+    /// Why a thing is not run, where it is not.
+    pub(crate) fn left_out(&self, run: &RunSpec) -> Option<String> {
+        if self.is_quick && run.quick.skip {
+            return Some("full size only".to_owned());
+        }
+        let missing = run
+            .needs
+            .iter()
+            .find(|file| !self.folder.join(file).is_file())?;
+        let place = self.folder.join(missing);
+        Some(format!(
+            "needs `{}`: {}",
+            place.display(),
+            run.needs_from.trim()
+        ))
+    }
+
+    /// The sweep of a run that is no command, with the numbers that rows take from it.
+    pub(crate) fn sweep(&self, name: &str, run: &RunSpec, output: &Path) -> Result<Option<Sweep>> {
+        let adapt = |spec: &mut SweepSpec| self.adapt(name, run, spec);
+        let sweep = match (&run.sweep, &run.job) {
+            (Some(file), _) => Sweep::read_adapted(&self.folder.join(file), &adapt)?,
+            (_, Some(file)) => Sweep::of_job(&self.folder.join(file), &adapt)?,
+            _ => return Ok(None),
+        };
+        Ok(Some(sweep.with_folder(&output.join(name))))
+    }
+
+    /// Refuses rows that name what is no axis of their sweep, before any work.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with file and line.
+    pub(crate) fn must_have_axes(&self, sweeps: &BTreeMap<&str, &Sweep>) -> Result<()> {
+        for (i, row) in self.spec.rows.iter().enumerate() {
+            let Some(sweep) = row.of.as_deref().and_then(|of| sweeps.get(of)) else {
+                continue;
+            };
+            let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name.as_str()).collect();
+            let refuse = |key: &str, name: &str| {
+                let key = format!("rows[{i}].{key}");
+                let error = Error::config(
+                    key,
+                    format!("`{name}` is no axis of the sweep"),
+                    names.join(", "),
+                );
+                Err(self.document.locate(error))
+            };
+            if let Some(name) = row
+                .at
+                .iter()
+                .flat_map(Map::keys)
+                .find(|name| !names.contains(&name.as_str()))
+            {
+                return refuse("at", name);
+            }
+            for text in row.over.iter().flatten() {
+                let condition = text.parse::<Condition>().ok();
+                let unknown =
+                    |name: &&str| !names.contains(name) && !sweep.metrics.iter().any(|m| m == name);
+                if let Some(name) = condition.iter().flat_map(Condition::names).find(unknown) {
+                    return refuse("over", name);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn adapt(&self, name: &str, run: &RunSpec, spec: &mut SweepSpec) -> Result<()> {
+        let quick = self.is_quick.then_some(&run.quick);
+        let set = [Some(&run.set), quick.map(|quick| &quick.set)];
+        for (key, value) in set.into_iter().flatten().flatten() {
+            spec.set.insert(key.clone(), value.clone());
+        }
+        for axis in quick.map_or(&[][..], |quick| &quick.axes) {
+            let of_key = spec.axes.iter_mut().find(|own| own.key == axis.key);
+            let Some(own) = of_key else {
+                let found = format!(
+                    "the quick size of run `{name}` names the axis `{}`",
+                    axis.key
+                );
+                return Err(Error::config(
+                    "axes",
+                    found,
+                    "a key that the sweep has an axis of",
+                ));
+            };
+            let name = axis.name.clone().or(own.name.take());
+            *own = AxisSpec {
+                name,
+                ..axis.clone()
+            };
+        }
+        if self.is_read_by_a_command(name) {
+            spec.keep = KeepSpec::Patterns;
+        }
+        let is_axis =
+            |path: &String, spec: &SweepSpec| spec.axes.iter().any(|axis| axis.is_named(path));
+        let rows = self.spec.rows.iter();
+        for path in rows
+            .filter(|row| row.of.as_deref() == Some(name))
+            .flat_map(metrics)
+        {
+            if !spec.metrics.contains(&path) && !is_axis(&path, spec) {
+                metric::must_exist(&path, &format!("runs.{name}"))?;
+                spec.metrics.push(path);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Study {
+    /// Whether a command names the folder of a run.
+    fn is_read_by_a_command(&self, name: &str) -> bool {
+        let names = [format!("{{{name}}}"), format!("{{{name}[")];
+        let words = self
+            .spec
+            .runs
+            .values()
+            .flat_map(|run| run.command.iter().flatten());
+        words
+            .into_iter()
+            .any(|word| names.iter().any(|name| word.contains(name)))
+    }
+}
+
+/// The numbers of reports that a row needs: its metric, and names of its share.
+fn metrics(row: &RowSpec) -> Vec<String> {
+    let share = row
+        .share_of
+        .as_ref()
+        .and_then(|text| text.parse::<Condition>().ok());
+    let names = share.iter().flat_map(Condition::names).map(str::to_owned);
+    row.metric.iter().cloned().chain(names).collect()
+}
+
+fn check(spec: &StudySpec) -> Result<()> {
+    for (name, run) in &spec.runs {
+        let kinds = [
+            run.sweep.is_some(),
+            run.job.is_some(),
+            run.command.is_some(),
+        ];
+        if kinds.into_iter().filter(|is| *is).count() != 1 {
+            let accepted = "exactly one of sweep, job and command";
+            return Err(Error::config(
+                format!("runs.{name}"),
+                "none, or several",
+                accepted,
+            ));
+        }
+    }
+    let mut named = BTreeSet::new();
+    for (i, row) in spec.rows.iter().enumerate() {
+        check_row(spec, row, &format!("rows[{i}]"), &named)?;
+        named.extend(row.name.as_deref());
+    }
+    Ok(())
+}
+
+/// A row has one source, and a verdict that is computed or explained.
+fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) -> Result<()> {
+    let refuse = |key: &str, found: String, accepted: &str| {
+        let at = if key.is_empty() {
+            at.to_owned()
+        } else {
+            format!("{at}.{key}")
+        };
+        Err(Error::config(at, found, accepted))
+    };
+    let sources = [row.of.is_some(), row.value.is_some(), row.holds.is_some()];
+    if sources.into_iter().filter(|is| *is).count() > 1 {
+        return refuse(
+            "",
+            "several of of, value and holds".to_owned(),
+            "one of them",
+        );
+    }
+    if let Some(of) = &row.of {
+        if !spec.runs.contains_key(of) {
+            let names: Vec<&str> = spec.runs.keys().map(String::as_str).collect();
+            return refuse("of", format!("unknown run `{of}`"), &names.join(", "));
+        }
+        if row.metric.is_none() && row.share_of.is_none() {
+            return refuse("metric", "none".to_owned(), "a number of the run's report");
+        }
+    }
+    let mut names = Vec::new();
+    let (value, holds) = (row.value.as_ref(), row.holds.as_ref());
+    match (
+        value.map(|text| text.parse::<Expression>()),
+        holds.map(|text| text.parse::<Condition>()),
+    ) {
+        (Some(Err(found)), _) => {
+            return refuse("value", found, "arithmetic on names of earlier rows");
+        }
+        (_, Some(Err(found))) => return refuse("holds", found, "a comparison of earlier rows"),
+        (Some(Ok(value)), _) => names.extend(value.names().into_iter().map(str::to_owned)),
+        (_, Some(Ok(holds))) => names.extend(holds.names().into_iter().map(str::to_owned)),
+        _ => {}
+    }
+    if let Some(name) = names.iter().find(|name| !named.contains(name.as_str())) {
+        let key = if value.is_some() { "value" } else { "holds" };
+        return refuse(
+            key,
+            format!("no earlier row is named `{name}`"),
+            "names of earlier rows",
+        );
+    }
+    let conditions = row.over.iter().flatten().map(|text| ("over", text));
+    for (key, text) in conditions.chain(row.share_of.iter().map(|text| ("share_of", text))) {
+        if let Err(found) = text.parse::<Condition>() {
+            return refuse(key, found, "a comparison, such as \"lower >= 0.75*upper\"");
+        }
+    }
+    if row.over.is_some() && row.take.is_none() && row.share_of.is_none() {
+        return refuse(
+            "over",
+            "neither take nor share_of".to_owned(),
+            "take = \"min\", \"max\" or \"mean\", or share_of",
+        );
+    }
+    let is_computed = row.within.is_some() || row.within_percent.is_some() || row.holds.is_some();
+    let is_explained = row.differs.is_some() || row.under_specified.is_some();
+    if row.published.is_some() && !is_computed && !is_explained {
+        return refuse(
+            "",
+            "a published number without a verdict".to_owned(),
+            "within, within_percent, differs or under_specified",
+        );
+    }
+    Ok(())
+}
