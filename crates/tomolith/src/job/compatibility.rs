@@ -110,14 +110,21 @@ impl Optics {
                         && middle.abs() > 1e-9;
                     let (key, accepted) = if would_fit {
                         let accepted = "a target whose middle lies nearer to that of the light, or a field that reaches to it";
-                        ("target.offset_mm".to_owned(), accepted)
+                        ("target.offset_mm".to_owned(), accepted.to_owned())
+                    } else if is_cut {
+                        narrowed(spec, i)
                     } else {
-                        narrowed(spec, i, is_cut)
+                        let (count, what) = match axis {
+                            0 => (light.pixels.columns, "columns"),
+                            _ => (light.pixels.rows, "rows"),
+                        };
+                        let key = format!("light[{i}].pixels");
+                        (key, larger_field(count, what, extent / field))
                     };
                     return Err(Error::config(
                         key,
                         format!(
-                            "the field reaches {} mm {name}, the target {} mm",
+                            "the field reaches {} mm {name} from its middle, the target {} mm",
                             concise(field.max(0.0)),
                             concise(extent)
                         ),
@@ -298,10 +305,11 @@ impl Optics {
         if beyond > 0 {
             warnings.push(format!(
                 "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
-                 part lies outside and is not lit from all sides; use more columns in `pixels`",
+                 part lies outside and is not lit from all sides; use {} columns or more in `pixels`",
                 concise(reach),
                 concise(farthest),
-                100.0 * beyond as f64 / part as f64
+                100.0 * beyond as f64 / part as f64,
+                (self.lights[light].pixels.columns as f64 * farthest / reach - 1e-6).ceil()
             ));
         }
         Ok(warnings)
@@ -359,13 +367,26 @@ fn field_mm(light: &Light) -> [[f64; 2]; 2] {
 
 /// The key that makes the field of a light too small for a target, and what would make it larger. `is_cut`: all of its pixels
 /// would do.
-fn narrowed(spec: &JobSpec, i: usize, is_cut: bool) -> (String, &'static str) {
-    let light = &spec.light[i];
-    if !is_cut {
-        let accepted =
-            "a field larger than the target: more pixels, a larger pitch, or a smaller target";
-        return (format!("light[{i}].pixels"), accepted);
+fn narrowed(spec: &JobSpec, i: usize) -> (String, String) {
+    let (key, accepted) = narrowing(spec, i);
+    (key, accepted.to_owned())
+}
+
+/// How many pixels make a field so many times as large.
+fn larger_field(count: usize, what: &str, times: f64) -> String {
+    let needed = count as f64 * times;
+    if !needed.is_finite() {
+        return "a field larger than the target: more pixels, a larger pitch, or a smaller target"
+            .to_owned();
     }
+    format!(
+        "at least {} {what} of pixels of this pitch, a larger pitch, or a smaller target",
+        (needed - 1e-6).ceil()
+    )
+}
+
+fn narrowing(spec: &JobSpec, i: usize) -> (String, &'static str) {
+    let light = &spec.light[i];
     let selection = &light.selection;
     if selection.columns.is_some() || selection.rows.is_some() || selection.mask.is_some() {
         let accepted = "pixels that may be lit up to the edge of the target";

@@ -15,6 +15,32 @@ pub(super) fn of_light(shown: &[Patterns]) -> Option<String> {
     })
 }
 
+/// Share of the pixels that shine above which a bound, and not the objective, says how bright they are.
+const HELD: f64 = 0.9;
+/// Bits from which patterns have levels enough to tell.
+const GRAY_BITS: u32 = 6;
+
+/// Warns of patterns that an upper bound of the job holds nearly everywhere.
+pub(super) fn of_bound(spec: &JobSpec, shown: &[Patterns]) -> Option<String> {
+    let largest = spec.bounds.max?;
+    let bits = spec.bounds.bits.unwrap_or(spec.evaluate.bit_depth);
+    if bits.min(spec.evaluate.bit_depth) < GRAY_BITS {
+        return None;
+    }
+    let values = || shown.iter().flat_map(|patterns| &patterns.values);
+    let shining = values().filter(|value| **value > 0.0).count();
+    let held = values()
+        .filter(|value| f64::from(**value) >= 0.999 * largest)
+        .count();
+    (shining > 0 && held as f64 > HELD * shining as f64).then(|| {
+        format!(
+            "{:.0} % of the pixels that shine are at bounds.max = {}: this bound says how large the dose is, and not the objective; raise it, or leave it out",
+            100.0 * held as f64 / shining as f64,
+            concise(largest)
+        )
+    })
+}
+
 /// Warns of a threshold that all doses of part and void miss on the same side.
 pub(super) fn of_threshold(spec: &JobSpec, evaluation: &Evaluation) -> Option<String> {
     let threshold = spec.evaluate.threshold?;

@@ -287,10 +287,15 @@ pub(crate) fn evaluate_patterns(
         .into_iter()
         .chain(agreement.and_then(|agreement| agreement.warning()))
         .chain(doubts::of_light(shown))
+        .chain(doubts::of_bound(&scene.spec, shown))
         .chain(doubts::of_threshold(&scene.spec, &evaluation))
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
+    }
+    let all = std::iter::once(&evaluation).chain(species.iter().map(|own| &own.evaluation));
+    for text in of_each_species(scene, &all.collect::<Vec<_>>()) {
+        progress.event(&Event::Note { text });
     }
     Ok(Evaluated {
         evaluation,
@@ -311,6 +316,42 @@ pub(crate) fn evaluate_patterns(
         others: species,
         warnings,
     })
+}
+
+/// A line for each species of several: IoU at its own best threshold, and at that of the first, since one exposure prints all.
+fn of_each_species(scene: &Scene, evaluations: &[&Evaluation]) -> Vec<String> {
+    let name = |s: usize| scene.species_name(s).unwrap_or_default();
+    let of_one = |(s, evaluation): (usize, &&Evaluation)| {
+        let iou = evaluation.measures.get("iou")?;
+        let own = evaluation.gel_threshold?;
+        let mut text = format!("{}: IoU {iou:.4} at a threshold of {own:.3}", name(s));
+        let first = evaluations[0].gel_threshold.filter(|_| s > 0);
+        if let Some((first, there)) = first.and_then(|t| Some((t, iou_at(&evaluation.curve, t)?))) {
+            let of_first = name(0);
+            text += &format!(
+                ", {there:.4} at {first:.3}, that of {of_first}: one exposure prints both only if their resins gel at doses of that ratio"
+            );
+        }
+        Some(text)
+    };
+    if evaluations.len() < 2 {
+        return Vec::new();
+    }
+    evaluations.iter().enumerate().filter_map(of_one).collect()
+}
+
+/// IoU at a threshold, between the points of its curve; None beside them.
+fn iou_at(curve: &[[f64; 2]], threshold: f64) -> Option<f64> {
+    let pair = curve
+        .windows(2)
+        .find(|pair| pair[0][0] <= threshold && threshold <= pair[1][0])?;
+    let [[low, before], [high, after]] = [pair[0], pair[1]];
+    let share = if high > low {
+        (threshold - low) / (high - low)
+    } else {
+        0.0
+    };
+    Some(before + share * (after - before))
 }
 
 /// The print in time on the job's voxels, where the job has a schedule.

@@ -17,6 +17,8 @@ use std::fmt;
 const WORTH_CHANGING: f64 = 0.001;
 /// A loss function that fell by more than this share over the last quarter of the iterations had not come to rest.
 const STILL_FALLING: f64 = 0.01;
+/// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
+const FALLING_FAST: f64 = 0.1;
 
 /// What the patterns of a run or a simulation lose, and where.
 pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optimized>) -> Limits {
@@ -36,10 +38,12 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
         };
     }
     let best = judged.evaluation.curve.iter().map(|[_, iou]| *iou);
-    let converges = |o: &Optimized| {
+    let gains_nothing = |o: &Optimized| {
         o.gain_in_the_end()
             .is_some_and(|gain| gain < WORTH_CHANGING)
     };
+    let falls_fast =
+        |o: &Optimized| Fall::of(&o.outcome.history).is_some_and(|fall| fall.share > FALLING_FAST);
     let found = Found {
         kind,
         optimized: judged.optimisation.as_ref().and_then(get),
@@ -69,7 +73,7 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
             .filter(|_| !scene.shape.is_gray() && scene.optics.scene().beyond_slices().is_none())
             .and_then(|z| Ends::worst(z, lights)),
         falling: optimized
-            .filter(|o| !converges(o))
+            .filter(|o| falls_fast(o) || !gains_nothing(o))
             .and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
     };
     found.limits()
@@ -397,10 +401,9 @@ impl Found {
             (self.optimized, reach)
         };
         let loss = self.loss(Some(perfect), reached)?;
-        // What other causes of the same print take is not the light's
-        let others = [self.exposure(), self.row_ends()];
+        // What other causes of the same print take is not the light's; rows' ends are not seen on the job's own voxels
+        let others = [self.exposure(), self.row_ends().filter(|_| self.saw_finer)];
         let others: f64 = others.iter().flatten().map(|limit| limit.loss).sum();
-        let others = if self.saw_finer { others } else { 0.0 };
         let loss = if others > 0.0 {
             (loss - others).max(0.0)
         } else {

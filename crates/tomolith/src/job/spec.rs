@@ -17,7 +17,7 @@ use crate::optics::projector::{PROJECTORS, Projector};
 use crate::optics::vial::ended::EndSpec;
 use crate::optimize::{Keep, checkpoint};
 use crate::target::TargetSpec;
-use crate::units::{Mm, Pitch};
+use crate::units::{Mm, Pitch, concise};
 use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor, value::MapAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -414,7 +414,7 @@ pub struct DiffusionSpec {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ScheduleSpec {
-    /// Duration of a turn, s; that of `output.rpm` when left out.
+    /// Duration of a turn, s; that of `output.rpm` when left out, which follows it where the job does not set it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seconds_per_turn: Option<f64>,
     /// How many turns, above 0; a broken number ends within a turn.
@@ -1161,14 +1161,39 @@ impl JobSpec {
     /// but not built.
     pub fn from_document(document: &Document) -> Result<Self> {
         let root = document.root.as_object().cloned().unwrap_or_default();
+        let has_rpm = document.root.pointer("/output/rpm").is_some();
         let read = || {
-            let spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
+            let mut spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
+            spec.turn_at_one_speed(has_rpm)?;
             for (i, light) in spec.light.iter().enumerate() {
                 light.projector.build(&format!("light[{i}].projector"))?;
             }
             Ok(spec)
         };
         read().map_err(|e| document.locate(with_example(e)))
+    }
+
+    /// Movies turn as fast as the schedule.
+    fn turn_at_one_speed(&mut self, has_rpm: bool) -> Result<()> {
+        let seconds = self.schedule.as_ref().and_then(|own| own.seconds_per_turn);
+        let Some(seconds) = seconds.filter(|s| *s > 0.0) else {
+            return Ok(());
+        };
+        let rpm = 60.0 / seconds;
+        if !has_rpm {
+            self.output.rpm = rpm;
+        } else if (rpm - self.output.rpm).abs() > 1e-6 * rpm {
+            return Err(Error::config(
+                "schedule.seconds_per_turn",
+                format!(
+                    "a turn of {} s, and output.rpm = {}",
+                    concise(seconds),
+                    concise(self.output.rpm)
+                ),
+                "one of the two, or 60 / output.rpm",
+            ));
+        }
+        Ok(())
     }
 
     /// The objectives, one section each, with their key paths.
