@@ -285,7 +285,7 @@ fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
     let off = rms(&sum) / rms(&of_one);
     assert!(off < 1e-2, "{off}");
     assert!(
-        rms(&apart) > 0.05 * rms(&of_one),
+        rms(&apart) > 0.01 * rms(&of_one),
         "{}",
         rms(&apart) / rms(&of_one)
     );

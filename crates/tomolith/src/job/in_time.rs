@@ -905,7 +905,8 @@ mod tests {
             let ((all, squares), (spread, lower)) = (of(&sharp), of(&blurred));
             assert!(
                 (spread / all - 1.0).abs() < 1e-4,
-                "{change}: {all} {spread}"
+                "{change}: {all} {spread} {}",
+                sharp.start.max_abs()
             );
             assert!(lower < 0.995 * squares, "{change}: {squares} {lower}");
             let model = blurred.model.describe();

@@ -370,10 +370,12 @@ mod tests {
             resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
             vial = { index_matched = { radius_mm = 1.0 } }
             [[light]]
+            name = "a"
             pixels = [24, 16]
             angles = 40
             projector = { collimated = { pixel_pitch_mm = 0.1 } }
             [[light]]
+            name = "b"
             pixels = [24, 16]
             angles = 6
             projector = { collimated = { pixel_pitch_mm = 0.1 } }
