@@ -279,13 +279,13 @@ impl Printing {
     /// Which of the frames of each light are among these of all lights.
     fn own_frames(&self, frames: &Range<usize>) -> Vec<Range<usize>> {
         let mut first = 0;
-        let own = |model: &Box<Model>| {
+        let mut own = |model: &Model| {
             let end = first + frames_of(model.patterns());
             let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
             first = end;
             own
         };
-        self.optics.iter().map(own).collect()
+        self.optics.iter().map(|model| own(&**model)).collect()
     }
 
     /// The gradient of some frames where the material has no memory.
