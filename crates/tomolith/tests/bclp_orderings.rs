@@ -63,7 +63,6 @@ fn a_wider_band_has_a_smaller_loss() {
     // Section 3.4.2: 0, 0.879, 6.20, 18.9
     let losses = ["0.2", "0.1", "0.05", "0"]
         .map(|e| ended(&[&format!("objectives[0].bclp.epsilon={e}")]).loss);
-    println!("ε = 0.2, 0.1, 0.05, 0: losses {losses:.3?}");
     assert_eq!(losses[0], 0.0);
     assert!(
         losses.windows(2).all(|pair| pair[0] < pair[1]),
@@ -81,7 +80,6 @@ fn a_steep_response_helps_up_to_a_point() {
     };
     let linear = ended(&[]).loss;
     let losses = ["10", "25", "150"].map(logistic);
-    println!("linear {linear:.3}, B = 10, 25, 150: {losses:.3?}");
     assert!(linear > losses[0] && losses[0] > losses[1], "{losses:?}");
     assert!(losses[2] > losses[1], "{losses:?}");
 }
@@ -92,7 +90,6 @@ fn a_small_p_keeps_more_voxels_in_the_band_and_a_large_one_the_largest_error_sma
     let all = ["0.5", "1", "2", "20"].map(|p| ended(&[&format!("objectives[0].bclp.p={p}")]));
     let out = all.each_ref().map(|ended| ended.out);
     let largest = all.each_ref().map(|ended| ended.largest);
-    println!("p = 0.5, 1, 2, 20: out {out:?}, largest {largest:.3?}");
     assert!(out.windows(2).all(|pair| pair[0] < pair[1]), "{out:?}");
     // Between 0.5 and 1 it hardly changes
     assert!(largest[0] > largest[2], "{largest:?}");
@@ -130,7 +127,6 @@ fn a_disc_that_weighs_more_is_nearer_to_its_picture() {
             .map(|(_, (a, b))| (a - b).powi(2));
         squares.sum::<f32>().sqrt()
     });
-    println!("w = 0.1, 1, 3.5 in the disc: errors there {errors:.3?}");
     assert!(
         errors.windows(2).all(|pair| pair[0] > pair[1]),
         "{errors:?}"

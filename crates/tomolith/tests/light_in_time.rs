@@ -103,7 +103,6 @@ fn shaded_light_is_that_of_a_resin_with_a_map() {
         let mut change = wanted.clone();
         change.axpy(-1.0, &before);
         let share = rms(&off) / rms(&change);
-        println!("{more} more per mm: {share:.4} of the change");
         assert!(share < 0.02, "{more}: {share}");
         // ⟨F d, c⟩ = ⟨d, Fᵀc⟩
         let (d, c) = (noise(&x, 3), noise(&wanted, 5));
@@ -296,7 +295,6 @@ fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
         apart < further && further <= first,
         "{apart} {further} {first}"
     );
-    println!("one turn repeated {further:.4}, two of their own {apart:.4}");
 }
 
 #[test]

@@ -69,7 +69,6 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
     solid.sort_by(f32::total_cmp);
     assert!(solid.len() > 100, "{}", solid.len());
     let (soft, stiff) = (solid[solid.len() / 20], solid[solid.len() * 19 / 20]);
-    println!("modulus of a twentieth below {soft:.1} MPa, of a twentieth above {stiff:.0} MPa");
     assert!(solid[0] >= 5.0 && solid[solid.len() - 1] <= 9100.0);
     assert!(stiff > 30.0 * soft, "{soft} {stiff}");
     let report: Value =

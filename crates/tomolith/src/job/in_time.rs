@@ -953,7 +953,6 @@ mod tests {
         let (start, repeated) = loss(&folder);
         let (time, folder) = report(&[&own[..], &["schedule.own_patterns=true"]].concat());
         let (same, apart) = loss(&folder);
-        println!("one turn repeated {start} → {repeated}, two of their own {same} → {apart}");
         assert!((same / start - 1.0).abs() < 0.01, "{same} {start}");
         assert!(apart < 1.01 * repeated, "{apart} {repeated}");
         assert!(time["time"][0]["best_jaccard"].as_f64().unwrap() > 0.7);
@@ -984,7 +983,6 @@ mod tests {
             ratio("schedule.level_heights=false"),
             ratio("schedule.level_heights=true"),
         );
-        println!("time of the upper quarter over the lower one: {before} → {after}");
         assert!(
             before > 1.15 && (after - 1.0).abs() < 0.05,
             "{before} {after}"
