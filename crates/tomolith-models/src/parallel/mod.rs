@@ -29,8 +29,8 @@
 //!
 //! # Limits
 //! Collimated light, walls and absorption that do not change along z, light reflected at a wall is lost. Absorption may
-//! change across the plane ([`AbsorptionMap`]) where light is straight; a bath may absorb before the vial
-//! ([`Bath`]).
+//! change across the plane ([`AbsorptionMap`](tomolith_optics::absorption_map::AbsorptionMap)) where light is straight; a bath may absorb before the vial
+//! ([`Bath`](tomolith_optics::trace::Bath)).
 //!
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared

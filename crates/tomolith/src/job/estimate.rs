@@ -344,11 +344,15 @@ impl Work<'_> {
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
         let [judge_s, ..] = seconds(&rates.judging, frames);
         let vectors = extent.active_pixels as f64 * rates.vector_s;
-        let step_s = own * (rates.doses_per_step * dose_s + adjoint_s)
-            + PASSES * rates.objective_s
+        // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
+        let of_levels =
+            |all_s: f64, begin_s: f64| begin_s + extent.effort * (all_s - begin_s).max(0.0);
+        let step_s = own
+            * (rates.doses_per_step * of_levels(dose_s, rates.calls.dose.begin_s)
+                + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
+            + extent.effort * PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
-        let optimisation_s = (iterations as f64 * extent.effort * step_s)
-            .min(self.wall_s.unwrap_or(f64::INFINITY))
+        let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
             + OTHER_CALLS * own * dose_s
             + first_s
             + model_s
@@ -475,6 +479,21 @@ mod tests {
         assert!(
             (averaged.optimisation_s - cost.optimisation_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
                 < 1e-9
+        );
+        // Three times the updates: of a dose 3 s, of an adjoint 1.5 s, and the passes over the dose; not what begins a call, nor the pixels
+        let finer = Extent {
+            effort: 3.0,
+            ..extent.clone()
+        };
+        let finer = Work {
+            extent: &finer,
+            ..work
+        }
+        .cost(&rates());
+        let more = finer.optimisation_s - cost.optimisation_s;
+        assert!(
+            (more - 7.0 * 2.0 * (3.0 + 1.5 + 0.05)).abs() < 1e-9,
+            "{more}"
         );
         let limited = Work {
             wall_s: Some(1.0),
