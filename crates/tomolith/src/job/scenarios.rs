@@ -72,7 +72,9 @@ fn at_scenario(i: usize, error: Error) -> Error {
             let key = key.strip_prefix("--set ").unwrap_or(&key);
             let key = key.split_once('=').map_or(key, |(key, _)| key);
             Error::Config {
-                key: format!("scenario[{i}].set.{key}"),
+                key: format!("scenario[{i}].set.{key}")
+                    .trim_end_matches('.')
+                    .to_owned(),
                 found,
                 accepted,
                 nearest,
@@ -122,12 +124,21 @@ fn each_leaf(
     }
 }
 
-/// Refuses a scenario that shows other images.
+/// Refuses a scenario that shows other images, or is computed on other voxels.
 fn must_show_the_same(scene: &Scene, own: &Scene) -> Result<()> {
     let images = |scene: &Scene| -> Vec<_> {
         let lights = scene.optics.lights.iter();
         lights.map(|light| light.pixels.shape()).collect()
     };
+    let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
+    if voxels(scene) != voxels(own) {
+        // Rays want cubes, and parallel light does not
+        return Err(Error::config(
+            "",
+            "its light is computed by a model that wants other voxels than the job's",
+            "grid.refine = 1 for the job, which is then optimized on its own voxels",
+        ));
+    }
     if images(scene) == images(own) {
         return Ok(());
     }
