@@ -15,6 +15,7 @@ pub mod monte_carlo;
 pub mod parallel;
 pub mod planner;
 pub mod rays;
+pub mod scenarios;
 mod scene;
 pub mod selection;
 pub mod spectral;

@@ -147,6 +147,20 @@ impl SpectralMixing {
     }
 }
 
+/// The coupling that reaches farthest.
+pub(crate) fn farthest(couplings: impl Iterator<Item = ZCoupling>) -> ZCoupling {
+    let reach = |coupling: ZCoupling| match coupling {
+        ZCoupling::None => 0.0,
+        ZCoupling::Halo(mm) => mm,
+        ZCoupling::Full => f64::INFINITY,
+    };
+    match couplings.map(reach).fold(0.0, f64::max) {
+        0.0 => ZCoupling::None,
+        mm if mm.is_finite() => ZCoupling::Halo(mm),
+        _ => ZCoupling::Full,
+    }
+}
+
 impl DoseModel for SpectralMixing {
     type Field = HostField;
 
@@ -253,17 +267,7 @@ impl DoseModel for SpectralMixing {
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        let reach = |coupling: ZCoupling| match coupling {
-            ZCoupling::None => 0.0,
-            ZCoupling::Halo(mm) => mm,
-            ZCoupling::Full => f64::INFINITY,
-        };
-        let farthest = self.lights.iter().map(|light| reach(light.z_coupling()));
-        match farthest.fold(0.0, f64::max) {
-            0.0 => ZCoupling::None,
-            mm if mm.is_finite() => ZCoupling::Halo(mm),
-            _ => ZCoupling::Full,
-        }
+        farthest(self.lights.iter().map(|light| light.z_coupling()))
     }
 
     fn is_linear(&self) -> bool {

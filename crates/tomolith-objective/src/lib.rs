@@ -13,6 +13,7 @@ pub mod osmo;
 pub mod penalty;
 pub mod pm;
 pub mod preset;
+pub mod process_window;
 pub mod species;
 pub mod sum;
 pub mod threshold;
@@ -20,7 +21,7 @@ pub mod voxel_weights;
 pub mod window;
 
 pub use band::{Band, BandObjective, Bands};
-pub use species::PerSpecies;
+pub use species::{Join, PerBlock};
 use std::sync::Arc;
 pub use sum::Sum;
 use tomolith_core::dose::DoseLayout;
@@ -52,6 +53,10 @@ pub trait Objective<F: Field>: Send + Sync {
     }
     /// Whether L is convex in the dose, so that a line search finds its minimum where the slope changes sign.
     fn is_convex(&self) -> bool;
+    /// Whether L is a mean over voxels and not a sum, so that it stays the same on finer voxels.
+    fn is_mean(&self) -> bool {
+        false
+    }
     /// Weighs voxels and widens their bands, once, before any work.
     ///
     /// # Errors
@@ -93,6 +98,9 @@ pub type BuildObjective<F = HostField> = fn(&Section, &ObjectiveInput) -> BoxedO
 /// Every objective, for doses in host memory.
 pub static OBJECTIVES: &[Kind<BuildObjective>] = objectives();
 
+/// Objectives that weigh a voxel by the share that is part unless they are told otherwise.
+pub const OF_FRACTIONS: [&str; 2] = [threshold::NAME, process_window::NAME];
+
 /// Every objective, wherever doses live.
 #[must_use]
 pub const fn objectives<F: Field>() -> &'static [Kind<BuildObjective<F>>] {
@@ -108,6 +116,7 @@ pub const fn objectives<F: Field>() -> &'static [Kind<BuildObjective<F>>] {
             window::l2n(),
             window::osp(),
             window::ospw(),
+            process_window::kind(),
         ]
     }
 }

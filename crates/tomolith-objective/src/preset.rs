@@ -75,13 +75,6 @@ impl PartAndVoid {
     /// # Errors
     /// [`Error::Unsupported`] for a gray target, [`Error::Config`] for bands out of range.
     pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
-        if input.target.grey {
-            return Err(Error::Unsupported {
-                what: "an objective of part and void".to_owned(),
-                reason: "the target is gray; l2, l1, dose_matching and bclp reproduce gray values"
-                    .to_owned(),
-            });
-        }
         self.build_with_labels(surface, input, input.labels)
     }
 
@@ -96,27 +89,61 @@ impl PartAndVoid {
         labels: &Volume<u8>,
     ) -> BoxedObjective<F> {
         check_shape("labels", &labels.grid.shape, input)?;
+        must_be_part_and_void(input)?;
         surface.must_fit(input.layout)?;
-        let bands = match surface {
-            Surface::Voxel => Bands::labels(
+        let bands = if surface == Surface::Voxel {
+            Bands::labels(
                 input.layout.field_of(labels),
                 &[(label::PART, self.part), (label::VOID, self.void)],
-            ),
-            Surface::Fraction => Bands::Shared {
-                inside: self.shares(input, labels),
+            )
+        } else {
+            let Shares { inside, scale } = Shares::new(surface, input, labels)?;
+            Bands::Shared {
+                inside,
                 part: self.part,
                 void: self.void,
-                scale: Vec::new(),
+                scale,
                 widen: Vec::new(),
-            },
-            Surface::Cells => self.cells(input, labels),
+            }
         };
         finish(bands, self.p, self.q, input)
     }
+}
 
-    /// Inside cells are part and outside ones void, each weighed by its share of the voxel.
-    fn cells(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Bands {
+/// Which share of each element of a dose field is part.
+pub(crate) struct Shares {
+    /// s, negative where an element does not count.
+    pub(crate) inside: Vec<f32>,
+    /// Factor of both weights, s and 1 − s; empty for 1.
+    pub(crate) scale: Vec<f32>,
+}
+
+impl Shares {
+    /// The shares of a target of part and void.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a gray target, and for a surface that the model does not have.
+    pub(crate) fn new(
+        surface: Surface,
+        input: &ObjectiveInput,
+        labels: &Volume<u8>,
+    ) -> Result<Self> {
+        must_be_part_and_void(input)?;
+        surface.must_fit(input.layout)?;
+        let counts = |label: u8| label == label::PART || label == label::VOID;
         let mut labels = input.layout.field_of(labels);
+        if surface == Surface::Fraction {
+            let mut inside = input.layout.field_of(&input.target.inside);
+            inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
+                *s = if counts(label) {
+                    s.clamp(0.0, 1.0)
+                } else {
+                    -1.0
+                };
+            });
+            return Ok(Shares::of(inside));
+        }
+        // Inside cells are part and outside ones void, each weighed by its share of the voxel
         let mut scale = Vec::new();
         if let Some(cells) = &input.layout.cells {
             cells.label(&mut labels);
@@ -127,25 +154,52 @@ impl PartAndVoid {
             label::VOID => 0.0,
             _ => -1.0,
         };
-        Bands::Shared {
-            inside: labels.par_iter().map(inside).collect(),
-            part: self.part,
-            void: self.void,
-            scale,
-            widen: Vec::new(),
+        let inside = labels.par_iter().map(inside).collect();
+        Ok(Shares { inside, scale })
+    }
+
+    /// Shares of elements that weigh the same.
+    pub(crate) fn of(inside: Vec<f32>) -> Self {
+        Shares {
+            inside,
+            scale: Vec::new(),
         }
     }
 
-    /// s per element of the dose field, −1 where a voxel does not count.
-    fn shares(&self, input: &ObjectiveInput, labels: &Volume<u8>) -> Vec<f32> {
-        let labels = input.layout.field_of(labels);
-        let mut inside = input.layout.field_of(&input.target.inside);
-        inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
-            let counts = label == label::PART || label == label::VOID;
-            *s = if counts { s.clamp(0.0, 1.0) } else { -1.0 };
-        });
-        inside
+    /// Weights of an element as part and as void; None where it does not count.
+    pub(crate) fn weights(&self, i: usize) -> Option<[f64; 2]> {
+        let s = f64::from(self.inside[i]);
+        let scale = self.scale.get(i).map_or(1.0, |&scale| f64::from(scale));
+        (s >= 0.0).then(|| [scale * s, scale * (1.0 - s)])
     }
+
+    /// Sums of both weights.
+    pub(crate) fn totals(&self) -> [f64; 2] {
+        let weights = (0..self.inside.len()).filter_map(|i| self.weights(i));
+        weights.fold([0.0; 2], |sum, w| [sum[0] + w[0], sum[1] + w[1]])
+    }
+
+    /// Multiplies the weights; no factors change nothing.
+    pub(crate) fn scale(&mut self, factors: &[f32]) {
+        if self.scale.is_empty() {
+            self.scale = factors.to_vec();
+        } else {
+            let own = self.scale.iter_mut().zip(factors);
+            own.for_each(|(own, factor)| *own *= factor);
+        }
+    }
+}
+
+/// Refuses a gray target.
+fn must_be_part_and_void(input: &ObjectiveInput) -> Result<()> {
+    if !input.target.grey {
+        return Ok(());
+    }
+    Err(Error::Unsupported {
+        what: "an objective of part and void".to_owned(),
+        reason: "the target is gray; l2, l1, dose_matching and bclp reproduce gray values"
+            .to_owned(),
+    })
 }
 
 /// Bands around the target's own values: `[f − half_width, f + half_width]`, part and void weighed apart.

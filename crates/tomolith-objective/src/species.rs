@@ -1,6 +1,14 @@
-//! One objective per species of a dose.
+//! One objective for each block of a dose: for several species, or for one part under several scenarios.
 //!
-//! L = Σ_s L_s(r_s), where r_s is the block of species s in the dose field. The objective of a species knows its own block only.
+//! ```text
+//! sum     L = Σ_k L_k(r_k)            species
+//! mean    L = 1/n·Σ_k L_k(r_k)        scenarios
+//! worst   L = (Σ_k L_k(r_k)^8)^(1/8)  scenarios: at least the largest L_k, at most n^(1/8) times it, and smooth
+//! ```
+//!
+//! r_k is block k of the dose field; its objective knows its own block only. All three are convex where every L_k is and none is negative.
+//!
+//! **Source** the norm in place of a largest value: Li et al., Additive Manufacturing 94 (2024) 104447, section 2.3.1 (there over voxels).
 //!
 //! **Cost** a copy of each block per call, beside the objectives' own passes.
 
@@ -9,18 +17,60 @@ use std::ops::Range;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{Field, HostField};
 
-/// Objectives of the blocks of a dose field.
-pub struct PerSpecies {
-    parts: Vec<(Range<usize>, Box<dyn Objective<HostField>>)>,
+/// How the losses of blocks become one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Join {
+    /// Their sum.
+    #[default]
+    Sum,
+    /// Their mean.
+    Mean,
+    /// Nearly the largest of them.
+    Worst,
 }
 
-impl PerSpecies {
-    /// The sum over these species; each objective is built on a layout that begins at 0.
+/// Power of the norm that stands for the largest loss.
+const STEEP: i32 = 8;
+
+impl Join {
+    /// The joint loss, and its derivative by each of these.
+    fn of(self, losses: &[f64]) -> (f64, Vec<f64>) {
+        let count = losses.len();
+        match self {
+            Join::Sum => (losses.iter().sum(), vec![1.0; count]),
+            Join::Mean => {
+                let share = 1.0 / count as f64;
+                (share * losses.iter().sum::<f64>(), vec![share; count])
+            }
+            Join::Worst => {
+                let worst = losses.iter().copied().fold(0.0, f64::max);
+                if worst == 0.0 || !worst.is_finite() {
+                    return (worst, vec![0.0; count]);
+                }
+                let relative = |loss: &f64| (loss / worst).max(0.0);
+                let powers: f64 = losses.iter().map(|l| relative(l).powi(STEEP)).sum();
+                let norm = powers.powf(1.0 / f64::from(STEEP));
+                let slopes = losses.iter().map(|l| (relative(l) / norm).powi(STEEP - 1));
+                (worst * norm, slopes.collect())
+            }
+        }
+    }
+}
+
+/// Objectives of the blocks of a dose field.
+pub struct PerBlock {
+    parts: Vec<(Range<usize>, Box<dyn Objective<HostField>>)>,
+    join: Join,
+}
+
+impl PerBlock {
+    /// One objective for each of these blocks, built on a layout that begins at 0.
     #[must_use]
-    pub fn new(parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)>) -> Self {
+    pub fn new(parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)>, join: Join) -> Self {
         let parts = parts.into_iter();
-        PerSpecies {
+        PerBlock {
             parts: parts.map(|(layout, o)| (layout.range(), o)).collect(),
+            join,
         }
     }
 }
@@ -29,33 +79,41 @@ fn block(field: &HostField, range: &Range<usize>) -> HostField {
     HostField::from_slice(&field.as_slice()[range.clone()])
 }
 
-impl Objective<HostField> for PerSpecies {
+impl Objective<HostField> for PerBlock {
     fn value(&self, dose: &HostField) -> f64 {
         let value =
             |(range, part): &(_, Box<dyn Objective<HostField>>)| part.value(&block(dose, range));
-        self.parts.iter().map(value).sum()
+        let losses: Vec<f64> = self.parts.iter().map(value).collect();
+        self.join.of(&losses).0
     }
 
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn value_and_gradient(&self, dose: &HostField, grad: &mut HostField) -> f64 {
-        let mut loss = 0.0;
+        let mut losses = Vec::with_capacity(self.parts.len());
         for (range, part) in &self.parts {
             let own = block(dose, range);
             let mut slope = own.zeros_like();
-            loss += part.value_and_gradient(&own, &mut slope);
+            losses.push(part.value_and_gradient(&own, &mut slope));
             grad.as_mut_slice()[range.clone()].copy_from_slice(slope.as_slice());
+        }
+        let (loss, slopes) = self.join.of(&losses);
+        for ((range, _), slope) in self.parts.iter().zip(slopes) {
+            if slope != 1.0 {
+                let own = grad.as_mut_slice()[range.clone()].iter_mut();
+                own.for_each(|g| *g *= slope as f32);
+            }
         }
         loss
     }
 
     fn slope_along(&self, dose: &HostField, step: &HostField, alpha: f32) -> (f64, f64) {
-        let sum =
-            |(loss, slope): (f64, f64),
-             (range, part): &(Range<usize>, Box<dyn Objective<HostField>>)| {
-                let (value, rise) =
-                    part.slope_along(&block(dose, range), &block(step, range), alpha);
-                (loss + value, slope + rise)
-            };
-        self.parts.iter().fold((0.0, 0.0), sum)
+        let along = |(range, part): &(Range<usize>, Box<dyn Objective<HostField>>)| {
+            part.slope_along(&block(dose, range), &block(step, range), alpha)
+        };
+        let (losses, rises): (Vec<f64>, Vec<f64>) = self.parts.iter().map(along).unzip();
+        let (loss, slopes) = self.join.of(&losses);
+        let rise = slopes.iter().zip(&rises).map(|(slope, rise)| slope * rise);
+        (loss, rise.sum())
     }
 
     fn is_convex(&self) -> bool {
@@ -91,12 +149,29 @@ mod tests {
             offset: first.len(),
             ..first.clone()
         };
-        let both = PerSpecies::new(vec![(&first, of("threshold")), (&second, of("l2"))]);
+        let joined =
+            |join| PerBlock::new(vec![(&first, of("threshold")), (&second, of("l2"))], join);
         let noise = tomolith_core::check::noise(2 * first.len(), 5);
         let dose: Vec<f32> = noise.iter().map(|v| 0.6 + 0.8 * v).collect();
-        check::objective(&both, &HostField::from_slice(&dose)).unwrap();
+        let field = HostField::from_slice(&dose);
         let [one, two] = [&dose[..first.len()], &dose[first.len()..]].map(HostField::from_slice);
-        let alone = of("threshold").value(&one) + of("l2").value(&two);
-        assert_eq!(both.value(&HostField::from_slice(&dose)), alone);
+        let alone = [of("threshold").value(&one), of("l2").value(&two)];
+        let sum: f64 = alone.iter().sum();
+        let norm = alone.iter().map(|l| l.powi(8)).sum::<f64>().powf(0.125);
+        for (join, expected) in [
+            (Join::Sum, sum),
+            (Join::Mean, 0.5 * sum),
+            (Join::Worst, norm),
+        ] {
+            let both = joined(join);
+            check::objective(&both, &field).unwrap();
+            let found = both.value(&field);
+            assert!(
+                (found - expected).abs() <= 1e-12 * expected,
+                "{join:?}: {found}"
+            );
+        }
+        assert_eq!(joined(Join::Sum).value(&field), sum);
+        assert!(norm >= alone[1] && norm < 1.1 * alone[1]);
     }
 }

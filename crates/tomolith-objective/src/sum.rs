@@ -24,12 +24,11 @@ impl<F: Field> Sum<F> {
         Ok(Sum { parts })
     }
 
-    /// The same with all weights multiplied by `factor`: voxels of another size then cost the same for their volume.
+    /// The same with the weights of sums over voxels multiplied by `factor`: voxels of another size then cost the same for their volume.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
-        for (weight, _) in &mut self.parts {
-            *weight *= factor;
-        }
+        let sums = self.parts.iter_mut().filter(|(_, part)| !part.is_mean());
+        sums.for_each(|(weight, _)| *weight *= factor);
         self
     }
 }

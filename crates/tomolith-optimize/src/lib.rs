@@ -12,6 +12,7 @@ pub mod check;
 pub mod checkpoint;
 pub mod filter;
 pub mod fista;
+pub mod gap;
 pub mod gradient;
 pub mod keep;
 pub mod lbfgs;
@@ -29,6 +30,7 @@ pub mod run;
 pub mod start;
 
 pub use checkpoint::{Checkpoints, Contents, Room};
+pub use gap::Gap;
 pub use keep::{Keep, Kept, KeptBy};
 pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;

@@ -248,6 +248,35 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(())
     }
 
+    /// Whether the problem is known to be convex, with a largest value for every pixel.
+    #[must_use]
+    pub fn has_lower_bound(&self) -> bool {
+        self.model.is_linear()
+            && !self.model.is_renewed()
+            && self.objective.is_convex()
+            && self.penalties.is_convex()
+            && self.bounds.pieces().all(|(_, _, upper)| upper.is_finite())
+    }
+
+    /// A loss that no patterns within the bounds go below, from the gradient at a position; see [`Gap`](super::Gap). None where the problem
+    /// is not known to be convex, or a pixel has no largest value. One adjoint call, counted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`].
+    pub fn lower_bound(&mut self, x: &F, at: &Position<F>) -> Result<Option<f64>> {
+        if !self.has_lower_bound() {
+            return Ok(None);
+        }
+        if at.loss == 0.0 {
+            return Ok(Some(0.0));
+        }
+        let (mut gradient, mut step) = (x.zeros_like(), x.zeros_like());
+        self.gradient(x, at, &mut gradient)?;
+        // A step as long as can be ends at the corner of the bounds that lies furthest downhill
+        let sums = step.project_step(x, &gradient, f32::MAX, self.bounds(x));
+        Ok(Some(at.loss + sums.slope))
+    }
+
     /// F′(x)ᵀ d: a dose field as the pixels see it, counted; with a linear model x may be any patterns.
     ///
     /// # Errors

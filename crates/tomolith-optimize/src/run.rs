@@ -2,7 +2,7 @@
 
 use super::checkpoint::{Checkpoints, Contents, Room, Saved};
 use super::keep::{Keep, Keeper, Kept, KeptBy};
-use super::{Counters, Optimizer, Position, Problem};
+use super::{Counters, Gap, Optimizer, Position, Problem};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -22,6 +22,9 @@ pub struct Stop {
     /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
     /// never); 0.001 is Li et al. (2024), eq. 28
     pub change: f64,
+    /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
+    /// never); convex problems only
+    pub gap: f64,
     /// Stop after this many seconds, above 0; no limit when it is not given
     pub seconds: Option<f64>,
     /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
@@ -34,6 +37,7 @@ impl Default for Stop {
             iterations: 40,
             projected_gradient: 0.0,
             change: 0.0,
+            gap: 0.0,
             seconds: None,
             keep: Keep::Best,
         }
@@ -42,6 +46,8 @@ impl Default for Stop {
 
 /// Steps over which the change of the loss is averaged.
 const STEADY: usize = 5;
+/// Steps from one look at the gap to the next, for runs that stop by it.
+const GAP_EVERY: usize = 5;
 
 impl Stop {
     /// Refuses numbers out of range.
@@ -66,6 +72,9 @@ impl Stop {
         if !(self.change.is_finite() && self.change >= 0.0) {
             return refuse("change", self.change, "a finite number, 0 or above");
         }
+        if !(0.0..1.0).contains(&self.gap) {
+            return refuse("gap", self.gap, "0 or above, below 1");
+        }
         match self.seconds {
             Some(s) if !(s.is_finite() && s > 0.0) => {
                 refuse("seconds", s, "a finite number above 0")
@@ -87,6 +96,8 @@ pub enum StopReason {
     ProjectedGradient,
     /// The loss hardly changes any more.
     Steady,
+    /// No patterns can do much better.
+    Gap,
     /// No better point was found: as good as f32 gets.
     NoProgress,
     /// An observer asked for it (a metric reached its goal).
@@ -174,8 +185,19 @@ pub struct Outcome {
     pub reason: StopReason,
     /// A row per step, and one for the start.
     pub history: Vec<Row>,
+    /// A loss that no patterns within the bounds go below, of the run's last voxels; None where there is no such [bound](super::Gap).
+    pub bound: Option<f64>,
     /// Model calls and where the time went.
     pub counters: Counters,
+}
+
+impl Outcome {
+    /// How far the loss is from the lowest one, where that is known.
+    #[must_use]
+    pub fn gap(&self) -> Option<Gap> {
+        let loss = self.loss;
+        self.bound.map(|bound| Gap { loss, bound })
+    }
 }
 
 /// Runs an optimizer from `x` until something stops it; `x` is left at the best patterns found ([`Keep`]), also after an error.
@@ -221,6 +243,12 @@ pub fn run_after<F: Field>(
 ) -> Result<Outcome> {
     stop.validate()?;
     optimizer.requirements().check(problem)?;
+    if stop.gap > 0.0 && !problem.has_lower_bound() {
+        return Err(Error::Unsupported {
+            what: "stop.gap".to_owned(),
+            reason: "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max)".to_owned(),
+        });
+    }
     let Some(mut state) = begin(
         earlier,
         problem,
@@ -239,12 +267,18 @@ pub fn run_after<F: Field>(
             },
             reason: StopReason::Cancelled,
             history,
+            bound: None,
             counters: problem.counters,
         });
     };
     let mut checkpoints = checkpoints;
     problem.set_patient(true);
     let result = loop {
+        match state.look_at_gap(problem, x, stop) {
+            Ok(()) => {}
+            Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
+            Err(error) => break Err(error),
+        }
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
             if let Some(checkpoints) = checkpoints.as_deref_mut() {
                 keep(checkpoints, state.saved(problem, optimizer, x), observers)?;
@@ -265,6 +299,9 @@ pub fn run_after<F: Field>(
         }
     };
     problem.set_patient(false);
+    if result.as_ref().is_ok_and(|r| *r != StopReason::Cancelled) {
+        state.tighten(problem, x)?;
+    }
     let loss = state.keeper.best().loss;
     let kept = state.keeper.end(x);
     Ok(Outcome {
@@ -272,6 +309,7 @@ pub fn run_after<F: Field>(
         kept,
         reason: result?,
         history: state.history,
+        bound: state.bound,
         counters: problem.counters,
     })
 }
@@ -298,6 +336,9 @@ struct State<F> {
     begin: Instant,
     /// Seconds before a resume.
     before_s: f64,
+    /// The highest of the losses that no patterns go below, and the row at which one was last looked for.
+    bound: Option<f64>,
+    bound_at: Option<usize>,
 }
 
 /// Resumes, or starts anew; None when cancelled before the first loss.
@@ -340,6 +381,8 @@ fn begin<F: Field>(
                 keeper,
                 begin,
                 before_s,
+                bound: None,
+                bound_at: None,
             }));
         }
         if checkpoint.has("best") {
@@ -368,6 +411,8 @@ fn begin<F: Field>(
         history: earlier,
         begin,
         before_s: last.map_or(0.0, |row| row.seconds),
+        bound: None,
+        bound_at: None,
     };
     state.record(problem, last.map_or(0, |row| row.iteration), None);
     Ok(Some(state))
@@ -384,6 +429,32 @@ impl<F: Field> State<F> {
             adjoint: problem.counters.adjoint,
             seconds: self.before_s + self.begin.elapsed().as_secs_f64(),
         });
+    }
+
+    /// Looks for a bound of the loss now and then, in runs that stop by it.
+    fn look_at_gap(&mut self, problem: &mut Problem<F>, x: &F, stop: &Stop) -> Result<()> {
+        let done = self.history.last().map_or(0, |row| row.iteration);
+        if stop.gap > 0.0 && done > 0 && done.is_multiple_of(GAP_EVERY) {
+            self.tighten(problem, x)?;
+        }
+        Ok(())
+    }
+
+    /// Looks for a higher bound of the loss, unless these patterns gave theirs.
+    fn tighten(&mut self, problem: &mut Problem<F>, x: &F) -> Result<()> {
+        let row = self.history.last().map(|row| row.iteration);
+        if self.bound_at != row {
+            self.bound_at = row;
+            let found = problem.lower_bound(x, &self.at)?;
+            self.bound = found.map(|found| self.bound.map_or(found, |bound| bound.max(found)));
+        }
+        Ok(())
+    }
+
+    /// How far the best patterns are from the bound.
+    fn gap(&self) -> Option<Gap> {
+        let loss = self.keeper.best().loss;
+        self.bound.map(|bound| Gap { loss, bound })
     }
 
     /// Asked before every step; tells the observers.
@@ -419,6 +490,8 @@ impl<F: Field> State<F> {
             Some(StopReason::ProjectedGradient)
         } else if stop.change > 0.0 && self.change().is_some_and(|c| c <= stop.change * row.loss) {
             Some(StopReason::Steady)
+        } else if stop.gap > 0.0 && self.gap().is_some_and(|gap| gap.relative() <= stop.gap) {
+            Some(StopReason::Gap)
         } else if row.step == Some(0.0) && !goes_on {
             Some(StopReason::NoProgress)
         } else if broken {

@@ -26,9 +26,13 @@
 //!               never met), evaluation (what is solid at best_s), curves
 //! properties    of the printed material: name, unit, and min, median, max where something is solid
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
-//!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last)
+//!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last);
+//!               lower_bound: a loss that no patterns within the bounds go below (linear models, convex objectives), gap: (loss − lower_bound)/loss
 //! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
 //!               model calls; else null
+//! scenarios     where a job has any: of (mean or worst), threshold (the job's), window (least of the part − largest of the void over all of
+//!               them, trimmed), worst_iou (at that threshold), rows (the job, then each scenario: name, iou, iou_at_threshold, gamma,
+//!               part_low, void_high); else null
 //! movies        what a decoder makes of each movie
 //! notes         sentences: choices that were made
 //! warnings      sentences
@@ -87,6 +91,8 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "forward_calls": last.forward_calls,
             "adjoint_calls": last.adjoint_calls,
             "kept": data.kept,
+            "lower_bound": number(data.gap.map(|gap| gap.bound)),
+            "gap": number(data.gap.map(|gap| gap.relative())),
         })
     });
     let movies: Vec<Value> = data
@@ -129,6 +135,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,
+        "scenarios": data.scenarios,
         "movies": movies,
         "notes": data.notes,
         "warnings": data.warnings,

@@ -15,10 +15,12 @@ pub mod number;
 mod picture;
 pub mod plot;
 mod relief;
+pub mod scenarios;
 pub mod time;
 
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, Limits};
+pub use scenarios::{ScenarioRow, ScenarioTable};
 use std::io::Write;
 use std::path::Path;
 pub use time::{TimePoint, TimeReport};
@@ -30,8 +32,8 @@ use tomolith_io::write_whole;
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::surface::Deviation;
 use tomolith_optics::exposure::Budget;
-use tomolith_optimize::Kept;
 use tomolith_optimize::levels::Gain;
+use tomolith_optimize::{Gap, Kept};
 
 /// The patterns of one light.
 #[derive(Clone, Copy, Debug)]
@@ -167,8 +169,12 @@ pub struct ReportData<'a> {
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
     pub kept: Option<Kept>,
+    /// How far their loss is from the lowest, where that is known.
+    pub gap: Option<Gap>,
     /// The print's surface and how far it is off, where there is one.
     pub deviation: Option<&'a Deviation>,
+    /// The same patterns in the job's scenarios, where it has any.
+    pub scenarios: Option<&'a ScenarioTable>,
     /// What was gained on few levels of the machine, where patterns were improved on them.
     pub levels: Option<Gain>,
     /// Movies.
@@ -214,6 +220,8 @@ impl<'a> ReportData<'a> {
             time: Vec::new(),
             history: &[],
             kept: None,
+            gap: None,
+            scenarios: None,
             deviation: None,
             levels: None,
             movies: Vec::new(),
@@ -396,6 +404,8 @@ mod tests {
                 time: Vec::new(),
                 history: &self.history,
                 kept: None,
+                gap: None,
+                scenarios: None,
                 deviation: None,
                 levels: None,
                 movies: Vec::new(),

@@ -58,6 +58,8 @@ pub mod otsu;
 pub mod slices;
 pub mod unit_systems;
 
+pub use order::percentiles;
+
 use super::Measure;
 use super::print::{PatternStats, Print};
 use super::scan::Scan;

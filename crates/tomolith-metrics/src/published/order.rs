@@ -8,7 +8,8 @@ fn wanted(alpha: f64) -> [(usize, f64); 3] {
 }
 
 /// Percentile α and 100 − α of the part, and 100 − α of the void; linear between order statistics.
-pub(super) fn percentiles(scan: &Scan<'_>, alpha: f64) -> [Option<f64>; 3] {
+#[must_use]
+pub fn percentiles(scan: &Scan<'_>, alpha: f64) -> [Option<f64>; 3] {
     wanted(alpha).map(|(class, percent)| percentile(scan, class, percent))
 }
 

@@ -8,6 +8,7 @@ use super::doubts;
 use super::in_time::{InTime, print_in_time};
 use super::noise::Noise;
 use super::progress::{Event, Progress};
+use super::scenarios;
 use super::scene::{Scene, Voxels};
 use super::species::planned;
 use crate::error::Result;
@@ -19,6 +20,7 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
 use crate::optics::light::{Light, Selection};
+use crate::report::ScenarioTable;
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -57,6 +59,8 @@ pub(crate) struct Evaluated {
     pub(crate) in_time: Option<InTime>,
     /// The prints of further species.
     pub(crate) others: Vec<Species>,
+    /// The same patterns in the job's scenarios.
+    pub(crate) scenarios: Option<ScenarioTable>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
 }
@@ -271,6 +275,15 @@ pub(crate) fn evaluate_patterns(
         let text = format!("keep-dark bodies get {dark}");
         progress.event(&Event::Note { text });
     }
+    let own = (&response, evaluation.gel_threshold);
+    let scenarios = scenarios::judged(scene, &fine.labels.values, own, |other| {
+        let (lights, mut memory) = (
+            other.optics.lights_turning(sub_angles),
+            Workspace::default(),
+        );
+        let (dose, ..) = dose(other, lights, &grid, shown, &mut memory, &cancel.aside())?;
+        other.responses(dose)
+    })?;
     let in_time = in_time(scene, voxels, shown, progress, cancel)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
     if let Some(noise) = &noise {
@@ -314,6 +327,7 @@ pub(crate) fn evaluate_patterns(
         model,
         in_time,
         others: species,
+        scenarios,
         warnings,
     })
 }

@@ -49,6 +49,7 @@ mod resolve;
 pub mod resolved;
 pub mod resources;
 mod resume;
+mod scenarios;
 mod scene;
 pub mod schema;
 mod selection;

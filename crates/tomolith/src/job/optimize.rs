@@ -7,6 +7,7 @@ use super::levels::{self, Levelled};
 use super::progress::{Event, Progress};
 use super::refinement::{self, Level};
 use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
+use super::scenarios;
 use super::scene::{Scene, Voxels, at_section};
 use super::spec::JobSpec;
 use super::species::{Row as SpeciesRow, beginnings, planned};
@@ -16,8 +17,9 @@ use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::masked::{darken, pixels_through};
+use crate::models::scenarios::SharedModel;
 use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
-use crate::objective::{Objective, PerSpecies, Sum};
+use crate::objective::{Objective, PerBlock, Sum};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::optimize::{
@@ -206,6 +208,8 @@ pub(super) struct Stage<'a> {
     others: Vec<Voxels>,
     pub(super) model: Box<dyn DoseModel<Field = HostField>>,
     straight: Option<Box<dyn DoseModel<Field = HostField>>>,
+    /// That of the job as it is, where `model` is that of all scenarios.
+    nominal: Option<SharedModel>,
     /// Pixels that stay dark.
     dark: Vec<bool>,
     /// Which model, and why.
@@ -246,12 +250,14 @@ impl<'a> Stage<'a> {
             *dark |= left_out;
         }
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
+        let (model, nominal) = scenarios::joined(scene, model, &dark, level, cancel)?;
         Ok(Stage {
             level,
             voxels,
             others,
-            model: Box::new(model),
+            model,
             straight: plan.surrogate,
+            nominal,
             dark,
             reason: plan.reason,
         })
@@ -263,7 +269,8 @@ impl<'a> Stage<'a> {
         start: &dyn InitialPatterns,
         cancel: &Run,
     ) -> Result<HostField> {
-        let models = (self.model.as_ref(), self.straight.as_deref());
+        let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
+        let models = (own, self.straight.as_deref());
         let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
@@ -289,15 +296,20 @@ impl<'a> Stage<'a> {
         if outputs.len() == 1 {
             return own(scene, &outputs[0], &self.voxels);
         }
+        // Scenarios ask the same of every output
+        let same = (scene, self.voxels.as_ref());
+        let of_species = scene.species().zip(self.all_voxels());
+        let asked = of_species.chain(std::iter::repeat_n(same, scene.scenarios.len()));
         let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
-        for ((scene, layout), voxels) in scene.species().zip(outputs).zip(self.all_voxels()) {
+        for ((scene, voxels), layout) in asked.zip(outputs) {
             let alone = DoseLayout {
                 offset: 0,
                 ..layout.clone()
             };
             parts.push((layout, Box::new(own(scene, &alone, voxels)?)));
         }
-        Sum::new(vec![(1.0, Box::new(PerSpecies::new(parts)))])
+        let joined = PerBlock::new(parts, scenarios::join(&scene.spec));
+        Sum::new(vec![(1.0, Box::new(joined))])
     }
 
     pub(super) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
@@ -415,6 +427,7 @@ impl<'a> Stage<'a> {
             iterations: self.level.until,
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
+            gap: spec.stop.gap.unwrap_or(0.0),
             seconds: spec.stop.wall_s,
             keep: spec.stop.keep,
         };

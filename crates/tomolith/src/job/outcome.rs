@@ -2,9 +2,9 @@
 
 pub use super::limits::Fall;
 use crate::metrics::Measure;
-use crate::optimize::{Kept, StopReason};
+use crate::optimize::{Gap, Kept, StopReason};
 use crate::report::number::significant;
-use crate::report::{ExposureWindow, Limits};
+use crate::report::{ExposureWindow, Limits, ScenarioTable};
 use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
@@ -111,6 +111,8 @@ pub struct Summary {
     pub fall: Option<Fall>,
     /// Which iterate the patterns are; None for a simulation.
     pub kept: Option<Kept>,
+    /// How far their loss is from the lowest; None for a simulation, and where that is not known.
+    pub gap: Option<Gap>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
@@ -121,6 +123,8 @@ pub struct Summary {
     pub exposure: Option<ExposureWindow>,
     /// The print in time, per network; empty without a schedule.
     pub in_time: Vec<TimeSummary>,
+    /// The same patterns in the job's scenarios; None where it has none.
+    pub scenarios: Option<ScenarioTable>,
     /// What limits the print.
     pub limits: Limits,
     /// The required IoU.
@@ -162,6 +166,9 @@ impl fmt::Display for Summary {
             )?;
             if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
                 writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
+            }
+            if let Some(text) = self.gap.and_then(|gap| gap.sentence()) {
+                writeln!(f, "{:>28} {text}", "lowest loss")?;
             }
         }
         let ([a, b, c, d], _) = self.evaluation.columns();
@@ -210,6 +217,9 @@ impl fmt::Display for Summary {
         let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
         for text in limits.into_iter().chain(&exposure) {
             writeln!(f, "\n{text}")?;
+        }
+        if let Some(scenarios) = &self.scenarios {
+            writeln!(f, "\nScenarios, {}.", scenarios.sentence())?;
         }
         for network in &self.in_time {
             writeln!(f, "\nPrint in time, {network}.")?;
@@ -326,6 +336,7 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::ZeroLoss => "the loss is zero",
         StopReason::ProjectedGradient => "the projected gradient is small enough",
         StopReason::Steady => "the loss hardly changes any more",
+        StopReason::Gap => "hardly better patterns are possible",
         StopReason::NoProgress => "no further improvement within rounding errors",
         StopReason::Observer => "the requested loss or IoU is reached",
         StopReason::WallTime => "the time is over",

@@ -11,7 +11,9 @@ use crate::models::{DoseLayout, Family, PatternLayout};
 use crate::objective::penalty::{BuildPenalty, PENALTIES, Penalties};
 use crate::objective::preset::Surface;
 use crate::objective::voxel_weights::{Common, Ground};
-use crate::objective::{BuildObjective, OBJECTIVES, Objective, ObjectiveInput, Sum, threshold};
+use crate::objective::{
+    BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, threshold,
+};
 use crate::optimize::start::{BuildStart, InitialPatterns, STARTS};
 use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements};
 use crate::response::{RESPONSES, Response, dose_for};
@@ -92,7 +94,7 @@ impl ObjectiveKind {
         };
         let of = Named::read(&section, OBJECTIVES)?;
         let surface = match of.section.value.get("surface").map(Value::as_str) {
-            None if of.kind.name == threshold::NAME => Some(Surface::Fraction),
+            None if OF_FRACTIONS.contains(&of.kind.name) => Some(Surface::Fraction),
             None | Some(Some("voxel")) => Some(Surface::Voxel),
             Some(Some("fraction")) => Some(Surface::Fraction),
             Some(Some("cells")) => Some(Surface::Cells),

@@ -10,6 +10,7 @@ use super::read::Job;
 use super::refinement::{self, Level};
 use super::resolve::{JobKinds, counted_as, try_kinds};
 use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
+use super::scenarios::{self, Scenario};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, in_time, light, multiresolution, property, species};
 use crate::error::{Error, Result};
@@ -67,6 +68,8 @@ pub(crate) struct Scene {
     pub(crate) mixing: Option<Vec<species::Row>>,
     /// Further species, on the same voxels.
     pub(crate) others: Vec<Scene>,
+    /// The same job with some keys set otherwise, on the same voxels.
+    pub(crate) scenarios: Vec<Scenario>,
     /// Choices that were made.
     pub(crate) notes: Vec<String>,
     /// What may be wrong.
@@ -107,11 +110,12 @@ impl Scene {
                 .push(other.map_err(|e| species::at_species(&job.spec, s, e))?);
         }
         species::must_fit(&scene)?;
+        scene.scenarios = scenarios::of_job(job, &scene)?;
         Ok(scene)
     }
 
     /// The scene of one species; on these voxels where they are given.
-    fn of_species(job: &Job, s: usize, on: Option<&VolumeGrid>) -> Result<Self> {
+    pub(super) fn of_species(job: &Job, s: usize, on: Option<&VolumeGrid>) -> Result<Self> {
         let mut spec = job.spec.of_species(s);
         if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file") {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
@@ -174,7 +178,8 @@ impl Scene {
         let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
         let finest = levels[levels.len() - 1].grid.clone();
         let extent = Extent {
-            effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
+            effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations)
+                * (1 + spec.scenario.len()) as f64,
             cached_entries: family
                 .cost(&lit, &finest)
                 .ok()
@@ -212,6 +217,7 @@ impl Scene {
             levels,
             mixing: spec.mixing()?,
             others: Vec::new(),
+            scenarios: Vec::new(),
             kinds,
             spec,
             optics,
@@ -548,8 +554,8 @@ fn with_fields(spec: &JobSpec, kinds: &JobKinds, grey: bool) -> usize {
     let count = common
         .filter(|(_, common)| grey || common.has_fields())
         .count();
-    // Dose and target of each further species; state and snapshots of a print in time
-    let further = spec.species.len().saturating_sub(1);
+    // Dose and target of each further species or scenario; state and snapshots of a print in time
+    let further = spec.species.len().saturating_sub(1) + spec.scenario.len();
     count
         + PER_SPECIES * further
         + if spec.schedule.is_some() {

@@ -74,6 +74,12 @@ pub struct JobSpec {
     /// Several objectives that are summed, `[[objectives]]` with one kind each; in place of `objective`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objectives: Option<Vec<Value>>,
+    /// What may be otherwise than the job says, one table `[[scenario]]` each: the patterns are optimized for the job and all of these.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub scenario: Vec<ScenarioSpec>,
+    /// What is minimized over the scenarios.
+    #[serde(default, skip_serializing_if = "RobustSpec::is_default")]
+    pub robust: RobustSpec,
     /// Penalties on the patterns, `[[penalties]]` with one kind each and `weight`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub penalties: Vec<Value>,
@@ -382,6 +388,52 @@ pub struct SpeciesSpec {
     pub response: Option<Value>,
 }
 
+/// The job with some keys set otherwise: a vial that is wider, a resin that absorbs more, an axis that is off.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioSpec {
+    /// Its name in the report; its number when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Keys of `vial`, `resin`, `light`, `motion` or `bath` and their values here, as `{ "vial.index_matched.radius_mm" = 5.08 }`.
+    pub set: Map<String, Value>,
+}
+
+/// What is minimized over the job and its scenarios.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct RobustSpec {
+    /// "mean" (default) of their losses, or nearly the "worst" of them.
+    pub of: RobustOf,
+}
+
+impl RobustSpec {
+    fn is_default(&self) -> bool {
+        *self == RobustSpec::default()
+    }
+}
+
+/// How the losses of scenarios become one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RobustOf {
+    /// Their mean.
+    #[default]
+    Mean,
+    /// Their norm of power 8, which is nearly the largest.
+    Worst,
+}
+
+impl RobustOf {
+    /// Its name in a job.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            RobustOf::Mean => "mean",
+            RobustOf::Worst => "worst",
+        }
+    }
+}
+
 /// A resin that answers light over time: one of `photopolymer` and `diffusion`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -667,6 +719,10 @@ pub struct StopSpec {
     /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub change: Option<f64>,
+    /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
+    /// objectives; looked at after every fifth iteration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
     /// Loss at which the optimization ends; it always ends at 0.
     pub loss: f64,
     /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
@@ -813,6 +869,7 @@ impl Default for StopSpec {
             iterations: 40,
             projected_gradient: None,
             change: None,
+            gap: None,
             loss: 0.0,
             iou: None,
             wall_s: None,

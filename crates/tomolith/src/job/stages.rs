@@ -443,6 +443,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .filter(|o| o.outcome.kept.by == KeptBy::Loss)
             .and_then(|o| Fall::of(&o.outcome.history)),
         kept: optimized.map(|o| o.outcome.kept),
+        gap: optimized.and_then(|o| o.outcome.gap()),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimisation: done.judged.optimisation.as_ref().map(quality),
@@ -453,6 +454,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .iter()
             .flat_map(InTime::summary)
             .collect(),
+        scenarios: done.judged.scenarios.clone(),
         limits: headline.limits,
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,

@@ -375,6 +375,15 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     }
     let stop = &spec.stop;
     optional(stop.change, |v| positive("stop.change", v, ""))?;
+    optional(stop.gap, |v| {
+        within(
+            "stop.gap",
+            v,
+            1e-6,
+            0.99,
+            "a part of the loss, 0.000001 to 0.99",
+        )
+    })?;
     not_negative("stop.loss", stop.loss, "")?;
     optional(stop.projected_gradient, |v| {
         positive("stop.projected_gradient", v, "")
@@ -559,6 +568,7 @@ mod tests {
             ("multiresolution.levels=9", "multiresolution.levels"),
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
+            ("stop.gap=0", "stop.gap"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),
             ("stop.projected_gradient=-1", "stop.projected_gradient"),

@@ -279,6 +279,8 @@ fn report(
         maps: made.properties.iter().map(map).collect(),
         history,
         kept: done.optimized.as_ref().map(|o| o.outcome.kept),
+        scenarios: judged.scenarios.as_ref(),
+        gap: done.optimized.as_ref().and_then(|o| o.outcome.gap()),
         levels: done
             .optimized
             .as_ref()
@@ -493,6 +495,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         if kept.iteration != last {
             facts.push(("Kept", earlier(kept, last)));
         }
+        if let Some(text) = optimized.outcome.gap().and_then(|gap| gap.sentence()) {
+            facts.push(("Lowest loss", text));
+        }
         if let Some(levels) = &optimized.levels {
             facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
         }
@@ -502,6 +507,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     if let Some(source) = source {
         facts.push(("Patterns from", source.display().to_string()));
         facts.push(("Model", judged.model.clone()));
+    }
+    if let Some(scenarios) = &judged.scenarios {
+        facts.push(("Scenarios", scenarios.sentence()));
     }
     if let Some(dark) = &judged.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));

@@ -1,0 +1,635 @@
+//! The process window itself: the widest gap between part and void, up to a share of outliers.
+//!
+//! **What it models.** Other objectives ask for two thresholds and leave it to a sweep to find which; here both thresholds are unknowns
+//! and the gap between them is what is maximized, so that one run takes the place of the map. The scale of the doses is fixed by the
+//! part's upper end, which is 1.
+//!
+//! **Equation** s is the share of a voxel that is part (0 or 1 with `surface = "voxel"`), N = Σs and N' = Σ(1 − s), ν is `outliers`
+//!
+//! ```text
+//! A  = max over u  u − 1/(νN)·Σ s·h(u − m)              mean of the lowest doses of the part, ν of it
+//! B  = min over l  l + 1/(νN')·Σ (1 − s)·h(m − l)       mean of the highest doses of the void, ν of it
+//! L  = 1 − (A − B) + 1/(νN)·Σ s·h(m − 1) + 20·h(1 − ipdr − A)
+//! h(e) = 0 for e ≤ 0,  e²/2τ for e < τ,  e − τ/2 beyond            τ is `softness`
+//! ```
+//!
+//! With τ → 0 the tail means A and B are the conditional values at risk of either region, whose optimal u and l are the quantiles: at
+//! most νN of the part lies below u and at most νN' of the void above l. So u − l is the process window min in − max out of trimmed
+//! regions, and 1 − L never promises more of it than there is. The third term lets at most the share ν of the part exceed 1; the last one
+//! bounds the dose range in the part. For doses of the identity response L is convex, so that a duality gap bounds every process window
+//! that any patterns reach. `measure = "gamma"` counts the outliers of the void in voxels of the part (νN in place of νN'): an error of
+//! ν in the IoU is then the same at either threshold, and u − l is the range of thresholds whose IoU stays within about ν of the best
+//! one (Γ at ν = 0.05).
+//!
+//! **Source** tail means by an extra unknown: Rockafellar and Uryasev, Journal of Risk 2 (2000) 21, eqs. 4 and 5; a margin whose outliers
+//! are a share ν: Schölkopf, Smola, Williamson and Bartlett, Neural Computation 12 (2000) 1207; process window and dose range, trimmed:
+//! Pellizzon et al., arXiv 2602.12178, eqs. 10 and 11 and section 2.1; Γ: Nicolet et al. (2024), table 2. The form of L is ours.
+//!
+//! **Derivative** u and l are at their optimum, so ∂L/∂m follows with both held: −(1 + 20·h')/(νN)·s·h'(u − m) and so on.
+//!
+//! **Parameters** see [`Params`]. **Limits** weights per voxel count, tolerances do not: there is no band to widen. A gray target has no
+//! part. Regions of different exposure have no common window. **Cost** a pass over doses and shares for each trial of u and l, which
+//! begin where the last ones ended: about two passes of 8 bytes per voxel. Doses on a device are copied to the host.
+
+use super::preset::{Shares, Surface};
+use super::{BoxedObjective, BuildObjective, Objective, ObjectiveInput, VoxelWeights};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicI64, Ordering};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{BLOCK, Field};
+use tomolith_core::kind::Kind;
+use tomolith_core::response::Response;
+use tomolith_core::units::exact;
+
+/// What outliers are counted in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Measure {
+    /// A share of either region, as in trimmed process windows.
+    #[default]
+    Pw,
+    /// A share of the part, also in the void, as in IoU and Γ.
+    Gamma,
+}
+
+/// The parameters of the process window.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
+    pub measure: Measure,
+    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.5 (default 0.05)
+    pub outliers: f64,
+    /// Largest dose range in the part, trimmed by the outliers, above 0 and at most 1 (default: any)
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ipdr: Option<f64>,
+    /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.2)
+    pub softness: f64,
+    /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
+    pub surface: Surface,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Params {
+            measure: Measure::Pw,
+            outliers: 0.05,
+            ipdr: None,
+            softness: 0.2,
+            surface: Surface::Fraction,
+        }
+    }
+}
+
+impl Params {
+    fn validate(&self) -> Result<()> {
+        let refuse = |key: &str, value: f64, accepted: &str| {
+            Err(Error::config(
+                key,
+                format!("found {}", exact(value)),
+                accepted,
+            ))
+        };
+        if !(self.outliers > 0.0 && self.outliers <= 0.5) {
+            return refuse(
+                "outliers",
+                self.outliers,
+                "a share above 0 and at most 0.5; 0.02 is two voxels in a hundred",
+            );
+        }
+        if let Some(ipdr) = self.ipdr.filter(|ipdr| !(*ipdr > 0.0 && *ipdr <= 1.0)) {
+            return refuse("ipdr", ipdr, "a dose range above 0 and at most 1");
+        }
+        if !(0.001..=1.0).contains(&self.softness) {
+            return refuse("softness", self.softness, "a dose from 0.001 to 1");
+        }
+        Ok(())
+    }
+}
+
+/// What it is called in a job.
+pub const NAME: &str = "process_window";
+
+/// The row of the table.
+#[must_use]
+pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
+    Kind {
+        name: NAME,
+        summary: "the widest process window itself, up to a share of outliers, with a bound of the dose range in the part",
+        example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
+        schema: || schemars::schema_for!(Params),
+        build: |section, input: &ObjectiveInput| {
+            let params: Params = section.parse()?;
+            build(params, input).map_err(|e| e.under(&section.path))
+        },
+    }
+}
+
+fn build<F: Field>(params: Params, input: &ObjectiveInput) -> BoxedObjective<F> {
+    params.validate()?;
+    let shares = Shares::new(params.surface, input, input.labels)?;
+    let elements = input.layout.range();
+    Ok(Box::new(ProcessWindow::new(
+        elements,
+        shares,
+        params,
+        input.response.clone(),
+    )?))
+}
+
+/// Thresholds are looked for between neighbors of this distance, in units of the response.
+const GRID: f64 = 1.0 / (1 << 20) as f64;
+/// The response that the part's upper end has.
+const CEILING: f64 = 1.0;
+/// Price of a dose range above its bound, per unit of process window.
+const PRICE: f64 = 20.0;
+/// Passes over the voxels after which a threshold is taken as it is.
+const MOST_PASSES: usize = 100;
+/// Elements that are written at a time.
+const PORTION: usize = 16 * BLOCK;
+
+/// h and its derivative.
+fn hinge(excess: f64, softness: f64) -> (f64, f64) {
+    if excess <= 0.0 {
+        (0.0, 0.0)
+    } else if excess < softness {
+        (0.5 * excess * excess / softness, excess / softness)
+    } else {
+        (excess - 0.5 * softness, 1.0)
+    }
+}
+
+/// The process window as an objective; see the [module](self).
+struct ProcessWindow {
+    elements: Range<usize>,
+    shares: Shares,
+    params: Params,
+    response: Arc<dyn Response>,
+    /// 1/(νN) and 1/(νN').
+    prices: [f64; 2],
+    /// Where the thresholds were last, on the grid: where the next search begins. What it finds does not depend on it.
+    last: [AtomicI64; 2],
+}
+
+/// Sums over one tail at two neighboring thresholds.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tail {
+    /// Σ w·h at the lower one.
+    excess: f64,
+    /// Σ w·h'
+    counts: [f64; 2],
+    /// Σ w·h'·(change of the value)
+    changes: [f64; 2],
+}
+
+impl Tail {
+    /// Adds a voxel of weight w, whose value lies below the lower threshold by `below`.
+    fn add(&mut self, w: f64, below: f64, change: f64, softness: f64) {
+        let next = hinge(below + GRID, softness).1;
+        if next > 0.0 {
+            let (excess, slope) = hinge(below, softness);
+            self.excess += w * excess;
+            self.counts[0] += w * slope;
+            self.counts[1] += w * next;
+            self.changes[0] += w * slope * change;
+            self.changes[1] += w * next * change;
+        }
+    }
+
+    fn plus(mut self, other: &Tail) -> Self {
+        self.excess += other.excess;
+        for i in 0..2 {
+            self.counts[i] += other.counts[i];
+            self.changes[i] += other.changes[i];
+        }
+        self
+    }
+}
+
+/// A search for the threshold below which a tail counts as much as it may.
+struct Search {
+    goal: f64,
+    /// Its count is below the goal at `low` and not at `high`.
+    low: i64,
+    high: i64,
+    at: i64,
+    jump: i64,
+}
+
+impl Search {
+    fn new(goal: f64, at: i64) -> Self {
+        Search {
+            goal,
+            low: -(1 << 60),
+            high: 1 << 60,
+            at,
+            jump: 1 << 16,
+        }
+    }
+
+    /// Whether the threshold lies between `at` and its neighbor; if not, `at` is nearer to it.
+    #[expect(clippy::cast_possible_truncation, reason = "clamped to the bracket")]
+    fn is_there(&mut self, counts: [f64; 2], passes: usize) -> bool {
+        let [count, next] = counts;
+        let mut jump = self.jump;
+        if count >= self.goal {
+            self.high = self.at;
+            jump = -jump;
+        } else if next < self.goal {
+            self.low = self.at + 1;
+        } else {
+            return true;
+        }
+        self.jump *= 4;
+        let newton = ((self.goal - count) / (next - count)).floor();
+        let inside = |at: i64| at >= self.low && at < self.high;
+        let middle = self.low + (self.high - self.low) / 2;
+        let is_bracketed = self.low > -(1 << 60) && self.high < 1 << 60;
+        self.at = if is_bracketed && passes > 12 {
+            middle
+        } else if newton.is_finite() && newton.abs() < 1e15 && inside(self.at + newton as i64) {
+            self.at + newton as i64
+        } else if is_bracketed || !inside(self.at + jump) {
+            middle
+        } else {
+            self.at + jump
+        };
+        false
+    }
+
+    /// The threshold and its tail mean, with the mean's change.
+    fn mean(&self, tail: &Tail) -> Mean {
+        let Tail {
+            excess,
+            counts: [count, next],
+            changes,
+        } = *tail;
+        let share = (self.goal - count) / (next - count);
+        let share = if share.is_finite() { share } else { 0.0 };
+        let beyond = share * GRID;
+        let threshold = self.at as f64 * GRID + beyond;
+        let excess = excess + beyond * (count + 0.5 * share * (next - count));
+        Mean {
+            threshold,
+            value: threshold - excess / self.goal,
+            change: (changes[0] + share * (changes[1] - changes[0])) / self.goal,
+        }
+    }
+}
+
+/// The mean of a tail.
+#[derive(Clone, Copy)]
+struct Mean {
+    threshold: f64,
+    value: f64,
+    change: f64,
+}
+
+/// L, its change, and what the gradient is made of.
+struct Found {
+    loss: f64,
+    change: f64,
+    /// u and −l.
+    thresholds: [f64; 2],
+    /// 1 + 20·h': what the part's tail costs.
+    price_of_part: f64,
+}
+
+impl ProcessWindow {
+    fn new(
+        elements: Range<usize>,
+        shares: Shares,
+        params: Params,
+        response: Arc<dyn Response>,
+    ) -> Result<Self> {
+        let mut objective = ProcessWindow {
+            elements,
+            shares,
+            params,
+            response,
+            prices: [0.0; 2],
+            last: [0.8, -0.6].map(|start: f64| AtomicI64::new((start / GRID) as i64)),
+        };
+        objective.count()?;
+        Ok(objective)
+    }
+
+    /// How much of either region counts.
+    fn count(&mut self) -> Result<()> {
+        let [part, void] = self.shares.totals();
+        for (what, total) in [("part", part), ("void", void)] {
+            if total <= 0.0 {
+                return Err(Error::Unsupported {
+                    what: "a process window".to_owned(),
+                    reason: format!("no voxel of the {what} counts"),
+                });
+            }
+        }
+        let outliers = self.params.outliers;
+        let of_void = match self.params.measure {
+            Measure::Pw => outliers * void,
+            Measure::Gamma => (outliers * part).min(0.5 * void),
+        };
+        self.prices = [1.0 / (outliers * part), 1.0 / of_void];
+        Ok(())
+    }
+
+    /// Sums over both tails at their thresholds, and over what exceeds the ceiling; `at` gives response and change of an element.
+    fn pass(&self, at: &(impl Fn(usize) -> [f64; 2] + Sync), thresholds: [i64; 2]) -> [Tail; 3] {
+        let [part, void] = thresholds.map(|k| k as f64 * GRID);
+        let softness = self.params.softness;
+        let blocks = (0..self.elements.len()).into_par_iter().step_by(BLOCK);
+        let sums = blocks.map(|begin| {
+            let mut tails = [Tail::default(); 3];
+            for i in begin..(begin + BLOCK).min(self.elements.len()) {
+                let Some([w_part, w_void]) = self.shares.weights(i) else {
+                    continue;
+                };
+                let [m, change] = at(i);
+                if w_part > 0.0 {
+                    tails[0].add(w_part, part - m, change, softness);
+                    tails[2].add(w_part, m - CEILING, change, softness);
+                }
+                if w_void > 0.0 {
+                    tails[1].add(w_void, void + m, -change, softness);
+                }
+            }
+            tails
+        });
+        let sums: Vec<[Tail; 3]> = sums.collect();
+        let none = [Tail::default(); 3];
+        sums.iter().fold(none, |all, more| {
+            std::array::from_fn(|i| all[i].plus(&more[i]))
+        })
+    }
+
+    /// L and its change where `at` says what the elements have.
+    fn find(&self, at: impl Fn(usize) -> [f64; 2] + Sync) -> Found {
+        let mut searches: [Search; 2] = std::array::from_fn(|i| {
+            Search::new(1.0 / self.prices[i], self.last[i].load(Ordering::Relaxed))
+        });
+        let mut tails = [Tail::default(); 3];
+        for passes in 0..MOST_PASSES {
+            tails = self.pass(&at, [searches[0].at, searches[1].at]);
+            let mut are_there = true;
+            for (search, tail) in searches.iter_mut().zip(&tails) {
+                are_there &= search.is_there(tail.counts, passes);
+            }
+            if are_there {
+                break;
+            }
+        }
+        for (last, search) in self.last.iter().zip(&searches) {
+            last.store(search.at, Ordering::Relaxed);
+        }
+        let [part, void] = [0, 1].map(|i| searches[i].mean(&tails[i]));
+        let above = &tails[2];
+        let price = self.prices[0];
+        let missing = self.params.ipdr.map(|ipdr| CEILING - ipdr - part.value);
+        let (range, slope) = hinge(missing.unwrap_or(0.0), self.params.softness);
+        let price_of_part = 1.0 + PRICE * slope;
+        Found {
+            loss: CEILING - part.value - void.value + price * above.excess + PRICE * range,
+            change: price * above.changes[0] - price_of_part * part.change - void.change,
+            thresholds: [part.threshold, void.threshold],
+            price_of_part,
+        }
+    }
+
+    /// Response of a dose, and its slope.
+    fn response(&self, dose: f32) -> [f64; 2] {
+        if self.response.is_identity() {
+            return [f64::from(dose), 1.0];
+        }
+        let (value, slope) = self.response.value_and_slope(dose);
+        [f64::from(value), f64::from(slope)]
+    }
+
+    fn at(&self, dose: &[f32]) -> Found {
+        let dose = &dose[self.elements.clone()];
+        self.find(|i| [self.response(dose[i])[0], 0.0])
+    }
+
+    /// ∂L/∂dose of an element.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn gradient(&self, found: &Found, i: usize, dose: f32) -> f32 {
+        let Some([w_part, w_void]) = self.shares.weights(i) else {
+            return 0.0;
+        };
+        let ([m, slope], [part, void]) = (self.response(dose), found.thresholds);
+        let count = |excess: f64| hinge(excess, self.params.softness).1;
+        let of_part = count(m - CEILING) - found.price_of_part * count(part - m);
+        let of_void = count(void + m);
+        let [price, price_of_void] = self.prices;
+        (slope * (price * w_part * of_part + price_of_void * w_void * of_void)) as f32
+    }
+}
+
+/// The elements of a field in host memory.
+fn host<F: Field>(field: &F) -> Cow<'_, [f32]> {
+    match field.host_bytes() {
+        Cow::Borrowed(bytes) => Cow::Borrowed(bytemuck::cast_slice(bytes)),
+        Cow::Owned(bytes) => Cow::Owned(bytemuck::pod_collect_to_vec(&bytes)),
+    }
+}
+
+impl<F: Field> Objective<F> for ProcessWindow {
+    fn value(&self, dose: &F) -> f64 {
+        self.at(&host(dose)).loss
+    }
+
+    fn value_and_gradient(&self, dose: &F, grad: &mut F) -> f64 {
+        let dose = host(dose);
+        let found = self.at(&dose);
+        grad.fill(0.0);
+        let mut portion = vec![0.0f32; PORTION.min(self.elements.len())];
+        for begin in (0..self.elements.len()).step_by(PORTION) {
+            let len = PORTION.min(self.elements.len() - begin);
+            let place = self.elements.start + begin;
+            portion[..len]
+                .par_iter_mut()
+                .zip(&dose[place..place + len])
+                .enumerate()
+                .for_each(|(i, (g, &dose))| *g = self.gradient(&found, begin + i, dose));
+            grad.write(place, &portion[..len]);
+        }
+        found.loss
+    }
+
+    fn slope_along(&self, dose: &F, step: &F, alpha: f32) -> (f64, f64) {
+        let (dose, step) = (host(dose), host(step));
+        let [dose, step] = [&dose, &step].map(|field| &field[self.elements.clone()]);
+        let found = self.find(|i| {
+            let [m, slope] = self.response(dose[i] + alpha * step[i]);
+            [m, slope * f64::from(step[i])]
+        });
+        (found.loss, found.change)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.response.is_identity()
+    }
+
+    fn is_mean(&self) -> bool {
+        true
+    }
+
+    fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {
+        if !voxel_weights.tolerance.is_empty() {
+            return Err(Error::Unsupported {
+                what: "a tolerance per voxel".to_owned(),
+                reason: "a process window has no bands; weights per voxel count".to_owned(),
+            });
+        }
+        self.shares.scale(&voxel_weights.weight);
+        self.count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+    use tomolith_core::check::noise;
+    use tomolith_core::field::HostField;
+    use tomolith_core::response::Identity;
+
+    fn window(inside: &[f32], params: Params) -> ProcessWindow {
+        let shares = Shares::of(inside.to_vec());
+        ProcessWindow::new(0..inside.len(), shares, params, Arc::new(Identity)).unwrap()
+    }
+
+    /// The mean of the `count` lowest values; the last of them counts for what is left.
+    fn lowest(mut values: Vec<f64>, count: f64) -> f64 {
+        values.sort_by(f64::total_cmp);
+        let mut left = count;
+        let mut sum = 0.0;
+        for value in values {
+            let taken = left.min(1.0);
+            sum += taken * value;
+            left -= taken;
+        }
+        sum / count
+    }
+
+    #[test]
+    fn the_loss_is_that_of_sorted_tails() {
+        let inside: Vec<f32> = (0..400).map(|i| f32::from(i % 4 == 0)).collect();
+        let dose: Vec<f32> = noise(400, 3).iter().map(|v| 0.5 + 0.4 * v).collect();
+        for (measure, of_void) in [(Measure::Pw, 0.033 * 300.0), (Measure::Gamma, 3.3)] {
+            let params = Params {
+                measure,
+                outliers: 0.033,
+                softness: 0.001,
+                ..Params::default()
+            };
+            let region = |s: f32, sign: f64| -> Vec<f64> {
+                let own = dose.iter().zip(&inside).filter(|(_, own)| **own == s);
+                own.map(|(d, _)| sign * f64::from(*d)).collect()
+            };
+            let a = lowest(region(1.0, 1.0), 3.3);
+            let b = -lowest(region(0.0, -1.0), of_void);
+            let field = HostField::from_slice(&dose);
+            let loss = Objective::<HostField>::value(&window(&inside, params), &field);
+            // The softness rounds a tail's corner by half of itself
+            assert!(
+                (loss - (1.0 - a + b)).abs() <= 1e-3,
+                "{measure:?}: {loss}, {a} {b}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_dose_range_and_a_ceiling_cost_what_the_equation_says() {
+        // Part at 0.7 and void at 0: A = 0.7 + τ/2·ν-ish corner, so differences tell
+        let inside: Vec<f32> = (0..100).map(|i| f32::from(i < 50)).collect();
+        let of = |part: f32, ipdr: Option<f64>| {
+            let params = Params {
+                ipdr,
+                softness: 0.001,
+                ..Params::default()
+            };
+            let dose: Vec<f32> = inside.iter().map(|s| s * part).collect();
+            Objective::<HostField>::value(&window(&inside, params), &HostField::from_slice(&dose))
+        };
+        let missed = of(0.7, Some(0.2)) - of(0.7, None);
+        assert!((missed - PRICE * 0.1).abs() < 0.02, "{missed}");
+        assert_eq!(of(0.9, Some(0.2)), of(0.9, None));
+        // 0.1 above the ceiling costs 0.1/ν and widens the window by 0.1
+        let above = of(1.1, None) - of(1.0, None);
+        assert!((above - (0.1 / 0.02 - 0.1)).abs() < 0.05, "{above}");
+    }
+
+    #[test]
+    fn gradients_are_derivatives_with_every_key_and_any_beginning() {
+        let inside: Vec<f32> = noise(3000, 1)
+            .iter()
+            .map(|v| (0.5 + 0.9 * v).clamp(0.0, 1.0))
+            .collect();
+        let dose: Vec<f32> = noise(3000, 2)
+            .iter()
+            .zip(&inside)
+            .map(|(v, s)| 0.3 + 0.5 * s + 0.35 * v)
+            .collect();
+        let dose = HostField::from_slice(&dose);
+        for measure in [Measure::Pw, Measure::Gamma] {
+            for ipdr in [None, Some(0.3)] {
+                let params = Params {
+                    measure,
+                    ipdr,
+                    outliers: 0.05,
+                    softness: 0.2,
+                    ..Params::default()
+                };
+                let own = window(&inside, params.clone());
+                check::objective(&own, &dose).unwrap();
+                // A search that begins elsewhere ends at the same bits
+                let fresh = window(&inside, params);
+                fresh.last[0].store(5 << 20, Ordering::Relaxed);
+                fresh.last[1].store(-(7 << 22), Ordering::Relaxed);
+                let losses = [&own, &fresh].map(|o| Objective::<HostField>::value(o, &dose));
+                assert_eq!(losses[0].to_bits(), losses[1].to_bits());
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_a_window_is_refused() {
+        for (params, key) in [
+            (
+                Params {
+                    outliers: 0.0,
+                    ..Params::default()
+                },
+                "outliers",
+            ),
+            (
+                Params {
+                    ipdr: Some(-0.1),
+                    ..Params::default()
+                },
+                "ipdr",
+            ),
+            (
+                Params {
+                    softness: f64::NAN,
+                    ..Params::default()
+                },
+                "softness",
+            ),
+        ] {
+            let Err(Error::Config { key: found, .. }) = params.validate() else {
+                panic!("{key} was taken")
+            };
+            assert_eq!(found, key);
+        }
+        let shares = Shares::of(vec![1.0; 8]);
+        let only = ProcessWindow::new(0..8, shares, Params::default(), Arc::new(Identity));
+        assert!(matches!(only.map(drop), Err(Error::Unsupported { .. })));
+    }
+}

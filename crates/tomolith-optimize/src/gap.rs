@@ -1,0 +1,185 @@
+//! How far a loss is from the lowest one: the certificate of a convex problem.
+//!
+//! **Equation** for a convex F with the gradient g at x, over patterns h within the bounds
+//!
+//! ```text
+//! F(h) ≥ F(x) + g·(h − x) ≥ F(x) + Σ_i min( g_i·(min_i − x_i), g_i·(max_i − x_i) ) = bound
+//! ```
+//!
+//! So no patterns do better than `bound`, whatever method looks for them. It holds at any x, and the highest one of a run counts; it nears
+//! the loss as x nears an optimum. It is a bound for these voxels, this model and this largest pixel, not for the print.
+//!
+//! **Source** Frank and Wolfe, Naval Research Logistics Quarterly 3 (1956) 95; as a certificate: Jaggi, ICML 2013, eq. 2.
+//!
+//! **Limits** linear model, convex objective in the dose (identity response) and penalties, a finite largest pixel; otherwise there is no
+//! bound. Gradients are f32: with |g·(h − x)| summed to G, the bound is right to about 10⁻⁶·G. **Cost** one adjoint call.
+
+use serde::Serialize;
+
+/// A loss, and one that no patterns go below.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Gap {
+    /// The loss of the patterns.
+    pub loss: f64,
+    /// The loss that no patterns within the bounds go below.
+    pub bound: f64,
+}
+
+impl Gap {
+    /// How much of the loss might still go, 0 for an optimum.
+    #[must_use]
+    pub fn relative(&self) -> f64 {
+        if self.loss <= self.bound {
+            0.0
+        } else {
+            (self.loss - self.bound) / self.loss
+        }
+    }
+
+    /// In words; None where the bound says nothing that a loss above 0 does not.
+    #[must_use]
+    pub fn sentence(&self) -> Option<String> {
+        (self.bound > 0.0).then(|| {
+            format!(
+                "no patterns within the bounds have a loss below {:.4e} ({:.1} % below that of these patterns)",
+                self.bound,
+                100.0 * self.relative()
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fista::Fista;
+    use crate::lbfgs::Lbfgs;
+    use crate::{Limits, Optimizer, Outcome, Problem, Stop, StopReason, run};
+    use serde_json::json;
+    use std::sync::Arc;
+    use tomolith_core::check::noise;
+    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::error::Error;
+    use tomolith_core::field::{Field, HostField};
+    use tomolith_core::kind::Section;
+    use tomolith_core::response::{Identity, Logistic, Response};
+    use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+
+    const LIMITS: Limits = Limits { min: 0.0, max: 0.3 };
+
+    fn objective(
+        model: &SmallModel,
+        (name, json): (&str, serde_json::Value),
+        response: Arc<dyn Response>,
+    ) -> Box<dyn Objective<HostField>> {
+        let (target, labels) = model.ring();
+        let input = ObjectiveInput {
+            layout: model.layout(),
+            labels: &labels,
+            target: &target,
+            response,
+        };
+        let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
+        (row.build)(&Section::new("objective", json), &input).unwrap()
+    }
+
+    fn outcome(
+        model: &SmallModel,
+        objective: &dyn Objective<HostField>,
+        optimizer: &mut dyn Optimizer<HostField>,
+        stop: &Stop,
+    ) -> Result<Outcome, Error> {
+        let run_control = Run::new();
+        let mut problem = Problem::new(model, objective, &[LIMITS], &run_control)?;
+        let mut x = DoseModel::new_patterns(model)?;
+        x.fill(0.05);
+        run(&mut problem, optimizer, &mut x, stop, None, &mut [])
+    }
+
+    fn after(iterations: usize) -> Stop {
+        Stop {
+            iterations,
+            ..Stop::default()
+        }
+    }
+
+    #[test]
+    fn no_method_and_no_patterns_go_below_the_bound_which_nears_the_optimum() {
+        let model = SmallModel::new(18, 6, 9);
+        for (kind, near) in [
+            (("l2", json!({})), 1e-4),
+            (("process_window", json!({ "outliers": 0.1 })), 0.05),
+        ] {
+            let name = kind.0;
+            let objective = objective(&model, kind, Arc::new(Identity));
+            let by = |iterations| {
+                let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
+                outcome(&model, &*objective, &mut lbfgs, &after(iterations)).unwrap()
+            };
+            let best = by(3000).gap().unwrap();
+            assert!(best.relative() < near, "{name}: {best:?}");
+            for iterations in [0, 3, 30] {
+                let early = by(iterations).gap().unwrap();
+                assert!(
+                    early.bound <= best.loss && early.loss >= best.loss,
+                    "{name}: {early:?}, {best:?}"
+                );
+            }
+            // Any patterns within the bounds
+            let mut dose = DoseModel::new_dose(&model).unwrap();
+            for seed in 0..50 {
+                let mut x = DoseModel::new_patterns(&model).unwrap();
+                let values: Vec<f32> = noise(x.len(), seed)
+                    .iter()
+                    .map(|v| 0.15 + 0.15 * v)
+                    .collect();
+                x.copy_from_host(&values);
+                model.dose(&x, &mut dose, &Run::new()).unwrap();
+                assert!(objective.value(&dose) > best.bound, "{name}, {seed}");
+            }
+        }
+        // Another method ends at the same optimum
+        let l2 = objective(&model, ("l2", json!({})), Arc::new(Identity));
+        let mut fista = Fista::new(Default::default()).unwrap();
+        let other = outcome(&model, &*l2, &mut fista, &after(2000))
+            .unwrap()
+            .gap()
+            .unwrap();
+        assert!(other.relative() < 1e-2, "{other:?}");
+    }
+
+    #[test]
+    fn a_run_stops_by_its_gap_and_refuses_one_that_is_not_known() {
+        let model = SmallModel::new(18, 6, 9);
+        let stop = Stop {
+            gap: 0.05,
+            ..after(500)
+        };
+        let convex = objective(&model, ("l2", json!({})), Arc::new(Identity));
+        let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
+        let ended = outcome(&model, &*convex, &mut lbfgs, &stop).unwrap();
+        let gap = ended.gap().unwrap();
+        assert_eq!(ended.reason, StopReason::Gap);
+        assert!(
+            gap.relative() <= 0.05 && ended.history.len() < 500,
+            "{gap:?}"
+        );
+        let logistic = Arc::new(Logistic::new(Default::default()).unwrap());
+        let curved = objective(&model, ("l2", json!({})), logistic);
+        let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
+        let refused = outcome(&model, &*curved, &mut lbfgs, &stop);
+        assert!(matches!(refused, Err(Error::Unsupported { what, .. }) if what == "stop.gap"));
+        let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
+        let without = outcome(&model, &*curved, &mut lbfgs, &after(5)).unwrap();
+        assert_eq!(without.bound, None);
+    }
+
+    #[test]
+    fn words_say_nothing_of_a_bound_below_zero() {
+        let of = |bound| Gap { loss: 2.0, bound };
+        assert_eq!(of(-1.0).sentence(), None);
+        assert_eq!((of(1.5).relative(), of(2.1).relative()), (0.25, 0.0));
+        assert!(of(1.5).sentence().unwrap().contains("25.0 %"));
+    }
+}

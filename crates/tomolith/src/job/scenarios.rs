@@ -1,0 +1,399 @@
+//! The same patterns under scenarios: the job as it is, and the job with some keys set otherwise.
+//!
+//! A scenario differs from the job in what light meets or in where it comes from; part, voxels, patterns and objective are the job's. The
+//! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is judged in each.
+//!
+//! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
+//! that cannot light the part in the job as it is stay dark.
+
+use super::document::Document;
+use super::levels;
+use super::read::Job;
+use super::refinement::Level;
+use super::scene::Scene;
+use super::spec::{JobSpec, RobustOf};
+use super::species::planned;
+use crate::error::{Error, Result};
+use crate::grid::Volume;
+use crate::metrics::published::percentiles;
+use crate::metrics::scan::Scan;
+use crate::models::masked::MaskedModel;
+use crate::models::scenarios::{Scenarios, SharedModel};
+use crate::models::{HostModel, OpticalScene, Run};
+use crate::objective::Join;
+use crate::report::{ScenarioRow, ScenarioTable};
+use serde_json::Value;
+use std::sync::Arc;
+
+/// Tables that a scenario may change.
+const TABLES: [&str; 5] = ["vial", "resin", "light", "motion", "bath"];
+
+/// A job beside the job.
+pub(crate) struct Scenario {
+    /// Its name.
+    pub(crate) name: String,
+    /// What light meets in it.
+    pub(crate) scene: Scene,
+}
+
+/// The scenarios of a job, on its voxels.
+///
+/// # Errors
+/// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
+pub(super) fn of_job(job: &Job, scene: &Scene) -> Result<Vec<Scenario>> {
+    let given = job.spec.scenario.iter().enumerate();
+    let scenarios = given.map(|(i, scenario)| {
+        let at = |error| at_scenario(i, error);
+        let own = changed(job, &scenario.set).map_err(at)?;
+        let name = scenario.name.clone();
+        let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
+        let own = Scene::of_species(&own, 0, Some(&scene.grid)).map_err(at)?;
+        must_show_the_same(scene, &own).map_err(at)?;
+        Ok(Scenario { name, scene: own })
+    });
+    let scenarios = scenarios.collect::<Result<Vec<_>>>()?;
+    if !scenarios.is_empty() {
+        must_fit(scene)?;
+    }
+    Ok(scenarios)
+}
+
+/// Names the scenario whose key is blamed.
+fn at_scenario(i: usize, error: Error) -> Error {
+    match error {
+        Error::Config {
+            key,
+            found,
+            accepted,
+            nearest,
+            ..
+        } => {
+            // An assignment is blamed as one of the command line
+            let key = key.strip_prefix("--set ").unwrap_or(&key);
+            let key = key.split_once('=').map_or(key, |(key, _)| key);
+            Error::Config {
+                key: format!("scenario[{i}].set.{key}")
+                    .trim_end_matches('.')
+                    .to_owned(),
+                found,
+                accepted,
+                nearest,
+                place: None,
+            }
+        }
+        other => other,
+    }
+}
+
+/// The job with some keys set otherwise, and without scenarios.
+fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
+    let mut spec = job.spec.clone();
+    spec.scenario.clear();
+    let tables =
+        serde_json::to_string(&spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+    let mut document = Document::json(job.document.file.clone(), tables)?;
+    for (key, value) in set {
+        each_leaf(key, value, &mut |key, value| {
+            let table = key.split(['.', '[']).next().unwrap_or_default();
+            if !TABLES.contains(&table) {
+                let accepted = format!("a key of {}", TABLES.join(", "));
+                return Err(Error::config(
+                    key,
+                    "no key that a scenario may change",
+                    accepted,
+                ));
+            }
+            // Numbers, texts and lists are written alike in JSON and TOML
+            document.set(&format!("{key}={value}"))
+        })?;
+    }
+    Job::from_document(document)
+}
+
+/// Keys with dots in them and tables in tables say the same.
+fn each_leaf(
+    key: &str,
+    value: &Value,
+    with: &mut impl FnMut(&str, &Value) -> Result<()>,
+) -> Result<()> {
+    match value.as_object() {
+        None => with(key, value),
+        Some(table) => table
+            .iter()
+            .try_for_each(|(inner, value)| each_leaf(&format!("{key}.{inner}"), value, with)),
+    }
+}
+
+/// Refuses a scenario that shows other images, or is computed on other voxels.
+fn must_show_the_same(scene: &Scene, own: &Scene) -> Result<()> {
+    let images = |scene: &Scene| -> Vec<_> {
+        let lights = scene.optics.lights.iter();
+        lights.map(|light| light.pixels.shape()).collect()
+    };
+    let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
+    if voxels(scene) != voxels(own) {
+        // Rays want cubes, and parallel light does not
+        return Err(Error::config(
+            "",
+            "its light is computed by a model that wants other voxels than the job's",
+            "grid.refine = 1 for the job, which is then optimized on its own voxels",
+        ));
+    }
+    if images(scene) == images(own) {
+        return Ok(());
+    }
+    Err(Error::config(
+        "light",
+        "another number of lights, frames or pixels than the job's",
+        "lights that show the job's patterns",
+    ))
+}
+
+/// Refuses what does not go with scenarios.
+fn must_fit(scene: &Scene) -> Result<()> {
+    let spec = &scene.spec;
+    let needs_target = scene.kinds.requirements.target.is_some();
+    for (key, is_there, found, accepted) in [
+        (
+            "species",
+            !spec.species.is_empty(),
+            "several species",
+            "one species",
+        ),
+        (
+            "schedule",
+            spec.schedule.is_some(),
+            "a print in time",
+            "no [schedule]",
+        ),
+        (
+            "multiresolution",
+            spec.multiresolution.is_some(),
+            "coarse levels",
+            "no [multiresolution]",
+        ),
+        (
+            "objective",
+            scene.has_cells,
+            "voxels cut into cells",
+            "surface = \"fraction\" or \"voxel\"",
+        ),
+        (
+            "optimizer",
+            needs_target,
+            "a method that compares one dose with one target",
+            "lbfgs, or another method that minimizes the loss",
+        ),
+        (
+            "evaluate.levels",
+            levels::asked(&spec.evaluate),
+            "patterns improved on few levels",
+            "\"rounded\"",
+        ),
+    ] {
+        if is_there {
+            return Err(Error::config(
+                key,
+                format!("{found}, beside [[scenario]]"),
+                accepted,
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// How the losses of the scenarios become one.
+pub(super) fn join(spec: &JobSpec) -> Join {
+    match spec.robust.of {
+        _ if spec.scenario.is_empty() => Join::Sum,
+        RobustOf::Mean => Join::Mean,
+        RobustOf::Worst => Join::Worst,
+    }
+}
+
+impl Scenario {
+    /// The dose of all pixels on the voxels of a level.
+    fn model(&self, level: &Level, cancel: &Run) -> Result<HostModel> {
+        let mut lights = self.scene.optics.lights.clone();
+        for (light, own) in lights.iter_mut().zip(&level.lights) {
+            light.sub_angles = own.sub_angles;
+        }
+        let optics = OpticalScene {
+            lights: &lights,
+            ..self.scene.optimizing()
+        };
+        let asked = self.scene.optics.model.as_ref();
+        let plan = planned(&self.scene, asked, optics, &level.grid, None, cancel)?;
+        Ok(Box::new(plan.model))
+    }
+}
+
+/// The model of the job and of all scenarios, where there are any; and that of the job, where it is another one.
+///
+/// # Errors
+/// As [`planner::plan`].
+pub(super) fn joined(
+    scene: &Scene,
+    model: MaskedModel,
+    dark: &[bool],
+    level: &Level,
+    cancel: &Run,
+) -> Result<(HostModel, Option<SharedModel>)> {
+    if scene.scenarios.is_empty() {
+        return Ok((Box::new(model), None));
+    }
+    let others = scene.scenarios.iter().map(|own| own.model(level, cancel));
+    let first: SharedModel = Arc::new(model);
+    let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
+    // What is dark in the job is so in all
+    let all = MaskedModel::new(Box::new(all), dark.to_vec(), 1.0);
+    Ok((Box::new(all), Some(first)))
+}
+
+/// What the written patterns print in the job and in each scenario, all gelled at the job's threshold; None without scenarios. `response_of` gives
+/// the response in a scenario.
+///
+/// # Errors
+/// Those of `response_of`.
+pub(super) fn judged(
+    scene: &Scene,
+    labels: &[u8],
+    (own, threshold): (&Volume<f32>, Option<f64>),
+    mut response_of: impl FnMut(&Scene) -> Result<Volume<f32>>,
+) -> Result<Option<ScenarioTable>> {
+    if scene.scenarios.is_empty() {
+        return Ok(None);
+    }
+    let row = |name: &str, response: &Volume<f32>| -> Result<ScenarioRow> {
+        let scan = Scan::new(labels, &response.values)?;
+        let [low, _, out] = percentiles(&scan, scene.spec.evaluate.trim_percent);
+        Ok(ScenarioRow {
+            name: name.to_owned(),
+            iou: scan.best_plateau().map(|plateau| plateau.iou),
+            iou_at_threshold: threshold.and_then(|threshold| scan.iou_at(threshold)),
+            gamma: scan.length_near_best().map(|length| 100.0 * length),
+            part_low: low,
+            void_high: out,
+        })
+    };
+    let mut rows = vec![row("the job", own)?];
+    for scenario in &scene.scenarios {
+        rows.push(row(&scenario.name, &response_of(&scenario.scene)?)?);
+    }
+    let of = scene.spec.robust.of.name();
+    Ok(Some(ScenarioTable::new(of, threshold, rows)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::ResolvedJob;
+    use crate::objective::Objective;
+    use std::path::Path;
+
+    const JOB: &str = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1, refine = 1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        stop = { iterations = 4 }
+        [[light]]
+        pixels = [28, 12]
+        angles = 16
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+    "#;
+
+    fn resolved(scenarios: &[&str], changes: &[&str]) -> Result<ResolvedJob> {
+        let tables = scenarios
+            .iter()
+            .map(|set| format!("[[scenario]]\nset = {{ {set} }}\n"));
+        let text = format!("{JOB}\n{}", tables.collect::<String>());
+        let mut document = Document::toml(Path::new("a.toml"), text)?;
+        changes.iter().try_for_each(|change| document.set(change))?;
+        ResolvedJob::new(&Job::from_document(document)?)
+    }
+
+    #[test]
+    fn a_scenario_that_changes_nothing_leaves_the_loss_and_one_that_absorbs_more_does_not() {
+        let run = Run::new();
+        let loss = |scenarios: &[&str]| {
+            let task = resolved(scenarios, &[]).unwrap().task(&run).unwrap();
+            let mut dose = task.model.new_dose().unwrap();
+            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            (task.model.outputs().len(), task.objective.value(&dose))
+        };
+        let alone = loss(&[]);
+        let same = loss(&["resin.absorption_per_mm = 0.1"]);
+        assert_eq!((alone.0, same.0), (1, 2));
+        assert!(
+            (same.1 - alone.1).abs() < 1e-6 * alone.1,
+            "{same:?}, {alone:?}"
+        );
+        let (outputs, other) = loss(&[
+            "\"resin.absorption_per_mm\" = 0.2",
+            "vial.index_matched.radius_mm = 2.1",
+        ]);
+        assert_eq!(outputs, 3);
+        assert!(
+            (other - alone.1).abs() > 1e-3 * alone.1,
+            "{other}, {alone:?}"
+        );
+    }
+
+    #[test]
+    fn every_scenario_is_judged() {
+        let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
+        let scene = &job.scene;
+        let labels = &job.voxels.labels;
+        let own = Volume {
+            grid: labels.grid.clone(),
+            values: labels
+                .values
+                .iter()
+                .map(|&label| f32::from(label == crate::target::label::PART))
+                .collect(),
+        };
+        let halved = |_: &Scene| {
+            Ok(Volume {
+                grid: own.grid.clone(),
+                values: own.values.iter().map(|v| 0.5 * v).collect(),
+            })
+        };
+        let table = judged(scene, &labels.values, (&own, Some(0.75)), halved)
+            .unwrap()
+            .unwrap();
+        // Half the dose is right at half the threshold, and prints nothing at that of the job
+        assert_eq!(table.rows.len(), 2);
+        assert_eq!((table.rows[1].iou, table.worst_iou), (Some(1.0), Some(0.0)));
+        assert_eq!(table.window, Some(0.5));
+    }
+
+    #[test]
+    fn a_scenario_that_makes_the_job_invalid_is_refused_by_its_number_and_key() {
+        let refused = |scenario: &str, change: &[&str]| {
+            let sets = ["resin.absorption_per_mm = 0.2", scenario];
+            match resolved(&sets, change).map(drop).unwrap_err() {
+                Error::Config { key, .. } => key,
+                other => panic!("{other}"),
+            }
+        };
+        for (scenario, key) in [
+            (
+                "vial.index_matched.radius_mm = -1.0",
+                "vial.index_matched.radius_mm",
+            ),
+            ("vial.index_matched.radius_mm = 0.5", "target"),
+            ("resin.absorbtion_per_mm = 0.1", "resin.absorbtion_per_mm"),
+            ("stop.iterations = 3", "stop.iterations"),
+            ("\"light[0].pixels\" = [30, 12]", "light"),
+            ("motion.offset_mm = [2000.0, 0.0]", "motion.offset_mm[0]"),
+        ] {
+            let found = refused(scenario, &[]);
+            let expected = format!("scenario[1].set.{key}");
+            assert!(found.starts_with(&expected), "{scenario}: {found}");
+        }
+        let same = "resin.absorption_per_mm = 0.2";
+        assert_eq!(refused(same, &["optimizer=\"osmo\""]), "optimizer");
+        assert_eq!(refused(same, &["evaluate.bit_depth=2"]), "evaluate.levels");
+    }
+}
