@@ -237,9 +237,10 @@ impl DoseModel for Scenarios {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parallel::{Light, Parallel};
+    use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
