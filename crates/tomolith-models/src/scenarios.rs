@@ -244,17 +244,27 @@ mod tests {
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
-    fn model(absorption: f64, radius_mm: f64, columns: usize) -> HostModel {
+    fn model_of(absorption: f64, columns: usize, rows: Option<(u32, u32)>) -> HostModel {
         let pixels = PatternGrid::full_turn(6, 0.1, 12, columns, 0.1);
-        let light = Light::new(pixels, Resin::absorbing(1.48, absorption));
+        let mut light = Light::new(pixels, Resin::absorbing(1.48, absorption));
+        light.active = rows.map(|rows| vec![rows; 6 * columns]);
         let grid = VolumeGrid::centered([10, 14, 14], 0.1);
-        Box::new(Parallel::new(&IndexMatched { radius_mm }, vec![light], grid).unwrap())
+        let vial = IndexMatched { radius_mm: 2.0 };
+        Box::new(Parallel::new(&vial, vec![light], grid).unwrap())
+    }
+
+    /// The job; more absorption; one in which the outer rows light nothing.
+    fn models() -> [HostModel; 3] {
+        [
+            model_of(0.2, 20, None),
+            model_of(0.4, 20, None),
+            model_of(0.2, 20, Some((3, 7))),
+        ]
     }
 
     fn scenarios() -> Scenarios {
-        // A narrow vial cuts pixels off
-        let others = vec![model(0.4, 2.0, 20), model(0.2, 0.8, 20)];
-        Scenarios::new(model(0.2, 2.0, 20).into(), others).unwrap()
+        let [job, others @ ..] = models();
+        Scenarios::new(job.into(), others.into()).unwrap()
     }
 
     #[test]
@@ -271,11 +281,7 @@ mod tests {
         let mut dose = joint.new_dose().unwrap();
         joint.dose(&x, &mut dose, &run).unwrap();
         let images = joint.patterns()[0].patterns_of(x.as_slice());
-        let alone = [
-            model(0.2, 2.0, 20),
-            model(0.4, 2.0, 20),
-            model(0.2, 0.8, 20),
-        ];
+        let alone = models();
         for (model, layout) in alone.iter().zip(joint.outputs()) {
             let mut own = model.new_patterns().unwrap();
             model.patterns()[0].fill_field(&images, own.as_mut_slice());
@@ -288,7 +294,10 @@ mod tests {
 
     #[test]
     fn other_images_are_refused() {
-        let refused = Scenarios::new(model(0.2, 2.0, 20).into(), vec![model(0.2, 2.0, 18)]);
+        let refused = Scenarios::new(
+            model_of(0.2, 20, None).into(),
+            vec![model_of(0.2, 18, None)],
+        );
         assert!(matches!(refused.map(drop), Err(Error::Unsupported { .. })));
     }
 }

@@ -153,16 +153,17 @@ mod tests {
     fn a_run_stops_by_its_gap_and_refuses_one_that_is_not_known() {
         let model = SmallModel::new(18, 6, 9);
         let stop = Stop {
-            gap: 0.05,
-            ..after(500)
+            gap: 0.5,
+            ..after(3000)
         };
-        let convex = objective(&model, ("l2", json!({})), Arc::new(Identity));
+        let kind = ("process_window", json!({ "outliers": 0.1 }));
+        let convex = objective(&model, kind, Arc::new(Identity));
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
         let ended = outcome(&model, &*convex, &mut lbfgs, &stop).unwrap();
         let gap = ended.gap().unwrap();
         assert_eq!(ended.reason, StopReason::Gap);
         assert!(
-            gap.relative() <= 0.05 && ended.history.len() < 500,
+            gap.relative() <= 0.5 && ended.history.len() < 3000,
             "{gap:?}"
         );
         let logistic = Arc::new(Logistic::new(Default::default()).unwrap());
