@@ -170,7 +170,7 @@ impl Shares {
     pub(crate) fn weights(&self, i: usize) -> Option<[f64; 2]> {
         let s = f64::from(self.inside[i]);
         let scale = self.scale.get(i).map_or(1.0, |&scale| f64::from(scale));
-        (s >= 0.0).then(|| [scale * s, scale * (1.0 - s)])
+        (s >= 0.0).then_some([scale * s, scale * (1.0 - s)])
     }
 
     /// Sums of both weights.
