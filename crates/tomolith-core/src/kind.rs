@@ -100,7 +100,7 @@ impl Section {
         let (name, value) = match &self.value {
             Value::String(name) => (name, Value::Object(serde_json::Map::new())),
             Value::Object(map) if map.len() == 1 => {
-                let (name, value) = map.iter().next().ok_or(Error::Cancelled)?;
+                let (name, value) = map.iter().next().ok_or(Error::Canceled)?;
                 (name, value.clone())
             }
             Value::Object(map) if map.is_empty() => {
@@ -192,18 +192,24 @@ fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path)
 pub const MISSING: &str = "the key is missing";
 
 /// Keys and kinds that had another name, and the name that they have now.
-const RENAMED: [(&str, &str); 11] = [
+const RENAMED: [(&str, &str); 17] = [
     ("coarse", "multiresolution"),
+    ("light.polarisation", "polarization"),
     ("light.selection.least_contribution", "min_contribution"),
     ("model.orders", "successive_orders"),
     ("model.scatter", "monte_carlo"),
     ("model.spread", "incoherent_cone"),
     ("motion.wobble_mm", "axis_runout_mm"),
     ("motion.wobble_phase_deg", "axis_runout_deg"),
+    ("printer.grey_curve", "gray_curve"),
+    ("printer.grey_curve_file", "gray_curve_file"),
     ("printer.sense", "rotation"),
     ("printer.wobble_deg", "eccentricity_deg"),
     ("printer.wobble_mm", "eccentricity_mm"),
     ("resin.map", "absorption_map"),
+    ("resin.phase.table.normalised", "normalized"),
+    ("species.target.grey", "gray"),
+    ("target.grey", "gray"),
 ];
 
 /// The name that a key or kind has now, if it had another one; places in lists do not matter.

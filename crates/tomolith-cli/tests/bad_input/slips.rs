@@ -158,6 +158,12 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
+        "[printer]\ngrey_curve = [[0.0, 0.0], [1.0, 1.0]]\n[stop]",
+        "grey_curve",
+        &["`grey_curve` is now called `gray_curve`"],
+    ),
+    (
+        "[stop]",
         "[motion]\nwobble_mm = 0.1\n[stop]",
         "wobble",
         &["motion.wobble_mm", "did you mean `axis_runout_mm`?"],
@@ -658,9 +664,9 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
-        "[printer]\ngrey_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
-        "grey_curve",
-        &["printer.grey_curve", "not monotone"],
+        "[printer]\ngray_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
+        "gray_curve",
+        &["printer.gray_curve", "not monotone"],
     ),
     (
         "[stop]",
