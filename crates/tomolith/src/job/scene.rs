@@ -23,6 +23,7 @@ use crate::models::{OpticalScene, Purpose, planner};
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
+use crate::ranks::Communicator;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Keep, Optimizer};
 use crate::report;
@@ -74,6 +75,8 @@ pub(crate) struct Scene {
     pub(crate) notes: Vec<String>,
     /// What may be wrong.
     pub(crate) warnings: Vec<String>,
+    /// The processes that share the frames of the optimization; None: this one works alone.
+    pub(crate) ranks: Option<Arc<dyn Communicator>>,
 }
 
 /// The target on a grid.
@@ -212,6 +215,7 @@ impl Scene {
             ]
             .concat(),
             notes,
+            ranks: None,
             shape,
             has_cells,
             levels,
