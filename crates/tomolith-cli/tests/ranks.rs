@@ -68,7 +68,10 @@ fn text(bytes: &[u8]) -> String {
 
 fn raw(folder: &Path) -> Vec<f32> {
     let arrays = read_patterns(&folder.join("patterns.npz")).unwrap();
-    arrays.into_iter().flat_map(|array| array.raw.unwrap()).collect()
+    arrays
+        .into_iter()
+        .flat_map(|array| array.raw.unwrap())
+        .collect()
 }
 
 #[test]
@@ -77,7 +80,12 @@ fn two_ranks_leave_the_folder_that_a_process_leaves() {
     let alone = bench.alone("run job.toml --quiet -o alone");
     let shared = bench.on_ranks(2, "run job.toml --json -o shared").output();
     let shared = shared.unwrap();
-    assert_eq!(alone.status.code(), shared.status.code(), "{}", text(&shared.stderr));
+    assert_eq!(
+        alone.status.code(),
+        shared.status.code(),
+        "{}",
+        text(&shared.stderr)
+    );
     // One rank speaks
     let said = text(&shared.stdout);
     assert_eq!(said.matches("\"event\":\"done\"").count(), 1, "{said}");
@@ -99,12 +107,18 @@ fn two_ranks_leave_the_folder_that_a_process_leaves() {
 #[test]
 fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
     let Some(bench) = Bench::new() else { return };
-    let refused = bench.on_ranks(3, "run job.toml --set light.angles=2 -o out").output().unwrap();
+    let refused = bench
+        .on_ranks(3, "run job.toml --set light.angles=2 -o out")
+        .output()
+        .unwrap();
     assert_eq!(refused.status.code(), Some(2));
     let said = text(&refused.stderr);
     assert_eq!(said.matches("2 angles for 3 ranks").count(), 1, "{said}");
     assert!(!bench.path("out").exists());
-    let refused = bench.on_ranks(2, "sweep sweep.toml --shard 1/2").output().unwrap();
+    let refused = bench
+        .on_ranks(2, "sweep sweep.toml --shard 1/2")
+        .output()
+        .unwrap();
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("--shard"));
 }
@@ -113,8 +127,16 @@ fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
 fn ranks_take_shares_of_a_sweep_and_leave_its_table() {
     let Some(bench) = Bench::new() else { return };
     let alone = bench.alone("sweep sweep.toml --quiet -o alone");
-    let shared = bench.on_ranks(2, "sweep sweep.toml -o shared").output().unwrap();
-    assert_eq!(alone.status.code(), shared.status.code(), "{}", text(&shared.stderr));
+    let shared = bench
+        .on_ranks(2, "sweep sweep.toml -o shared")
+        .output()
+        .unwrap();
+    assert_eq!(
+        alone.status.code(),
+        shared.status.code(),
+        "{}",
+        text(&shared.stderr)
+    );
     let said = text(&shared.stdout);
     assert_eq!(said.matches("3 of 3 runs done").count(), 1, "{said}");
     let table = |name: &str| fs::read_to_string(bench.path(name).join("table.csv")).unwrap();
@@ -142,14 +164,21 @@ fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
     let folder = bench.path("killed").display().to_string();
     let line = "run job.toml --set stop.iterations=100000 --set checkpoint.every_s=0.05 -o";
     let mut command = bench.on_ranks(2, &format!("{line} {folder}"));
-    let mut job = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut job = command
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     let checkpoint = bench.path("killed/checkpoint/state.safetensors");
     let begin = Instant::now();
     while !checkpoint.exists() && begin.elapsed() < Duration::from_secs(60) {
         sleep(Duration::from_millis(20));
     }
     let process = process_of(1, &folder).expect("rank 1 is at work");
-    let killed = Command::new("kill").args(["-9", &process]).status().unwrap();
+    let killed = Command::new("kill")
+        .args(["-9", &process])
+        .status()
+        .unwrap();
     assert!(killed.success());
     let ended = job.wait().unwrap();
     assert!(!ended.success());

@@ -43,10 +43,10 @@ pub mod costs;
 pub(crate) mod group;
 mod pairs;
 
+use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
-use crate::ranks::Communicator;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;

@@ -64,7 +64,13 @@ pub trait Communicator: Debug + Send + Sync {
     /// The largest number of all ranks, NaN if any is.
     fn largest(&self, value: f32) -> f32 {
         let all = self.gather(&[value]);
-        let larger = |a: f32, &b: &f32| if a.is_nan() || b.is_nan() { f32::NAN } else { a.max(b) };
+        let larger = |a: f32, &b: &f32| {
+            if a.is_nan() || b.is_nan() {
+                f32::NAN
+            } else {
+                a.max(b)
+            }
+        };
         let mut largest = [all.iter().flatten().fold(f32::NEG_INFINITY, larger)];
         self.broadcast(&mut largest);
         largest[0]
@@ -115,7 +121,9 @@ pub fn frames_of_rank(frames: usize, rank: usize, size: usize) -> Vec<usize> {
     let part = |count: usize| rank * count / size..(rank + 1) * count / size;
     let half = frames / 2;
     if frames.is_multiple_of(2) && half >= size {
-        return part(half).chain(part(half).map(|frame| half + frame)).collect();
+        return part(half)
+            .chain(part(half).map(|frame| half + frame))
+            .collect();
     }
     part(frames).collect()
 }
@@ -204,7 +212,9 @@ impl Shares {
     #[must_use]
     pub fn own(&self, whole: &[f32]) -> Vec<f32> {
         let pieces = self.pieces[self.ranks.rank()].iter();
-        pieces.flat_map(|piece| whole[piece.clone()].iter().copied()).collect()
+        pieces
+            .flat_map(|piece| whole[piece.clone()].iter().copied())
+            .collect()
     }
 }
 
@@ -368,7 +378,13 @@ mod tests {
             let own = HostField::from_slice(own).shared(ranks);
             let step = own.zeros_like().max_abs();
             let sums = (own.dot(&own), own.norm(), own.total(2.0));
-            (sums, own.max_abs(), own.lowest(), own.secant(&own, &own), step)
+            (
+                sums,
+                own.max_abs(),
+                own.lowest(),
+                own.secant(&own, &own),
+                step,
+            )
         });
         for (sums, largest, lowest, secant, nothing) in found {
             assert_eq!(sums, (all.dot(&all), all.norm(), 4.0));

@@ -347,7 +347,10 @@ impl Checkpoints {
     /// The patterns of all ranks, where this process has a share of them; nothing on a rank that does not write.
     fn whole<F: Field>(&self, saved: &Saved<'_, F>) -> Option<Vec<(&'static str, HostField)>> {
         let shares = self.shares.as_ref()?;
-        let own = [("patterns", Some(saved.patterns)), ("best", saved.best_patterns)];
+        let own = [
+            ("patterns", Some(saved.patterns)),
+            ("best", saved.best_patterns),
+        ];
         let mut whole = Vec::new();
         for (name, own) in own {
             if let Some(own) = own {

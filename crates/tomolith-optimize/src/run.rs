@@ -484,7 +484,9 @@ impl<F: Field> State<F> {
         let goes_on = problem.model().is_renewed();
         // Ranks have clocks and signals of their own
         let is_asked = x.any(problem.is_stop_asked());
-        let is_late = stop.seconds.is_some_and(|limit| x.any(row.seconds >= limit));
+        let is_late = stop
+            .seconds
+            .is_some_and(|limit| x.any(row.seconds >= limit));
         if is_asked {
             Some(StopReason::Cancelled)
         } else if row.loss == 0.0 && !goes_on {

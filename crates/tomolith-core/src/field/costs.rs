@@ -148,9 +148,7 @@ impl CostKernel<HostField> for HostCosts {
 
     fn add_gradient(&self, x: &HostField, scale: f64, gradient: &mut HostField) -> f64 {
         match &*self.0 {
-            PatternCost::Power { exponent } => {
-                x.total(add_power(*exponent, x, scale, gradient))
-            }
+            PatternCost::Power { exponent } => x.total(add_power(*exponent, x, scale, gradient)),
             PatternCost::Differences { frames, edge } => {
                 add_differences(frames, *edge, x.as_slice(), scale, gradient.as_mut_slice());
                 self.value(x)

@@ -75,10 +75,13 @@ impl OfFile {
                 accepted: format!("patterns of {}, one per light of the job", lights.len()),
             });
         }
-        let patterns = arrays.into_iter().zip(lights).map(|(array, light)| Patterns {
-            grid: with_shape(light, array.shape),
-            values: array.raw.unwrap_or(array.shown),
-        });
+        let patterns = arrays
+            .into_iter()
+            .zip(lights)
+            .map(|(array, light)| Patterns {
+                grid: with_shape(light, array.shape),
+                values: array.raw.unwrap_or(array.shown),
+            });
         Ok(patterns.collect())
     }
 }

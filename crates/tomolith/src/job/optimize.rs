@@ -127,7 +127,9 @@ pub(crate) fn optimize(
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
             let given = scene.own_start(level)?;
-            let job_start = given.as_ref().map_or(job_start.as_ref(), |given| given as _);
+            let job_start = given
+                .as_ref()
+                .map_or(job_start.as_ref(), |given| given as _);
             let x = stage.start(scene, job_start, cancel)?;
             bounds = stage.limits(scene, &x)?;
             (start, pixels) = (Some(x), Some(own));
@@ -288,7 +290,11 @@ impl<'a> Stage<'a> {
         let of_all = |model| Box::new(Sharded::new(model, Arc::clone(ranks))) as Box<_>;
         self.model = of_all(self.model);
         self.straight = self.straight.map(of_all);
-        self.reason = format!("{}; its frames are shared by {} ranks", self.reason, ranks.size());
+        self.reason = format!(
+            "{}; its frames are shared by {} ranks",
+            self.reason,
+            ranks.size()
+        );
         self
     }
 

@@ -51,7 +51,10 @@ pub fn run_among(
 fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
     let (spec, size) = (&scene.spec, ranks.size());
     for (i, light) in scene.optics.lights.iter().enumerate() {
-        let fewest = scene.levels.iter().map(|level| level.lights[i].pixels.frames());
+        let fewest = scene
+            .levels
+            .iter()
+            .map(|level| level.lights[i].pixels.frames());
         let frames = fewest.min().unwrap_or(light.pixels.frames());
         if frames < size {
             return Err(Error::config(
@@ -221,7 +224,9 @@ impl Scene {
     /// The patterns of a file that the job begins with, as this process's part of a level's; None where it begins otherwise, or alone.
     pub(super) fn own_start(&self, level: &Level) -> Result<Option<Given>> {
         let file = self.spec.start.pointer("/patterns/file");
-        let file = file.and_then(Value::as_str).filter(|_| self.ranks.is_some());
+        let file = file
+            .and_then(Value::as_str)
+            .filter(|_| self.ranks.is_some());
         let Some(file) = file else {
             return Ok(None);
         };

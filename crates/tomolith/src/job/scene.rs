@@ -23,9 +23,9 @@ use crate::models::{OpticalScene, Purpose, planner};
 use crate::objective::penalty::Penalties;
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
-use crate::ranks::Communicator;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Keep, Optimizer};
+use crate::ranks::Communicator;
 use crate::report;
 use crate::response::{Response, dose_for};
 use crate::target::{
