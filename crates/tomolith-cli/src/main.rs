@@ -142,7 +142,10 @@ fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     });
     let job = ranks::agreed(ranks, job);
     let manner = given.manner.of_rank(ranks);
-    let cancel = cancel_on_ctrl_c(manner);
+    let cancel = match ranks {
+        None => cancel_on_ctrl_c(manner),
+        Some(_) => cancel_saying(manner, STOPPING_RANKS),
+    };
     let mut screen = Screen::new(manner);
     let (resume, leaves) = (given.resume, given.keep.into());
     let summary = match ranks {
@@ -241,8 +244,18 @@ fn prepare(manner: Manner) -> Result<()> {
 /// Requests to stop that follow each other within this time are one.
 const ECHO: Duration = Duration::from_millis(300);
 
+/// What is said when a stop is asked for, by people or by a launcher.
+const STOPPING: &str = "\nstopping after this iteration; Ctrl-C again stops at once";
+const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. Where one of them has died the launcher ends the others, and \
+    `--resume` goes on from the last checkpoint";
+
 /// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
 fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
+    cancel_saying(manner, STOPPING)
+}
+
+/// The same, saying so in these words.
+fn cancel_saying(manner: Manner, stopping: &'static str) -> Arc<Run> {
     let run = Arc::new(Run::new());
     let asked = Arc::clone(&run);
     // Without a handler Ctrl-C still ends the process, only less cleanly
@@ -260,7 +273,7 @@ fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
         }
         // An optimization ends its step first, which may take a while
         if !manner.quiet && !asked.is_cancelled() {
-            screen::mutter("\nstopping after this iteration; Ctrl-C again stops at once");
+            screen::mutter(stopping);
         }
     });
     run

@@ -40,10 +40,7 @@ mod world {
     use mpi::collective::SystemOperation;
     use mpi::environment::Universe;
     use mpi::topology::SimpleCommunicator;
-    use mpi::traits::{
-        Communicator as _, CommunicatorCollectives as _, Destination as _, Equivalence, Root as _,
-        Source as _,
-    };
+    use mpi::traits::{Communicator as _, Destination as _, Equivalence, Root as _, Source as _};
     use std::fmt;
     use std::panic;
     use std::sync::Arc;
