@@ -8,6 +8,7 @@ use crate::export_matrix::MatrixArguments;
 use crate::expose::ExposeArguments;
 use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
+use crate::ranks::{self, Ranks};
 use crate::reproduce::ReproduceArguments;
 use crate::sweep::SweepArguments;
 use crate::trace::TraceArguments;
@@ -119,6 +120,18 @@ pub(crate) struct Manner {
     /// Threads to use, 1 to 256; all cores when left out. Results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: Option<u16>,
+}
+
+impl Manner {
+    /// The same, or silence on a rank that does not speak.
+    pub(crate) fn of_rank(self, ranks: Option<&Ranks>) -> Self {
+        let speaks = !ranks::is_silent(ranks);
+        Manner {
+            quiet: self.quiet || !speaks,
+            json: self.json && speaks,
+            ..self
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -13,6 +13,7 @@ mod expose;
 mod help;
 mod import;
 mod metrics;
+mod ranks;
 mod reproduce;
 mod screen;
 mod sweep;
@@ -22,6 +23,7 @@ mod voxelize;
 
 use arguments::{Arguments, Command, JobArguments, Manner, RunArguments, SimulateArguments};
 use clap::Parser;
+use ranks::Ranks;
 use screen::{Screen, say};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -44,12 +46,18 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(code) => return code,
     };
+    let ranks = match &arguments.command {
+        Command::Run(_) => ranks::started(true),
+        // A run that panics is a row of the table
+        Command::Sweep(_) => ranks::started(false),
+        _ => None,
+    };
     let (manner, done) = match &arguments.command {
-        Command::Run(given) => (given.manner, run(given)),
+        Command::Run(given) => (given.manner, run(given, ranks.as_ref())),
         Command::Simulate(given) => (given.manner, simulate(given)),
         Command::Print(given) => (given.manner, print(given)),
         Command::Check(given) => (given.manner, check(given)),
-        Command::Sweep(given) => (given.manner, sweep(given)),
+        Command::Sweep(given) => (given.manner, sweep(given, ranks.as_ref())),
         Command::Reproduce(given) => (given.manner, reproduce(given)),
         Command::Kinds { family, name, json } => {
             let manner = Manner {
@@ -83,6 +91,10 @@ fn main() -> ExitCode {
     let code = match done {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(NOT_MET),
+        // Rank 0 speaks for all, but of what it does not know
+        Err(Error::Rank { .. } | Error::Canceled) if ranks::is_silent(ranks.as_ref()) => {
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             trouble::show(&error, manner.json);
             ExitCode::from(if matches!(error, Error::Canceled) {
@@ -94,6 +106,8 @@ fn main() -> ExitCode {
     };
     match screen::unsaid() {
         Some(error) => refused_output(error),
+        // A launcher ends all ranks when one ends badly, and that is for rank 0 to tell
+        None if ranks::is_silent(ranks.as_ref()) => ExitCode::SUCCESS,
         None => code,
     }
 }
@@ -119,18 +133,28 @@ fn quick(manner: Manner, work: impl FnOnce() -> Result<()>) -> (Manner, Result<b
 }
 
 /// `tomolith run`: whether the asked quality was met.
-fn run(given: &RunArguments) -> Result<bool> {
+fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
-    let mut job = read(&given.job, given.output.as_deref())?;
-    if given.overwrite {
-        job = job.overwriting();
-    }
-    let cancel = cancel_on_ctrl_c(given.manner);
-    let mut screen = Screen::new(given.manner);
-    let leaves = given.keep.into();
-    let summary = job::run_leaving(&job, given.resume, leaves, &mut screen, &cancel)?;
-    screen.finish(&summary);
-    Ok(summary.is_met())
+    let job = read(&given.job, given.output.as_deref());
+    let job = job.map(|job| match given.overwrite {
+        true => job.overwriting(),
+        false => job,
+    });
+    let job = ranks::agreed(ranks, job);
+    let manner = given.manner.of_rank(ranks);
+    let cancel = match ranks {
+        None => cancel_on_ctrl_c(manner),
+        Some(_) => cancel_saying(manner, STOPPING_RANKS),
+    };
+    let mut screen = Screen::new(manner);
+    let (resume, leaves) = (given.resume, given.keep.into());
+    let summary = match ranks {
+        None => job::run_leaving(&job?, resume, leaves, &mut screen, &cancel).map(Some),
+        Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, &cancel),
+    };
+    let summary = summary?;
+    summary.iter().for_each(|summary| screen.finish(summary));
+    Ok(summary.is_none_or(|summary| summary.is_met()))
 }
 
 /// `tomolith simulate`: whether the asked quality was met.
@@ -158,9 +182,10 @@ fn print(given: &SimulateArguments) -> Result<bool> {
 }
 
 /// `tomolith sweep`: whether no run failed, and one meets what is asked.
-fn sweep(given: &sweep::SweepArguments) -> Result<bool> {
+fn sweep(given: &sweep::SweepArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
-    sweep::sweep(given, &cancel_on_ctrl_c(given.manner))
+    let manner = given.manner.of_rank(ranks);
+    sweep::sweep(given, ranks, &cancel_on_ctrl_c(manner))
 }
 
 /// `tomolith reproduce`: whether every number is there and every difference explained.
@@ -219,8 +244,18 @@ fn prepare(manner: Manner) -> Result<()> {
 /// Requests to stop that follow each other within this time are one.
 const ECHO: Duration = Duration::from_millis(300);
 
+/// What is said when a stop is asked for, by people or by a launcher.
+const STOPPING: &str = "\nstopping after this iteration; Ctrl-C again stops at once";
+const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. Where one of them has died the launcher ends the others, and \
+    `--resume` goes on from the last checkpoint";
+
 /// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
 fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
+    cancel_saying(manner, STOPPING)
+}
+
+/// The same, saying so in these words.
+fn cancel_saying(manner: Manner, stopping: &'static str) -> Arc<Run> {
     let run = Arc::new(Run::new());
     let asked = Arc::clone(&run);
     // Without a handler Ctrl-C still ends the process, only less cleanly
@@ -238,7 +273,7 @@ fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
         }
         // An optimization ends its step first, which may take a while
         if !manner.quiet && !asked.is_canceled() {
-            screen::mutter("\nstopping after this iteration; Ctrl-C again stops at once");
+            screen::mutter(stopping);
         }
     });
     run

@@ -1,14 +1,15 @@
 //! `tomolith sweep`: many runs of one job.
 
 use crate::arguments::Manner;
+use crate::ranks::{Ranks, agreed};
 use crate::screen::{mutter, new_bar, say};
 use clap::Args;
 use indicatif::ProgressBar;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
-use tomolith::Result;
 use tomolith::models::Run;
+use tomolith::{Error, Result};
 use tomolith_sweep::{
     Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
 };
@@ -19,6 +20,7 @@ Examples:
   tomolith sweep sweep.toml --shard 3/16             the third of 16 shares, for one of 16 machines
   tomolith sweep sweep.toml --merge                  table and maps of what is there
   tomolith sweep sweep.toml --list | parallel -j 4   the runs as ordinary commands
+  mpirun -n 4 tomolith sweep sweep.toml              a share each, where this was built with MPI
 
 The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or none meets
 best.where, 2 could not run, 130 canceled";
@@ -44,29 +46,49 @@ pub(crate) struct SweepArguments {
     pub(crate) manner: Manner,
 }
 
-pub(crate) fn sweep(given: &SweepArguments, cancel: &Run) -> Result<bool> {
+pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<bool> {
+    let plan = planned(given, ranks, cancel);
+    let plan = agreed(ranks, plan)?;
+    if given.list {
+        plan.commands()?.iter().for_each(|command| say(command));
+        return Ok(true);
+    }
+    let manner = given.manner.of_rank(ranks);
+    let mut board = Board::new(manner, &plan);
+    let outcome = match (&given.merge, ranks) {
+        (Some(others), _) => merge(&plan, others)?,
+        (None, None) => run(&plan, given.shard, &mut board, cancel)?,
+        (None, Some(ranks)) => {
+            let (number, of) = (ranks.rank() + 1, ranks.size());
+            let own = run(&plan, Some(Shard { number, of }), &mut board, cancel);
+            agreed(Some(ranks), own)?;
+            if !ranks.is_first() {
+                return Ok(true);
+            }
+            merge(&plan, &[])?
+        }
+    };
+    finish(&outcome, manner);
+    Ok(outcome.is_met())
+}
+
+/// The runs of the sweep.
+fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<SweepPlan> {
+    let is_part = given.list || given.shard.is_some() || given.merge.is_some();
+    if let Some(ranks) = ranks.filter(|_| is_part) {
+        return Err(Error::config(
+            "--list, --shard, --merge",
+            format!("{} ranks, which take the shares themselves", ranks.size()),
+            "none of them under mpirun",
+        ));
+    }
     let mut sweep = Sweep::read(&given.sweep)?;
     if let Some(folder) = &given.output {
         sweep = sweep.with_folder(folder);
     }
     let own = || available_parallelism().map_or(1, usize::from);
     let threads = given.manner.threads.map_or_else(own, usize::from);
-    let plan = sweep.plan(threads, cancel)?;
-    if given.list {
-        plan.commands()?.iter().for_each(|command| say(command));
-        return Ok(true);
-    }
-    let outcome = match &given.merge {
-        Some(others) => merge(&plan, others)?,
-        None => run(
-            &plan,
-            given.shard,
-            &mut Board::new(given.manner, &plan),
-            cancel,
-        )?,
-    };
-    finish(&outcome, given.manner);
-    Ok(outcome.is_met())
+    sweep.plan(threads, cancel)
 }
 
 fn finish(outcome: &SweepOutcome, manner: Manner) {

@@ -105,6 +105,12 @@ pub enum Error {
         /// Why it is refused.
         reason: String,
     },
+    /// One of several processes that work on a job could not go on.
+    #[error("rank {rank} could not go on, so all ranks stop: what it met is told there")]
+    Rank {
+        /// Which, from 0.
+        rank: usize,
+    },
     /// The user asked to stop.
     #[error("canceled")]
     Canceled,

@@ -18,6 +18,9 @@
 //! | [`Field::Costs`] | penalties on patterns ([`CostKernel`]) | [`PatternCost`] |
 //! | [`DoseModel`](crate::dose::DoseModel) | a model whose fields these are | |
 //!
+//! A pattern field may be one rank's share of the frames ([`HostField::shared`]): what these operations sum or compare is then that of all
+//! ranks.
+//!
 //! That is all: problems, searches, optimizers, objectives, penalties and starts are generic over the field. A sum may differ from the
 //! host's by rounding, but must be the same in every run. Whoever wants the host's bits follows the order of sums that each operation
 //! states; `crates/tomolith-optimize/tests/sealed` is a whole backend that does.
@@ -40,11 +43,13 @@ pub mod costs;
 pub(crate) mod group;
 mod pairs;
 
+use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Elements per block of a parallel loop: 256 kB of f32, a compromise between cache and scheduling.
 pub const BLOCK: usize = 1 << 16;
@@ -242,6 +247,15 @@ pub trait Field: Clone + Send + Sync + 'static {
     fn quantize(&mut self, levels: u32, bounds: &Self::Bounds);
     /// Secant sums of the step `self` between two gradients, one element after the other in a block.
     fn secant(&self, before: &Self, after: &Self) -> Secant;
+
+    /// The sum over ranks of a number that each has, where this field is one rank's share ([`ranks`](crate::ranks)); else the number.
+    fn total(&self, own: f64) -> f64 {
+        own
+    }
+    /// Whether any rank says yes, where this field is one rank's share; else whether this process does.
+    fn any(&self, yes: bool) -> bool {
+        self.total(f64::from(u8::from(yes))) > 0.0
+    }
 }
 
 /// Sixteen floats on a 64-byte boundary: one cache line, one AVX-512 register.
@@ -252,11 +266,12 @@ pub struct Lanes(pub [f32; 16]);
 /// Lanes of f32 in one [`Lanes`].
 pub const LANES: usize = 16;
 
-/// A [`Field`] in host memory, starting on a 64-byte boundary.
+/// A [`Field`] in host memory, starting on a 64-byte boundary; all elements, or one rank's share of them.
 #[derive(Clone, Debug, Default)]
 pub struct HostField {
     lanes: Vec<Lanes>,
     len: usize,
+    ranks: Option<Arc<dyn Communicator>>,
 }
 
 impl HostField {
@@ -272,7 +287,11 @@ impl HostField {
         } else {
             vec![Lanes::default(); count]
         };
-        HostField { lanes, len }
+        HostField {
+            lanes,
+            len,
+            ranks: None,
+        }
     }
 
     /// A copy of a slice.
@@ -281,6 +300,26 @@ impl HostField {
         let mut field = HostField::zeros(values.len());
         field.as_mut_slice().copy_from_slice(values);
         field
+    }
+
+    /// The same elements as one rank's share: sums and extremes are those of the elements of all ranks, and every rank asks for them.
+    #[must_use]
+    pub fn shared(mut self, ranks: Arc<dyn Communicator>) -> Self {
+        self.ranks = Some(ranks);
+        self
+    }
+
+    /// Sums over this rank's elements become those over all ranks'.
+    pub(crate) fn add_up(&self, sums: &mut [f64]) {
+        if let Some(ranks) = &self.ranks {
+            ranks.all_reduce(sums);
+        }
+    }
+
+    /// The largest of all ranks of a number that each has.
+    fn largest(&self, own: f32) -> f32 {
+        let ranks = self.ranks.as_ref();
+        ranks.map_or(own, |ranks| ranks.largest(own))
     }
 
     /// The elements.
@@ -316,7 +355,7 @@ impl HostField {
             .zip(other.as_slice().par_chunks(BLOCK))
             .map(|(a, b)| f(a, b))
             .collect();
-        partial.iter().sum()
+        self.total(partial.iter().sum())
     }
 
     fn update_blocks(&mut self, other: &Self, f: impl Fn(&mut [f32], &[f32]) + Sync) {
@@ -387,7 +426,16 @@ impl Field for HostField {
     }
 
     fn zeros_like(&self) -> Self {
-        HostField::zeros(self.len)
+        HostField {
+            ranks: self.ranks.clone(),
+            ..HostField::zeros(self.len)
+        }
+    }
+
+    fn total(&self, own: f64) -> f64 {
+        let mut sum = [own];
+        self.add_up(&mut sum);
+        sum[0]
     }
 
     fn copy_from(&mut self, other: &Self) {
@@ -447,10 +495,12 @@ impl Field for HostField {
                 }
             })
             .collect();
-        sums.iter().fold(StepSums::default(), |a, b| StepSums {
-            slope: a.slope + b.slope,
-            square: a.square + b.square,
-        })
+        let mut all = sums.iter().fold([0.0; 2], |[slope, square], sums| {
+            [slope + sums.slope, square + sums.square]
+        });
+        self.add_up(&mut all);
+        let [slope, square] = all;
+        StepSums { slope, square }
     }
 
     fn secant(&self, before: &Self, after: &Self) -> Secant {
@@ -477,24 +527,24 @@ impl Field for HostField {
                 sums
             })
             .collect();
-        sums.iter().fold(Secant::default(), |a, b| Secant {
-            pp: a.pp + b.pp,
-            py: a.py + b.py,
-            yy: a.yy + b.yy,
-        })
+        let mut all = sums.iter().fold([0.0; 3], |[pp, py, yy], sums| {
+            [pp + sums.pp, py + sums.py, yy + sums.yy]
+        });
+        self.add_up(&mut all);
+        let [pp, py, yy] = all;
+        Secant { pp, py, yy }
     }
 
     fn max_abs(&self) -> f32 {
-        self.as_slice()
-            .par_chunks(BLOCK)
-            .map(|block| block.iter().map(|v| v.abs()).fold(0.0, larger))
-            .reduce(|| 0.0, larger)
+        let blocks = self.as_slice().par_chunks(BLOCK);
+        let largest = |block: &[f32]| block.iter().map(|v| v.abs()).fold(0.0, larger);
+        self.largest(blocks.map(largest).reduce(|| 0.0, larger))
     }
 
     fn max_marked(&self, marks: &Self) -> f32 {
         assert_eq!(self.len, marks.len, "fields of different length");
         let marked = |value: f32, mark: f32| if mark < 0.0 { 0.0 } else { value };
-        self.as_slice()
+        let largest = (self.as_slice())
             .par_chunks(BLOCK)
             .zip(marks.as_slice().par_chunks(BLOCK))
             .map(|(a, b)| {
@@ -503,11 +553,13 @@ impl Field for HostField {
                     .map(|(&a, &b)| marked(a, b))
                     .fold(0.0, larger)
             })
-            .reduce(|| 0.0, larger)
+            .reduce(|| 0.0, larger);
+        self.largest(largest)
     }
 
     fn lowest(&self) -> f32 {
-        self.as_slice().par_iter().copied().reduce(|| 0.0, f32::min)
+        let elements = self.as_slice().par_iter().copied();
+        -self.largest(-elements.reduce(|| 0.0, f32::min))
     }
 
     fn shift(&mut self, a: f32) {

@@ -1,4 +1,4 @@
-//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, dose models as a trait, material responses, least squares and run control.
+//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, dose models as a trait, material responses, least squares, ranks and run control.
 //!
 //! Users find all of it in the crate `tomolith`; whoever writes a dose model, or fields in the memory of a device, needs this crate alone.
 
@@ -9,6 +9,7 @@ pub mod field;
 pub mod grid;
 pub mod kind;
 pub mod least_squares;
+pub mod ranks;
 pub mod response;
 pub mod run;
 pub mod target;

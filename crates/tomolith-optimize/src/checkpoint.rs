@@ -6,6 +6,9 @@
 //! `contents = "all"` holds patterns, dose and the optimizer's memory: the resumed run has the bits of the uninterrupted one.
 //! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
 //!
+//! Where patterns are [shares of several ranks](Checkpoints::share), rank 0 puts them together and writes the file of patterns that a process
+//! alone would write: any number of ranks goes on from it, and all of them must see its folder.
+//!
 //! Without a stated interval a checkpoint is written when at least fifty times the duration of the last one has passed
 //! (and ten seconds), so that they cost less than 2 % of the time. The first is taken to cost what its bytes take at
 //! 300 MB/s.
@@ -24,7 +27,8 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::Field;
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::ranks::{Shares, together};
 use tomolith_core::units::exact;
 
 /// What a checkpoint holds.
@@ -108,6 +112,8 @@ pub struct Checkpoints {
     cost: Option<Duration>,
     /// Whether the last one did not fit on the disk.
     is_without_room: bool,
+    /// Where patterns are spread over ranks.
+    shares: Option<Shares>,
 }
 
 /// Bytes per second that the first checkpoint is taken to reach.
@@ -183,6 +189,7 @@ impl Checkpoints {
             last: Instant::now(),
             cost: None,
             is_without_room: false,
+            shares: None,
         })
     }
 
@@ -198,6 +205,20 @@ impl Checkpoints {
         self.level = level;
     }
 
+    /// From here on the patterns of this process are a rank's share: files hold those of all ranks and nothing else.
+    pub fn share(&mut self, shares: Shares) {
+        self.contents = Contents::Patterns;
+        self.shares = Some(shares);
+    }
+
+    /// What this rank came to, if no rank failed.
+    fn agreed<T>(&self, own: Result<T>) -> Result<T> {
+        match &self.shares {
+            Some(shares) => together(shares.ranks().as_ref(), own),
+            None => own,
+        }
+    }
+
     /// The run begins anew: a checkpoint that the folder holds stays there until the first one of this run takes its place.
     pub fn begin_anew(&mut self) {
         self.resumes = false;
@@ -208,7 +229,7 @@ impl Checkpoints {
         if !self.resumes {
             return Ok(None);
         }
-        let found = self.open()?;
+        let found = self.agreed(self.open())?;
         Ok(found.filter(|found| found.level() == self.level))
     }
 
@@ -220,7 +241,8 @@ impl Checkpoints {
 
     /// Whether it is time for the next one, which would hold what is `saved`.
     pub(super) fn is_due<F: Field>(&self, saved: &Saved<'_, F>) -> bool {
-        self.last.elapsed() >= self.wait(self.bytes(saved))
+        let is_due = self.last.elapsed() >= self.wait(self.bytes(saved));
+        saved.patterns.any(is_due)
     }
 
     /// Time between two checkpoints of so many bytes: as asked, else 50 times what the last one took, or is expected to take,
@@ -252,7 +274,8 @@ impl Checkpoints {
     /// As [`write`](Self::write), but for a full disk.
     pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
         let written = self.write(saved);
-        self.settle(written)
+        let settled = self.settle(written);
+        self.agreed(settled)
     }
 
     /// What a checkpoint that was or was not written means for the next ones.
@@ -281,7 +304,7 @@ impl Checkpoints {
     /// Writes a checkpoint.
     pub(super) fn write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<()> {
         let begin = Instant::now();
-        std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
+        let whole = self.whole(&saved);
         let header = Header {
             format: FORMAT,
             fingerprint: self.fingerprint.clone(),
@@ -293,21 +316,50 @@ impl Checkpoints {
             history: saved.history.to_vec(),
             numbers: saved.memory.numbers,
         };
-        let mut arrays = vec![("patterns".to_owned(), SavedArray::of_field(saved.patterns))];
-        arrays.extend(
-            saved
-                .best_patterns
-                .map(|best| ("best".to_owned(), SavedArray::of_field(best))),
-        );
-        if self.contents == Contents::All {
-            arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
-            let memory = saved.memory.arrays.into_iter();
-            arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
+        match &whole {
+            // Another rank writes
+            Some(fields) if fields.is_empty() => {}
+            Some(fields) => {
+                let arrays = fields.iter().map(|(name, field)| {
+                    let array = SavedArray::of_field(field);
+                    ((*name).to_owned(), array)
+                });
+                self.write_file(&header, arrays.collect())?;
+            }
+            None => {
+                let patterns = SavedArray::of_field(saved.patterns);
+                let mut arrays = vec![("patterns".to_owned(), patterns)];
+                let best = saved.best_patterns.map(SavedArray::of_field);
+                arrays.extend(best.map(|best| ("best".to_owned(), best)));
+                if self.contents == Contents::All {
+                    arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
+                    let memory = saved.memory.arrays.into_iter();
+                    arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
+                }
+                self.write_file(&header, arrays)?;
+            }
         }
-        self.write_file(&header, arrays)?;
         self.cost = Some(begin.elapsed());
         self.last = Instant::now();
         Ok(())
+    }
+
+    /// The patterns of all ranks, where this process has a share of them; nothing on a rank that does not write.
+    fn whole<F: Field>(&self, saved: &Saved<'_, F>) -> Option<Vec<(&'static str, HostField)>> {
+        let shares = self.shares.as_ref()?;
+        let own = [
+            ("patterns", Some(saved.patterns)),
+            ("best", saved.best_patterns),
+        ];
+        let mut whole = Vec::new();
+        for (name, own) in own {
+            if let Some(own) = own {
+                let field = HostField::from_slice(&shares.whole(&own.to_host()));
+                whole.push((name, field));
+            }
+        }
+        whole.retain(|_| shares.ranks().is_first());
+        Some(whole)
     }
 
     /// Removes what a killed run left half written: safetensors writes to `.tmp…` in this folder, which is ours alone.
@@ -328,6 +380,7 @@ impl Checkpoints {
     fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
         let file = self.file();
         let aside = self.aside();
+        std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
         self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
         let arrays = arrays.into_iter().map(|(name, array)| {
@@ -394,6 +447,7 @@ impl Checkpoints {
             metadata,
             data_begin,
             header,
+            shares: self.shares.clone(),
         }))
     }
 }
@@ -468,13 +522,17 @@ pub struct Checkpoint {
     metadata: Metadata,
     data_begin: u64,
     header: Header,
+    shares: Option<Shares>,
 }
 
 impl Checkpoint {
-    /// What it holds.
+    /// What of it a run goes on from: of ranks that share the patterns these alone.
     #[must_use]
     pub fn contents(&self) -> Contents {
-        self.header.contents
+        match self.shares {
+            Some(_) => Contents::Patterns,
+            None => self.header.contents,
+        }
     }
 
     /// The level at which it was written.
@@ -501,13 +559,20 @@ impl Checkpoint {
         self.header.best
     }
 
-    /// Fills a field from an array of the file.
+    /// Fills a field from an array of the file; of ranks that share the patterns each takes its own elements.
     ///
     /// # Errors
     /// [`Error::Format`] when there is none of that name and length; [`Error::Io`].
     pub fn read_field<F: Field>(&mut self, name: &str, field: &mut F) -> Result<()> {
-        let mut values = vec![0.0f32; field.len()];
-        self.read(name, bytemuck::cast_slice_mut(&mut values))?;
+        let shares = self.shares.clone();
+        let mut values = vec![0.0f32; shares.as_ref().map_or(field.len(), Shares::len)];
+        let read = self.read(name, bytemuck::cast_slice_mut(&mut values));
+        if let Some(shares) = shares {
+            together(shares.ranks().as_ref(), read)?;
+            values = shares.own(&values);
+        } else {
+            read?;
+        }
         field.copy_from_host(&values);
         Ok(())
     }

@@ -78,7 +78,7 @@ pub struct Projection<F> {
     pub patterns: F,
     /// φ: what share of a pixel's light a voxel gets in a frame, on average over d.
     pub share: f64,
-    frames: usize,
+    frames: f64,
 }
 
 impl<F: Field> Projection<F> {
@@ -92,8 +92,9 @@ impl<F: Field> Projection<F> {
             ones.fill(1.0);
             field.dot(&ones)
         };
-        let frames = lights.iter().map(|light| light.grid.frames()).sum();
-        let share = sum(&patterns) / (frames as f64 * sum(wanted));
+        let own: usize = lights.iter().map(|light| light.grid.frames()).sum();
+        let frames = patterns.total(own as f64);
+        let share = sum(&patterns) / (frames * sum(wanted));
         if !(share.is_finite() && share > 0.0) {
             return Err(Error::config(
                 "light",
@@ -125,7 +126,7 @@ impl<F: Field> Projection<F> {
     /// c = π/(2Nφ²): the filtered projection times c has the dose d, negative values included.
     #[must_use]
     pub fn inverse(&self) -> f64 {
-        PI / (2.0 * self.frames as f64 * self.share.powi(2))
+        PI / (2.0 * self.frames * self.share.powi(2))
     }
 }
 

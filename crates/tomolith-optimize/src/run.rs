@@ -482,7 +482,12 @@ impl<F: Field> State<F> {
         let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
         // On other paths the loss may be above zero again
         let goes_on = problem.model().is_renewed();
-        if problem.is_stop_asked() {
+        // Ranks have clocks and signals of their own
+        let is_asked = x.any(problem.is_stop_asked());
+        let is_late = stop
+            .seconds
+            .is_some_and(|limit| x.any(row.seconds >= limit));
+        if is_asked {
             Some(StopReason::Canceled)
         } else if row.loss == 0.0 && !goes_on {
             Some(StopReason::ZeroLoss)
@@ -498,7 +503,7 @@ impl<F: Field> State<F> {
             Some(StopReason::Observer)
         } else if row.iteration >= stop.iterations {
             Some(StopReason::Iterations)
-        } else if stop.seconds.is_some_and(|limit| row.seconds >= limit) {
+        } else if is_late {
             Some(StopReason::WallTime)
         } else {
             None

@@ -16,7 +16,7 @@
 //! [`BLOCK`] elements (of a frame for differences), then the blocks (frames).
 
 use super::bands::CHORD;
-use super::{BLOCK, HostField};
+use super::{BLOCK, Field as _, HostField};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -129,26 +129,26 @@ impl CostKernel<HostField> for HostCosts {
     }
 
     fn value(&self, x: &HostField) -> f64 {
-        let x = x.as_slice();
-        match &*self.0 {
+        let values = x.as_slice();
+        x.total(match &*self.0 {
             PatternCost::Power { exponent } => {
                 let term = |b: &[f32]| b.iter().map(|&x| power(*exponent, x).0).sum();
-                let sums: Vec<f64> = x.par_chunks(BLOCK).map(term).collect();
+                let sums: Vec<f64> = values.par_chunks(BLOCK).map(term).collect();
                 sums.iter().sum()
             }
             PatternCost::Differences { frames, edge } => {
-                let apart = |i: usize, j: usize| f64::from(x[i]) - f64::from(x[j]);
+                let apart = |i: usize, j: usize| f64::from(values[i]) - f64::from(values[j]);
                 sum_pairs(frames, |i, j, w| {
                     (w * difference(*edge, apart(i, j)).0, 0.0)
                 })
                 .0
             }
-        }
+        })
     }
 
     fn add_gradient(&self, x: &HostField, scale: f64, gradient: &mut HostField) -> f64 {
         match &*self.0 {
-            PatternCost::Power { exponent } => add_power(*exponent, x, scale, gradient),
+            PatternCost::Power { exponent } => x.total(add_power(*exponent, x, scale, gradient)),
             PatternCost::Differences { frames, edge } => {
                 add_differences(frames, *edge, x.as_slice(), scale, gradient.as_mut_slice());
                 self.value(x)
@@ -157,8 +157,9 @@ impl CostKernel<HostField> for HostCosts {
     }
 
     fn slope_along(&self, x: &HostField, step: &HostField, alpha: f32) -> (f64, f64) {
+        let share = x;
         let (x, step) = (x.as_slice(), step.as_slice());
-        match &*self.0 {
+        let (sum, along) = match &*self.0 {
             PatternCost::Power { exponent } => {
                 let blocks = x.par_chunks(BLOCK).zip(step.par_chunks(BLOCK));
                 let sums: Vec<(f64, f64)> = blocks
@@ -183,7 +184,10 @@ impl CostKernel<HostField> for HostCosts {
                     )
                 })
             }
-        }
+        };
+        let mut all = [sum, along];
+        share.add_up(&mut all);
+        (all[0], all[1])
     }
 }
 

@@ -235,6 +235,20 @@ impl Products {
         }
         self.s_s += other.s_s;
     }
+
+    /// Those of all ranks that have a share of a field.
+    fn of_all_ranks(mut self, share: &HostField) -> Self {
+        let mut lists = [&mut self.s_y, &mut self.y_y, &mut self.s_g, &mut self.y_g];
+        let mut sums = lists.each_ref().map(|list| list.as_slice()).concat();
+        sums.push(self.s_s);
+        share.add_up(&mut sums);
+        let slots = lists[0].len();
+        for (list, sums) in lists.iter_mut().zip(sums.chunks(slots.max(1))) {
+            list.copy_from_slice(&sums[..slots]);
+        }
+        self.s_s = sums[4 * slots];
+        self
+    }
 }
 
 /// The pairs of one block of the bounds.
@@ -500,12 +514,9 @@ impl Pairs<HostField> for HostPairs {
                 )
             })
             .collect();
-        products
-            .iter()
-            .fold(Products::zeros(slots), |mut sum, block| {
-                sum.add(block);
-                sum
-            })
+        let mut sum = Products::zeros(slots);
+        products.iter().for_each(|block| sum.add(block));
+        sum.of_all_ranks(latest.x)
     }
 
     fn direction(
@@ -537,13 +548,21 @@ impl Pairs<HostField> for HostPairs {
                 )
             })
             .collect();
-        sums.iter()
-            .fold(DirectionSums::default(), |a, b| DirectionSums {
-                slope: a.slope + b.slope,
-                square: a.square + b.square,
-                gradient_slope: a.gradient_slope + b.gradient_slope,
-                gradient_square: a.gradient_square + b.gradient_square,
-            })
+        let mut all = [0.0; 4];
+        for of_block in &sums {
+            all[0] += of_block.slope;
+            all[1] += of_block.square;
+            all[2] += of_block.gradient_slope;
+            all[3] += of_block.gradient_square;
+        }
+        x.add_up(&mut all);
+        let [slope, square, gradient_slope, gradient_square] = all;
+        DirectionSums {
+            slope,
+            square,
+            gradient_slope,
+            gradient_square,
+        }
     }
 
     fn parts(&self) -> Vec<(&'static str, Cow<'_, [u8]>)> {

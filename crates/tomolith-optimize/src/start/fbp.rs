@@ -95,7 +95,7 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         let voxel_mm3 = input.model.outputs()[0].grid.voxel_mm3();
         let projection =
             Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm3)?;
-        if run.is_canceled() {
+        if projection.patterns.any(run.is_canceled()) {
             return Err(Error::Canceled);
         }
         let inverse = projection.inverse() as f32;

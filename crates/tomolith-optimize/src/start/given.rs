@@ -61,6 +61,31 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
 #[derive(Clone, Debug)]
 pub struct OfFile(pub PathBuf);
 
+impl OfFile {
+    /// The patterns of the file, on the field of view and the arc of these grids, one per light.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for those of another number of lights, and what reading says.
+    pub fn read(&self, lights: &[&PatternGrid]) -> Result<Vec<Patterns>> {
+        let arrays = read_patterns(&self.0)?;
+        if arrays.len() != lights.len() {
+            return Err(Error::Format {
+                path: self.0.clone(),
+                found: format!("patterns of {} lights", arrays.len()),
+                accepted: format!("patterns of {}, one per light of the job", lights.len()),
+            });
+        }
+        let patterns = arrays
+            .into_iter()
+            .zip(lights)
+            .map(|(array, light)| Patterns {
+                grid: with_shape(light, array.shape),
+                values: array.raw.unwrap_or(array.shown),
+            });
+        Ok(patterns.collect())
+    }
+}
+
 /// Patterns at hand, one per light.
 #[derive(Clone, Debug)]
 pub struct Given(pub Vec<Patterns>);
@@ -71,23 +96,9 @@ impl<F: Field> InitialPatterns<F> for OfFile {
     }
 
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
-        let lights = input.model.patterns();
-        let arrays = read_patterns(&self.0)?;
-        if arrays.len() != lights.len() {
-            return Err(Error::Format {
-                path: self.0.clone(),
-                found: format!("patterns of {} lights", arrays.len()),
-                accepted: format!("patterns of {}, one per light of the job", lights.len()),
-            });
-        }
-        let patterns = arrays.into_iter().zip(lights).map(|(array, light)| {
-            let grid = with_shape(&light.grid, array.shape);
-            Patterns {
-                values: array.raw.unwrap_or(array.shown),
-                grid,
-            }
-        });
-        Given(patterns.collect()).patterns(input, run)
+        let lights = input.model.patterns().iter();
+        let grids: Vec<&PatternGrid> = lights.map(|light| &light.grid).collect();
+        Given(self.read(&grids)?).patterns(input, run)
     }
 }
 

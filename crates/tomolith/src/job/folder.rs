@@ -154,7 +154,12 @@ impl RunFolder {
     /// Where checkpoints are.
     #[must_use]
     pub fn checkpoint(&self) -> PathBuf {
-        self.path.join("checkpoint")
+        Self::checkpoint_in(&self.path)
+    }
+
+    /// Where those of a run folder are.
+    pub(super) fn checkpoint_in(path: &Path) -> PathBuf {
+        path.join("checkpoint")
     }
 
     /// Moves all new files to their names, in the place of earlier ones. Movies of other names are removed: they are

@@ -11,6 +11,7 @@
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
 //! | what many runs ask of a job | `many` |
+//! | one job on several processes | `ranks` |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
 mod benchmark;
@@ -41,6 +42,7 @@ mod optimize;
 pub mod outcome;
 pub mod progress;
 mod property;
+mod ranks;
 pub mod read;
 pub mod reference_page;
 mod refinement;
@@ -66,6 +68,7 @@ pub use import::{Imported, import};
 pub use many::{Leaves, Needs, needs, run_here};
 pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
+pub use ranks::run_among;
 pub use read::Job;
 pub use resolved::{ResolvedJob, Task};
 pub use spec::*;

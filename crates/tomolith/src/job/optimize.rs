@@ -1,6 +1,5 @@
 //! The optimization of a job: from voxels to patterns.
 
-use super::folder::RunFolder;
 use super::heights;
 use super::in_time::planned_in_time;
 use super::levels::{self, Levelled};
@@ -18,6 +17,7 @@ use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
+use crate::models::sharded::Sharded;
 use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, PerBlock, Sum};
 use crate::optimize::start::given::Given;
@@ -31,6 +31,8 @@ use crate::units::concise;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What an optimization came to.
@@ -88,30 +90,35 @@ pub(crate) struct Quality {
 pub(crate) fn optimize(
     scene: &Scene,
     voxels: &Voxels,
-    folder: &RunFolder,
+    place: &Path,
     resume: bool,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
     let tables = tables(&scene.spec)?;
-    let mut checkpoints = Checkpoints::new(
-        folder.checkpoint(),
-        fingerprint(&tables, voxels, &scene.base)?,
-        &scene.spec.checkpoint,
-    )?
-    .describing(tables);
-    let resumed = resumes(&checkpoints, resume, progress)?;
+    let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
+    scene.must_agree(fingerprint)?;
+    let mut checkpoints =
+        Checkpoints::new(place, fingerprint, &scene.spec.checkpoint)?.describing(tables);
+    let resumed = if resume || scene.is_first() {
+        resumes(&checkpoints, resume, progress)
+    } else {
+        Ok(None)
+    };
+    let resumed = scene.agreed(resumed)?;
     if resumed.is_none() {
         checkpoints.begin_anew();
     }
     let job_start = scene.start()?;
-    let mut carried: Option<Given> = None;
+    let mut carried: Option<Vec<Patterns>> = None;
     let mut bounds = Vec::new();
     let mut pixels: Option<Vec<&PatternGrid>> = None;
     let mut sofar = SoFar::default();
-    for (i, level) in scene.levels.iter().enumerate() {
+    let own_levels = scene.own_levels();
+    for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
         let is_last = i + 1 == scene.levels.len();
-        let stage = Stage::new(scene, voxels, level, progress, cancel)?;
+        let stage = scene.agreed(Stage::new(scene, voxels, own_level, progress, cancel))?;
+        let stage = stage.shared(scene);
         if i == 0 {
             let text = stage.reason.clone();
             progress.event(&Event::Note { text });
@@ -119,19 +126,29 @@ pub(crate) fn optimize(
         let mut start = None;
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
-            let x = stage.start(scene, job_start.as_ref(), cancel)?;
+            let given = scene.own_start(level)?;
+            let job_start = given
+                .as_ref()
+                .map_or(job_start.as_ref(), |given| given as _);
+            let x = stage.start(scene, job_start, cancel)?;
             bounds = stage.limits(scene, &x)?;
             (start, pixels) = (Some(x), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
             continue;
         }
-        let mut x = match (&carried, start) {
+        let mut x = match (carried.take(), start) {
             (None, Some(x)) => x,
             (None, None) => stage.model.new_patterns()?,
-            (Some(given), _) => stage.start(scene, given, cancel)?,
+            (Some(raw), _) => {
+                let given = Given(scene.own_patterns(level, raw));
+                stage.start(scene, &given, cancel)?
+            }
         };
         checkpoints.begin_level(i);
+        if let Some(shares) = scene.shares(level, stage.model.patterns()) {
+            checkpoints.share(shares);
+        }
         let ran = stage.run_and_widen(
             scene,
             (&mut x, &bounds),
@@ -140,10 +157,12 @@ pub(crate) fn optimize(
             progress,
             cancel,
         );
+        let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
+        let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
         match ran {
             Ok(outcome) if outcome.reason == StopReason::Canceled => {
-                keep(scene, &raw, &folder.checkpoint(), progress)?;
+                keep(scene, &raw, place, progress)?;
                 return Err(at_section("optimizer", Error::Canceled));
             }
             Ok(outcome) if is_last => {
@@ -157,7 +176,7 @@ pub(crate) fn optimize(
                 let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
                     Ok(levels) => levels,
                     Err(error) => {
-                        keep(scene, &raw, &folder.checkpoint(), progress)?;
+                        keep(scene, &raw, place, progress)?;
                         return Err(at_section("optimizer", error));
                     }
                 };
@@ -177,12 +196,12 @@ pub(crate) fn optimize(
             Ok(outcome) => {
                 sofar.rows = outcome.history;
                 sofar.counters = outcome.counters;
-                carried = Some(Given(raw));
+                carried = Some(raw);
             }
             // A checkpoint that does not fit: nothing was done
             Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
             Err(error) => {
-                keep(scene, &raw, &folder.checkpoint(), progress)?;
+                keep(scene, &raw, place, progress)?;
                 return Err(at_section("optimizer", error));
             }
         }
@@ -261,6 +280,22 @@ impl<'a> Stage<'a> {
             dark,
             reason: plan.reason,
         })
+    }
+
+    /// The same with the dose of the frames of all ranks, where the scene's frames are shared. Called by all ranks.
+    fn shared(mut self, scene: &Scene) -> Self {
+        let Some(ranks) = &scene.ranks else {
+            return self;
+        };
+        let of_all = |model| Box::new(Sharded::new(model, Arc::clone(ranks))) as Box<_>;
+        self.model = of_all(self.model);
+        self.straight = self.straight.map(of_all);
+        self.reason = format!(
+            "{}; its frames are shared by {} ranks",
+            self.reason,
+            ranks.size()
+        );
+        self
     }
 
     pub(super) fn start(
@@ -567,7 +602,7 @@ pub(super) fn starting_patterns(
     if model.patterns()[0].quantity == Quantity::Energy {
         return Ok(x);
     }
-    into_amplitudes(x.as_mut_slice(), GLIMMER)?;
+    into_amplitudes(&mut x, GLIMMER)?;
     if scene.kinds.starts_as_given() {
         return Ok(x);
     }
@@ -602,18 +637,19 @@ fn starting_lights(
 ///
 /// # Errors
 /// [`Error::Config`] when all are dark: no step leads away from there.
-fn into_amplitudes(energies: &mut [f32], glimmer: f64) -> Result<()> {
-    let lit = energies.iter().filter(|&&v| v > 0.0);
-    let (count, sum) = lit.fold((0usize, 0.0f64), |(n, s), &v| (n + 1, s + f64::from(v)));
-    if count == 0 {
+fn into_amplitudes(x: &mut HostField, glimmer: f64) -> Result<()> {
+    let lit = x.as_slice().iter().filter(|&&v| v > 0.0);
+    let (count, sum) = lit.fold((0.0, 0.0), |(n, s), &v| (n + 1.0, s + f64::from(v)));
+    let (count, sum) = (x.total(count), x.total(sum));
+    if count == 0.0 {
         return Err(Error::config(
             "start",
             "patterns that are dark everywhere",
             "a start that is not dark: the gradient of [model.wave] is zero at dark patterns",
         ));
     }
-    let least = glimmer * sum / count as f64;
-    for value in energies {
+    let least = glimmer * sum / count;
+    for value in x.as_mut_slice() {
         *value = f64::from(*value).max(least).sqrt() as f32;
     }
     Ok(())

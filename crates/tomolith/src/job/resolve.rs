@@ -247,6 +247,12 @@ impl JobKinds {
         Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
     }
 
+    /// Whether a penalty compares pixels of different frames.
+    pub(super) fn penalizes_frames(&self) -> bool {
+        let angles = |own: &PenaltyKind| own.of.number("angles");
+        self.penalties.iter().filter_map(angles).any(|w| w > 0.0)
+    }
+
     /// What every objective may have, and its key.
     pub(super) fn common(&self) -> impl Iterator<Item = (&str, &Common)> {
         (self.objectives.iter()).map(|own| (own.path.as_str(), &own.common))

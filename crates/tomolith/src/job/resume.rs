@@ -82,6 +82,9 @@ pub(super) fn keep(
     folder: &Path,
     progress: &mut dyn Progress,
 ) -> Result<()> {
+    if !scene.is_first() {
+        return Ok(());
+    }
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     let path = folder.join(KEPT);
     let pairs: Vec<PatternPair<'_>> = raw

@@ -25,6 +25,7 @@ use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Keep, Optimizer};
+use crate::ranks::Communicator;
 use crate::report;
 use crate::response::{Response, dose_for};
 use crate::target::{
@@ -74,6 +75,8 @@ pub(crate) struct Scene {
     pub(crate) notes: Vec<String>,
     /// What may be wrong.
     pub(crate) warnings: Vec<String>,
+    /// The processes that share the frames of the optimization; None: this one works alone.
+    pub(crate) ranks: Option<Arc<dyn Communicator>>,
 }
 
 /// The target on a grid.
@@ -212,6 +215,7 @@ impl Scene {
             ]
             .concat(),
             notes,
+            ranks: None,
             shape,
             has_cells,
             levels,

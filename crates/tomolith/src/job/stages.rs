@@ -23,9 +23,11 @@ use crate::metrics::Evaluation;
 use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
+use crate::ranks::{Communicator, together};
 use crate::report::Timing;
 use crate::units::{concise, counted};
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// The stage whose parts are told apart.
@@ -65,19 +67,80 @@ pub(super) fn run_stages(
     cancel: &Run,
 ) -> Result<Summary> {
     let mut clock = Clock::new(progress, cancel);
+    let mut scene = begin(job, resume, &mut clock)?;
+    let folder = open(job, &scene, clock.progress)?;
+    let sampled = sample(job, &mut scene, &mut clock)?;
+    let optimized = optimized(job, &scene, &sampled.0, resume, &mut clock)?;
+    judge(job, (scene, sampled), optimized, leaves, folder, clock)
+}
+
+/// The stages of one of several ranks; the first one goes on to the end.
+pub(super) fn run_shared(
+    job: &Job,
+    resume: bool,
+    leaves: Leaves,
+    ranks: &Arc<dyn Communicator>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<Summary>> {
+    let mut clock = Clock::new(progress, cancel);
+    let begun = begin(job, resume, &mut clock);
+    let begun = begun.and_then(|scene| scene.among(ranks).map_err(|e| job.locate(e)));
+    let mut scene = together(ranks.as_ref(), begun)?;
+    let folder = match ranks.is_first() {
+        true => open(job, &scene, clock.progress).map(Some),
+        false => Ok(None),
+    };
+    let folder = scene.agreed(folder)?;
+    let sampled = sample(job, &mut scene, &mut clock);
+    let sampled = scene.agreed(sampled)?;
+    let optimized = optimized(job, &scene, &sampled.0, resume, &mut clock)?;
+    let judged = |folder| judge(job, (scene, sampled), optimized, leaves, folder, clock);
+    folder.map(judged).transpose()
+}
+
+/// Reads the job, and refuses a folder that holds another one's run.
+fn begin(job: &Job, resume: bool, clock: &mut Clock<'_>) -> Result<Scene> {
     clock.stage("reading the job");
     let mut scene = Scene::new(job)?;
     scene.note_levels();
-    cancel.check()?;
+    clock.cancel.check()?;
     must_be_same(job, resume)?;
-    let folder = open(job, &scene, clock.progress)?;
+    Ok(scene)
+}
+
+/// The voxels, and what people should be warned of.
+fn sample(job: &Job, scene: &mut Scene, clock: &mut Clock<'_>) -> Result<(Voxels, Vec<String>)> {
     let stage = clock.stage("sampling the target");
-    let (voxels, mut warnings) = voxels(job, &scene, clock.progress, &stage)?;
-    scene.must_start(&voxels).map_err(|e| job.locate(e))?;
-    try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
+    let sampled = voxels(job, scene, clock.progress, &stage)?;
+    scene.must_start(&sampled.0).map_err(|e| job.locate(e))?;
+    try_orders(scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
+    Ok(sampled)
+}
+
+/// The patterns.
+fn optimized(
+    job: &Job,
+    scene: &Scene,
+    voxels: &Voxels,
+    resume: bool,
+    clock: &mut Clock<'_>,
+) -> Result<Optimized> {
     let stage = clock.stage(OPTIMIZING);
-    let optimized = optimize(&scene, &voxels, &folder, resume, clock.progress, &stage)
-        .map_err(|e| job.locate(e))?;
+    let place = RunFolder::checkpoint_in(&job.folder());
+    let optimized = optimize(scene, voxels, &place, resume, clock.progress, &stage);
+    optimized.map_err(|e| job.locate(e))
+}
+
+/// Evaluates the patterns, and writes everything.
+fn judge(
+    job: &Job,
+    (scene, (voxels, mut warnings)): (Scene, (Voxels, Vec<String>)),
+    optimized: Optimized,
+    leaves: Leaves,
+    folder: RunFolder,
+    mut clock: Clock<'_>,
+) -> Result<Summary> {
     warnings.extend(optimized.warnings.clone());
     let stage = clock.stage("evaluating the written patterns");
     let levels = optimized.levels.as_ref();

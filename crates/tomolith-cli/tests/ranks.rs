@@ -1,0 +1,192 @@
+//! The command under `mpirun`. Needs `--features mpi`, an MPI library, and Linux to find a rank among the processes.
+#![cfg(all(feature = "mpi", target_os = "linux"))]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tomolith::io::npy::read_patterns;
+
+const JOB: &str = concat!(
+    include_str!("gear.toml"),
+    "[objective.threshold]\n[stop]\niterations = 6\n"
+);
+
+const SWEEP: &str = r#"
+job = "job.toml"
+metrics = ["history.loss", "evaluation.iou"]
+[[axes]]
+key = "objective.threshold.lower"
+values = [0.6, 0.7, 0.8]
+"#;
+
+struct Bench {
+    temp: tempfile::TempDir,
+}
+
+impl Bench {
+    /// None where no launcher is installed, which is said.
+    fn new() -> Option<Self> {
+        let launcher = Command::new("mpirun").arg("--version").output();
+        if launcher.is_err() {
+            eprintln!("skipped: there is no mpirun here");
+            return None;
+        }
+        let temp = tempfile::tempdir().unwrap();
+        fs::write(temp.path().join("job.toml"), JOB).unwrap();
+        fs::write(temp.path().join("sweep.toml"), SWEEP).unwrap();
+        Some(Bench { temp })
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.temp.path().join(name)
+    }
+
+    fn alone(&self, line: &str) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
+        let command = command.current_dir(self.temp.path());
+        command.args(line.split_whitespace()).output().unwrap()
+    }
+
+    /// The command on so many ranks.
+    fn on_ranks(&self, count: usize, line: &str) -> Command {
+        let mut command = Command::new("mpirun");
+        command
+            .current_dir(self.temp.path())
+            // Test machines are small, and often containers
+            .args(["--allow-run-as-root", "--oversubscribe", "-n"])
+            .args([&count.to_string(), env!("CARGO_BIN_EXE_tomolith")])
+            .args(line.split_whitespace());
+        command
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn raw(folder: &Path) -> Vec<f32> {
+    let arrays = read_patterns(&folder.join("patterns.npz")).unwrap();
+    arrays
+        .into_iter()
+        .flat_map(|array| array.raw.unwrap())
+        .collect()
+}
+
+#[test]
+fn two_ranks_leave_the_folder_that_a_process_leaves() {
+    let Some(bench) = Bench::new() else { return };
+    let alone = bench.alone("run job.toml --quiet -o alone");
+    let shared = bench.on_ranks(2, "run job.toml --json -o shared").output();
+    let shared = shared.unwrap();
+    assert_eq!(
+        alone.status.code(),
+        shared.status.code(),
+        "{}",
+        text(&shared.stderr)
+    );
+    // One rank speaks
+    let said = text(&shared.stdout);
+    assert_eq!(said.matches("\"event\":\"done\"").count(), 1, "{said}");
+    assert!(said.contains("2 ranks"), "{said}");
+    let names = |folder: &str| {
+        let entries = fs::read_dir(bench.path(folder)).unwrap();
+        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(names("alone"), names("shared"));
+    let [alone, shared] = ["alone", "shared"].map(|name| raw(&bench.path(name)));
+    let top = alone.iter().copied().fold(0.0, f32::max);
+    for (one, other) in alone.iter().zip(&shared) {
+        assert!((one - other).abs() < 1e-5 * top, "{one} {other}");
+    }
+}
+
+#[test]
+fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
+    let Some(bench) = Bench::new() else { return };
+    let refused = bench
+        .on_ranks(3, "run job.toml --set light.angles=2 -o out")
+        .output()
+        .unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    let said = text(&refused.stderr);
+    assert_eq!(said.matches("2 angles for 3 ranks").count(), 1, "{said}");
+    assert!(!bench.path("out").exists());
+    let refused = bench
+        .on_ranks(2, "sweep sweep.toml --shard 1/2")
+        .output()
+        .unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--shard"));
+}
+
+#[test]
+fn ranks_take_shares_of_a_sweep_and_leave_its_table() {
+    let Some(bench) = Bench::new() else { return };
+    let alone = bench.alone("sweep sweep.toml --quiet -o alone");
+    let shared = bench
+        .on_ranks(2, "sweep sweep.toml -o shared")
+        .output()
+        .unwrap();
+    assert_eq!(
+        alone.status.code(),
+        shared.status.code(),
+        "{}",
+        text(&shared.stderr)
+    );
+    let said = text(&shared.stdout);
+    assert_eq!(said.matches("3 of 3 runs done").count(), 1, "{said}");
+    let table = |name: &str| fs::read_to_string(bench.path(name).join("table.csv")).unwrap();
+    assert_eq!(table("alone"), table("shared"));
+}
+
+/// The process of a rank whose command line names this folder.
+fn process_of(rank: usize, folder: &str) -> Option<String> {
+    let entries = fs::read_dir("/proc").ok()?;
+    let is_rank = |path: &Path| {
+        let read = |name: &str| fs::read(path.join(name)).map(|bytes| text(&bytes));
+        let (Ok(words), Ok(variables)) = (read("cmdline"), read("environ")) else {
+            return false;
+        };
+        let own = format!("OMPI_COMM_WORLD_RANK={rank}");
+        words.contains(folder) && variables.split('\0').any(|v| v == own)
+    };
+    let found = entries.flatten().find(|entry| is_rank(&entry.path()))?;
+    Some(found.file_name().to_string_lossy().into_owned())
+}
+
+#[test]
+fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
+    let Some(bench) = Bench::new() else { return };
+    let folder = bench.path("killed").display().to_string();
+    let line = "run job.toml --set stop.iterations=100000 --set checkpoint.every_s=0.05 -o";
+    let mut command = bench.on_ranks(2, &format!("{line} {folder}"));
+    let mut job = command
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let checkpoint = bench.path("killed/checkpoint/state.safetensors");
+    let begin = Instant::now();
+    while !checkpoint.exists() && begin.elapsed() < Duration::from_secs(60) {
+        sleep(Duration::from_millis(20));
+    }
+    let process = process_of(1, &folder).expect("rank 1 is at work");
+    let killed = Command::new("kill")
+        .args(["-9", &process])
+        .status()
+        .unwrap();
+    assert!(killed.success());
+    let ended = job.wait().unwrap();
+    assert!(!ended.success());
+    let mut said = String::new();
+    std::io::Read::read_to_string(&mut job.stderr.take().unwrap(), &mut said).unwrap();
+    assert!(said.contains("rank 1"), "{said}");
+    let resumed = bench.alone("run job.toml --resume -o killed");
+    let said = text(&resumed.stderr);
+    assert_eq!(resumed.status.code(), Some(0), "{said}");
+    assert!(said.contains("resuming after iteration"), "{said}");
+}

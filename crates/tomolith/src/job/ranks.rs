@@ -1,0 +1,270 @@
+//! One job on several processes (ranks), each with a share of the frames of every light.
+//!
+//! Every rank reads the job and samples the target. In the optimization patterns, gradients and the method's vectors are shares; doses are summed over
+//! ranks ([`Sharded`](crate::models::sharded::Sharded)) and whole on each, as is the objective. Rank 0 alone speaks, writes checkpoints and
+//! the run folder, and evaluates the written patterns.
+//!
+//! **Limits** models whose dose is a sum over frames that are computed alike wherever they are: no random paths, no stored matrix. No
+//! `[[species]]`, no `[[scenario]]`, no print optimized in time, no patterns improved on few levels; no penalty between frames and no
+//! `min_contribution`, which compares the pixels of all frames. At least as many frames of every light as ranks.
+//!
+//! **Memory** doses, the target and what belongs to voxels are on every rank; what belongs to pixels is shared. Checkpoints and the end of a
+//! level need the whole patterns once, on rank 0.
+
+use super::many::Leaves;
+use super::outcome::Summary;
+use super::progress::{Progress, watched};
+use super::read::Job;
+use super::refinement::Level;
+use super::scene::Scene;
+use super::stages::run_shared;
+use crate::error::{Error, Result};
+use crate::grid::Patterns;
+use crate::models::{PatternLayout, Run};
+use crate::optics::light::Light;
+use crate::optimize::start::given::{Given, OfFile, resample};
+use crate::ranks::{Communicator, Shares, frames_of_rank, together};
+use serde_json::Value;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Runs a job as [`run_leaving`](super::run_leaving) does, on several ranks that all call this; the summary is rank 0's. Requests to stop are
+/// shared, so that all ranks stop after the same step.
+///
+/// # Errors
+/// As [`run`](super::run); [`Error::Config`] for what cannot be shared, and for fewer frames than ranks, before any work; [`Error::Rank`] where another
+/// rank could not go on.
+pub fn run_among(
+    job: &Job,
+    resume: bool,
+    leaves: Leaves,
+    ranks: &Arc<dyn Communicator>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<Summary>> {
+    watched(progress, cancel, |progress| {
+        run_shared(job, resume, leaves, ranks, progress, cancel)
+    })
+}
+
+/// Refuses what cannot be shared.
+fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
+    let (spec, size) = (&scene.spec, ranks.size());
+    for (i, light) in scene.optics.lights.iter().enumerate() {
+        let fewest = scene
+            .levels
+            .iter()
+            .map(|level| level.lights[i].pixels.frames());
+        let frames = fewest.min().unwrap_or(light.pixels.frames());
+        if frames < size {
+            return Err(Error::config(
+                format!("light[{i}].angles"),
+                format!("{frames} angles for {size} ranks: each needs one at least"),
+                format!("{size} angles or more, or fewer ranks (mpirun -n {frames})"),
+            ));
+        }
+    }
+    let family = scene.optics.family(&scene.grid)?;
+    let has_contribution = |light: &Light| light.selection.min_contribution > 0.0;
+    let has_heights = spec.schedule.as_ref().is_some_and(|s| s.level_heights);
+    for (key, is_there, found, accepted) in [
+        (
+            "species",
+            scene.mixing.is_some(),
+            "several species or lights of their own",
+            "no [[species]]",
+        ),
+        (
+            "scenario",
+            !scene.scenarios.is_empty(),
+            "scenarios",
+            "no [[scenario]]",
+        ),
+        (
+            "schedule",
+            scene.is_optimized_in_time() || has_heights,
+            "patterns optimized in time",
+            "no [schedule], or one that only the evaluation follows",
+        ),
+        (
+            "evaluate.levels",
+            super::levels::asked(&spec.evaluate),
+            "patterns improved on few levels",
+            "\"rounded\"",
+        ),
+        (
+            "penalties",
+            scene.kinds.penalizes_frames(),
+            "a penalty between frames",
+            "smoothness with angles = 0",
+        ),
+        (
+            "light.selection.min_contribution",
+            scene.optics.lights.iter().any(has_contribution),
+            "a comparison of all pixels",
+            "0",
+        ),
+        (
+            "model",
+            family.random_paths().is_some(),
+            "random paths, which would be others in a share",
+            "a model without random paths",
+        ),
+        (
+            "model",
+            family.capabilities().is_stored,
+            "a stored matrix, which holds all frames",
+            "another model",
+        ),
+    ] {
+        if is_there {
+            let found = format!("{found}, on {size} ranks");
+            return Err(Error::config(key, found, accepted));
+        }
+    }
+    Ok(())
+}
+
+/// A light with some of its frames.
+fn with_frames(light: &Light, frames: &[usize]) -> Light {
+    let mut own = light.clone();
+    let all = &light.pixels.azimuths;
+    own.pixels.azimuths = frames.iter().map(|&frame| all[frame]).collect();
+    own.selection = light.selection.mapped(|mask| match mask.is_still() {
+        true => mask.clone(),
+        false => mask.of_frames(frames),
+    });
+    own
+}
+
+impl Scene {
+    /// The same scene as one rank's; refuses what cannot be shared.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(super) fn among(mut self, ranks: &Arc<dyn Communicator>) -> Result<Self> {
+        must_fit(&self, ranks.as_ref())?;
+        self.ranks = Some(Arc::clone(ranks));
+        Ok(self)
+    }
+
+    /// What this process came to, if no rank failed.
+    pub(super) fn agreed<T>(&self, own: Result<T>) -> Result<T> {
+        match &self.ranks {
+            Some(ranks) => together(ranks.as_ref(), own),
+            None => own,
+        }
+    }
+
+    /// Whether this process speaks and writes.
+    pub(super) fn is_first(&self) -> bool {
+        self.ranks.as_ref().is_none_or(|ranks| ranks.is_first())
+    }
+
+    /// Refuses ranks that read another job or other files, or planned otherwise with the memory they have.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`].
+    pub(super) fn must_agree(&self, fingerprint: u64) -> Result<()> {
+        let Some(ranks) = &self.ranks else {
+            return Ok(());
+        };
+        // Sixteen bits are a number without rounding
+        let own = [0, 16, 32, 48].map(|shift| (fingerprint >> shift & 0xffff) as f32);
+        let mut first = own;
+        ranks.broadcast(&mut first);
+        let same = (first == own).then_some(()).ok_or_else(|| Error::Unsupported {
+            what: format!("rank {}", ranks.rank()),
+            reason: "its job, files or memory differ from those of rank 0: all ranks need the same files, and resources.memory_gb says what each may use".to_owned(),
+        });
+        self.agreed(same)
+    }
+
+    /// The levels with this process's frames.
+    pub(super) fn own_levels(&self) -> Cow<'_, [Level]> {
+        let Some(ranks) = &self.ranks else {
+            return Cow::Borrowed(&self.levels);
+        };
+        let own = |light: &Light| {
+            let frames = frames_of_rank(light.pixels.frames(), ranks.rank(), ranks.size());
+            with_frames(light, &frames)
+        };
+        let levels = self.levels.iter().map(|level| Level {
+            lights: level.lights.iter().map(own).collect(),
+            ..level.clone()
+        });
+        Cow::Owned(levels.collect())
+    }
+
+    /// Where the elements of every rank lie in the patterns of a level, whose layouts on this rank are `own`.
+    pub(super) fn shares(&self, level: &Level, own: &[PatternLayout]) -> Option<Shares> {
+        let ranks = self.ranks.as_ref()?;
+        let lights = level.lights.iter();
+        let frames: Vec<usize> = lights.map(|light| light.pixels.frames()).collect();
+        Some(Shares::new(Arc::clone(ranks), &frames, own))
+    }
+
+    /// Whole patterns, on any pixels, as this process's part of a level's.
+    pub(super) fn own_patterns(&self, level: &Level, whole: Vec<Patterns>) -> Vec<Patterns> {
+        let Some(ranks) = &self.ranks else {
+            return whole;
+        };
+        let own = |(whole, light): (Patterns, &Light)| {
+            let whole = resample(&whole, &light.pixels);
+            let frames = frames_of_rank(light.pixels.frames(), ranks.rank(), ranks.size());
+            let images = frames.iter().flat_map(|&frame| whole.frame(frame));
+            Patterns {
+                values: images.copied().collect(),
+                grid: with_frames(light, &frames).pixels,
+            }
+        };
+        whole.into_iter().zip(&level.lights).map(own).collect()
+    }
+
+    /// The patterns of a file that the job begins with, as this process's part of a level's; None where it begins otherwise, or alone.
+    pub(super) fn own_start(&self, level: &Level) -> Result<Option<Given>> {
+        let file = self.spec.start.pointer("/patterns/file");
+        let file = file
+            .and_then(Value::as_str)
+            .filter(|_| self.ranks.is_some());
+        let Some(file) = file else {
+            return Ok(None);
+        };
+        let grids: Vec<_> = level.lights.iter().map(|light| &light.pixels).collect();
+        let whole = self.agreed(OfFile(file.into()).read(&grids))?;
+        Ok(Some(Given(self.own_patterns(level, whole))))
+    }
+
+    /// The patterns of all ranks on the pixels of a level, from this rank's; on other ranks than the first only where they are wanted there, else
+    /// nothing.
+    pub(super) fn whole_patterns(
+        &self,
+        level: &Level,
+        own: Vec<Patterns>,
+        everywhere: bool,
+    ) -> Vec<Patterns> {
+        let Some(ranks) = &self.ranks else {
+            return own;
+        };
+        let mut all = Vec::new();
+        for (own, light) in own.iter().zip(&level.lights) {
+            let shares = ranks.gather(&own.values);
+            if !ranks.is_first() && !everywhere {
+                continue;
+            }
+            let mut whole = Patterns::dark(light.pixels.clone());
+            let size = light.pixels.rows * light.pixels.columns;
+            for (rank, values) in shares.iter().enumerate() {
+                let frames = frames_of_rank(light.pixels.frames(), rank, ranks.size());
+                for (frame, image) in frames.into_iter().zip(values.chunks(size)) {
+                    whole.values[frame * size..][..size].copy_from_slice(image);
+                }
+            }
+            if everywhere {
+                ranks.broadcast(&mut whole.values);
+            }
+            all.push(whole);
+        }
+        all
+    }
+}
