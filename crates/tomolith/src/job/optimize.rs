@@ -287,9 +287,9 @@ impl<'a> Stage<'a> {
         let Some(ranks) = &scene.ranks else {
             return self;
         };
-        let of_all = |model| Box::new(Sharded::new(model, Arc::clone(ranks))) as Box<_>;
-        self.model = of_all(self.model);
-        self.straight = self.straight.map(of_all);
+        let of_all = |model| Sharded::new(model, Arc::clone(ranks));
+        self.straight = (self.straight).map(|model| Box::new(of_all(model)) as Box<_>);
+        self.model = Box::new(of_all(self.model));
         self.reason = format!(
             "{}; its frames are shared by {} ranks",
             self.reason,
