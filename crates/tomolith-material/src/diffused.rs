@@ -245,7 +245,7 @@ fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
 impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, is_linear, renew, is_renewed, updates, of_light);
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, is_linear, renew, is_renewed, memory, restore, updates, of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if let [arc] = &self.arcs[..] {
