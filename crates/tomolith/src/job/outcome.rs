@@ -75,6 +75,8 @@ pub struct TimeSummary {
     pub best_jaccard: Option<f64>,
     /// When what solid voxels have absorbed meets what the part needs, s; None where it never does.
     pub ideal_exposure_s: Option<f64>,
+    /// The largest share of what the part needs that solid voxels have absorbed, where they never meet it.
+    pub largest_share: Option<f64>,
 }
 
 impl fmt::Display for TimeSummary {
@@ -94,7 +96,17 @@ impl fmt::Display for TimeSummary {
             self.best_jaccard
                 .map_or_else(|| "–".to_owned(), |j| format!("{j:.4}")),
             seconds(self.ideal_exposure_s),
-        )
+        )?;
+        match self.largest_share {
+            Some(share) => {
+                let percent = significant(100.0 * share, 3);
+                write!(
+                    f,
+                    " (solid voxels absorb at most {percent} % of what the part needs: more turns, or more power)"
+                )
+            }
+            None => Ok(()),
+        }
     }
 }
 
