@@ -180,7 +180,9 @@ fn sentence(time: &TimeReport<'_>) -> String {
         );
     }
     if best.seconds >= end {
-        text.push_str(" The schedule ends there; more turns would show whether it gets better still.");
+        text.push_str(
+            " The schedule ends there; more turns would show whether it gets better still.",
+        );
     }
     match (time.ideal_s, time.reached) {
         (Some(ideal), _) => {

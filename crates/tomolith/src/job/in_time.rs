@@ -888,16 +888,26 @@ mod tests {
 
     #[test]
     fn a_print_that_ends_too_soon_says_how_far_it_came() {
-        let folder = tempfile::tempdir().unwrap();
-        let job = job(&["schedule.turns=3", "stop.iterations=4"]).unwrap();
-        let job = job.with_folder(&folder.path().join("run"), "--output");
-        let summary = crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
-        let own = &summary.in_time[0];
-        let share = own.largest_share.unwrap();
-        assert!(own.ideal_exposure_s.is_none() && (0.0..1.0).contains(&share));
-        let percent = crate::report::number::significant(100.0 * share, 3);
-        let said = format!("at most {percent} % of what the part needs");
-        assert!(own.to_string().contains(&said), "{own}");
+        let share = |turns: &str, who: &str| {
+            let folder = tempfile::tempdir().unwrap();
+            let job = job(&[turns, "stop.iterations=4"]).unwrap();
+            let job = job.with_folder(&folder.path().join("run"), "--output");
+            let summary = crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+            let own = &summary.in_time[0];
+            let share = own.largest_share.unwrap();
+            assert!(own.ideal_exposure_s.is_none());
+            let percent = crate::report::number::significant(100.0 * share, 3);
+            let said = format!("{who} {percent} % of what the part needs");
+            assert!(own.to_string().contains(&said), "{own}");
+            share
+        };
+        // Half of the light leaves half of the dose
+        let one = share("schedule.turns=1", "the part absorbs");
+        let half = share("schedule.turns=0.5", "the part absorbs");
+        assert!(
+            one > 0.1 && one < 0.5 && (one / half - 2.0).abs() < 0.1,
+            "{one} {half}"
+        );
     }
 
     #[test]
