@@ -61,7 +61,7 @@ fn must_go_on(text: &str, cuts: &[usize]) {
     for &stop_after in cuts {
         let cut = folder.path().join(format!("cut-{stop_after}"));
         let stopped = run(text, &cut, false, stop_after);
-        assert!(matches!(stopped, Err(Error::Cancelled)), "{stopped:?}");
+        assert!(matches!(stopped, Err(Error::Canceled)), "{stopped:?}");
         assert!(cut.join("checkpoint/state.safetensors").exists());
         assert_eq!(run(text, &cut, true, usize::MAX).unwrap(), 8);
         let found = read_patterns(&cut.join("patterns.npz")).unwrap();

@@ -7,7 +7,7 @@ use tomolith::job::{Document, Job, Silent, run};
 use tomolith::models::Run;
 
 const JOB: &str = r#"
-    target = { size_mm = 1.2, height_mm = 0.1, grey = true }
+    target = { size_mm = 1.2, height_mm = 0.1, gray = true }
     grid = { pitch_mm = 0.05 }
     resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
     vial = { index_matched = { radius_mm = 1.0 } }
@@ -63,8 +63,8 @@ fn report(changes: &[String]) -> (Value, tempfile::TempDir) {
 #[test]
 fn two_species_are_judged_at_one_exposure() {
     let changes = [
-        "target.grey=false",
-        "species[1].target.grey=false",
+        "target.gray=false",
+        "species[1].target.gray=false",
         "objective=\"threshold\"",
     ];
     let (report, folder) = report(&changes.map(str::to_owned));

@@ -658,21 +658,21 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
-        "[printer]\ngrey_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
-        "grey_curve",
+        "[printer]\ngray_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
+        "gray_curve",
         &[
-            "printer.grey_curve",
+            "printer.gray_curve",
             "not monotone",
             "usable from value 0 to 0.5",
-            "`tomolith calibrate grey`",
+            "`tomolith calibrate gray`",
         ],
     ),
     (
         "[stop]",
-        "[printer]\ngrey_curve = [[0.0, -0.2], [0.5, 0.2], [1.0, 0.6]]\n[stop]",
-        "grey_curve",
+        "[printer]\ngray_curve = [[0.0, -0.2], [0.5, 0.2], [1.0, 0.6]]\n[stop]",
+        "gray_curve",
         &[
-            "printer.grey_curve",
+            "printer.gray_curve",
             "an intensity of -0.2",
             "usable from value 0.5 to 1",
         ],

@@ -10,15 +10,15 @@ use tomolith_io::frames::top_level;
 
 /// What a curve must be, for messages.
 const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
-     larger than the one before; `tomolith calibrate grey` makes such a curve of measurements";
+     larger than the one before; `tomolith calibrate gray` makes such a curve of measurements";
 
 /// A gray curve.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Curve {
+pub(super) struct ToneCurve {
     points: Vec<[f64; 2]>,
 }
 
-impl Curve {
+impl ToneCurve {
     /// A curve from its table; `key` names it in errors.
     pub(super) fn new(points: &[[f64; 2]], key: &str) -> Result<Self> {
         let refuse = |found: String| Err(Error::config(key, found, ACCEPTED));
@@ -54,7 +54,7 @@ impl Curve {
             }
         }
         let white = last[1];
-        Ok(Curve {
+        Ok(ToneCurve {
             points: points.iter().map(|p| [p[0], p[1] / white]).collect(),
         })
     }
@@ -95,7 +95,7 @@ pub(super) struct Tone {
 }
 
 impl Tone {
-    pub(super) fn new(curve: Option<&Curve>, bits: u32) -> Self {
+    pub(super) fn new(curve: Option<&ToneCurve>, bits: u32) -> Self {
         let top = top_level(bits);
         let table = curve.map(|curve| {
             (0..=top)
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_curve_is_followed_and_its_nearest_levels_are_found() {
-        let curve = Curve::new(&[[0.0, 4.0], [0.5, 8.0], [1.0, 40.0]], "c").unwrap();
+        let curve = ToneCurve::new(&[[0.0, 4.0], [0.5, 8.0], [1.0, 40.0]], "c").unwrap();
         let tone = Tone::new(Some(&curve), 8);
         assert_eq!((tone.intensity(0), tone.intensity(255)), (0.1, 1.0));
         // Half way up the first line: 127.5/255 is the knee at 0.2
@@ -190,11 +190,11 @@ mod tests {
             (&[[0.0, 0.0], [1.0, f64::NAN]], "point 2"),
             (&[[0.0, 0.0], [1.0, 0.0]], "not monotone"),
         ] {
-            let message = Curve::new(points, "printer.grey_curve")
+            let message = ToneCurve::new(points, "printer.gray_curve")
                 .unwrap_err()
                 .to_string();
             assert!(
-                message.contains(word) && message.starts_with("printer.grey_curve"),
+                message.contains(word) && message.starts_with("printer.gray_curve"),
                 "{message}"
             );
         }
