@@ -48,7 +48,7 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Predict what given patterns print: those of an earlier run, or of another program
     Simulate(SimulateArguments),
-    /// Print patterns of an earlier run in time: when what is solid, and when to stop; the job needs a table `schedule`
+    /// Simulate given patterns and print them in time: when what is solid, and when to stop; the job needs a table `schedule`
     Print(SimulateArguments),
     /// Run a job with many values of its keys: a table, maps, the best job
     Sweep(SweepArguments),

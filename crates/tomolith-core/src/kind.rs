@@ -225,6 +225,23 @@ fn renamed(key: &str) -> Option<&'static str> {
     row.map(|(_, name)| *name)
 }
 
+/// Why the number of a key is not that of another key which differs in its unit; None for keys that differ otherwise.
+fn other_unit(word: &str, name: &str) -> Option<&'static str> {
+    let (what, unit) = word.split_once("_per_")?;
+    let (same, meant) = name.split_once("_per_")?;
+    if what != same || unit == meant {
+        return None;
+    }
+    Some(match (unit, meant) {
+        ("cm2" | "mm2", "mm3") if what.ends_with("_mj") => {
+            "a dose per area, and one per volume is meant; E mJ/cm² at the face of a resin with the penetration depth D mm are E/(100·D) mJ/mm³ there"
+        }
+        ("cm2", "mm2") => "another unit: 1 per cm² is 0.01 per mm²",
+        ("mm2", "cm2") => "another unit: 1 per mm² is 100 per cm²",
+        _ => "another unit",
+    })
+}
+
 /// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
 ///
 /// `in_table`: the value at fault is a table, so that an unknown name is a key in it and not the value itself.
@@ -250,16 +267,17 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
             names => names.join(", "),
         };
         let renamed = renamed(&key);
+        let nearest = renamed.or_else(|| nearest_name(word, names.iter().copied()));
+        let unit = nearest.and_then(|name| other_unit(word, name));
         return Error::Config {
-            found: renamed.map_or_else(
-                || format!("unknown name `{word}`"),
-                |name| format!("`{word}` is now called `{name}`"),
-            ),
+            found: match (renamed, unit) {
+                (Some(name), _) => format!("`{word}` is now called `{name}`"),
+                (None, Some(unit)) => format!("unknown name `{word}`: {unit}"),
+                (None, None) => format!("unknown name `{word}`"),
+            },
             key,
             accepted,
-            nearest: renamed
-                .or_else(|| nearest_name(word, names.iter().copied()))
-                .map(str::to_owned),
+            nearest: nearest.map(str::to_owned),
             place: None,
         };
     }
@@ -398,6 +416,35 @@ mod tests {
         assert_eq!(key, "stop.iteratons");
         assert_eq!(nearest.as_deref(), Some("iterations"));
         assert_eq!(accepted, "iterations");
+    }
+
+    #[derive(Debug, Default, serde::Deserialize)]
+    #[serde(default, deny_unknown_fields)]
+    struct Doses {
+        critical_dose_mj_per_mm3: f64,
+        peak_mw_per_mm2: f64,
+    }
+
+    #[test]
+    fn a_key_of_another_unit_is_not_only_misspelt() {
+        for (key, why) in [
+            ("critical_dose_mj_per_cm2", Some("a dose per area")),
+            ("peak_mw_per_cm2", Some("1 per cm² is 0.01 per mm²")),
+            ("peak_mw_per_m2", Some("another unit")),
+            ("peak_mv_per_mm2", None),
+        ] {
+            let section = Section::new("resin", serde_json::json!({ key: 80.0 }));
+            let Err(Error::Config { found, nearest, .. }) = section.parse::<Doses>() else {
+                panic!("{key} was accepted")
+            };
+            assert!(nearest.is_some(), "{key}");
+            let said = why.is_some_and(|why| found.contains(why));
+            assert_eq!(said, why.is_some(), "{key}: {found}");
+            assert_eq!(found == format!("unknown name `{key}`"), why.is_none());
+        }
+        let section = Section::new("resin", serde_json::json!({}));
+        let doses = section.parse::<Doses>().unwrap();
+        assert_eq!(doses.critical_dose_mj_per_mm3, doses.peak_mw_per_mm2);
     }
 
     #[derive(Debug, serde::Deserialize)]

@@ -37,7 +37,7 @@ pub struct CurvePoint {
 pub enum IdealExposure {
     /// At this time, s.
     At(f64),
-    /// Not within the print: the largest share of the requirement that was reached.
+    /// Not within the print: the largest share of the requirement that gelled voxels absorbed; where none gelled, that the part absorbed.
     NotReached(f64),
     /// There is no requirement: the gel dose depends on the power.
     NoRequirement,
@@ -307,6 +307,13 @@ impl Curves {
         }
     }
 
+    /// What the part has absorbed, mJ.
+    fn part_mj(&self) -> f64 {
+        let voxels = self.absorbed.as_slice().iter().zip(&self.labels);
+        let part = voxels.filter(|(_, l)| **l == label::PART);
+        self.voxel_mm3 * part.map(|(v, _)| f64::from(*v)).sum::<f64>()
+    }
+
     /// When the contribution meets the requirement.
     #[must_use]
     pub fn ideal_exposure(&self) -> IdealExposure {
@@ -316,8 +323,10 @@ impl Curves {
         let reached = |p: &CurvePoint| p.contribution_mj >= needed;
         match self.points.iter().position(reached) {
             None => {
-                let shares = self.points.iter().map(|p| p.contribution_mj / needed);
-                IdealExposure::NotReached(shares.fold(0.0, f64::max))
+                let contributions = self.points.iter().map(|p| p.contribution_mj);
+                let most = contributions.fold(0.0, f64::max);
+                let reached = if most > 0.0 { most } else { self.part_mj() };
+                IdealExposure::NotReached(reached / needed)
             }
             Some(0) => IdealExposure::At(self.points[0].seconds),
             Some(i) => {

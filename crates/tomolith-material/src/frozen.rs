@@ -4,14 +4,14 @@
 //! c_s = A_s(x₀) − E_s(x₀) + Σ Oᵢ(x₀)/κᵢ: what inhibitors took from the drive of the patterns x₀ of the last simulation, what flowed in between included,
 //! and what is left of them at its end. Where voxels are alone this is exact for any x: their inhibitor takes what it takes.
 //!
-//! **Rounds** [`renew`](DoseModel::renew) simulates the print of the latest patterns anew after every so many iterations, so that a method solves, simulates
-//! and solves again. Before the first time c is what the start of the material holds.
+//! **Rounds** [`renew`](DoseModel::renew) simulates the print of the patterns anew after every so many iterations, so that a method solves, simulates
+//! and solves again. Before the first time c is what the start of the material holds. c is the [memory](DoseModel::memory) that checkpoints keep.
 //!
 //! **Source** the quasi-linear tier of `docs/material.md`.
 //!
 //! **Limits** A threshold of the dose ([`Material::requirement`]); light stays as the models have it, unshaded.
 //!
-//! **Cost** that of the light, and one print in time per round. Memory: a volume per network, and one pattern field.
+//! **Cost** that of the light, and one print in time per round. Memory: a volume per network.
 
 use crate::memoryless::Memoryless;
 use crate::print::{LightSource, PrintRun};
@@ -20,10 +20,10 @@ use crate::schedule::Schedule;
 use crate::{Material, Model, State};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
-use std::sync::{Mutex, PoisonError, RwLock};
+use std::sync::{PoisonError, RwLock};
 use tomolith_core::dose::{DoseModel, Run, ZCoupling};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{BLOCK, HostField};
+use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::forward;
 use tomolith_core::response::Identity;
 
@@ -36,10 +36,6 @@ pub struct Frozen {
     per_dose: Vec<f32>,
     /// c, in the order of the outputs.
     taken: RwLock<HostField>,
-    /// The patterns of the latest pullback, and who may cancel.
-    latest: Mutex<Option<(HostField, Run)>>,
-    /// Why the latest simulation failed: told at the next dose.
-    failed: Mutex<Option<Error>>,
     every: usize,
 }
 
@@ -76,8 +72,6 @@ impl Frozen {
             step_s,
             per_dose,
             taken: RwLock::new(taken),
-            latest: Mutex::new(None),
-            failed: Mutex::new(None),
             every: every.max(1),
             material,
         };
@@ -160,14 +154,6 @@ impl DoseModel for Frozen {
     forward!(DoseModel, self => self.absorbed; patterns, outputs, new_patterns, new_dose, updates, of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let failed = self
-            .failed
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .take();
-        if let Some(error) = failed {
-            return Err(error);
-        }
         self.absorbed.dose(x, dose, run)?;
         let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
@@ -190,10 +176,7 @@ impl DoseModel for Frozen {
     ) -> Result<()> {
         let mut scaled = cotangent.clone();
         self.scale(&mut scaled);
-        self.absorbed.pullback(x, &scaled, grad, run)?;
-        let mut latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
-        *latest = Some((x.clone(), run.aside()));
-        Ok(())
+        self.absorbed.pullback(x, &scaled, grad, run)
     }
 
     fn pullback_of(
@@ -232,25 +215,26 @@ impl DoseModel for Frozen {
         false
     }
 
-    fn renew(&self, iteration: usize) -> bool {
-        if iteration <= 1 || !(iteration - 1).is_multiple_of(self.every) {
-            return false;
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let is_due = iteration > 1 && (iteration - 1).is_multiple_of(self.every);
+        if is_due {
+            self.simulate(x, &run.aside())?;
         }
-        let latest = self
-            .latest
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .take();
-        let Some((x, run)) = latest else {
-            return false;
-        };
-        let simulated = self.simulate(&x, &run);
-        *self.failed.lock().unwrap_or_else(PoisonError::into_inner) = simulated.err();
-        true
+        Ok(is_due)
     }
 
     fn is_renewed(&self) -> bool {
         true
+    }
+
+    fn memory(&self) -> Option<HostField> {
+        let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
+        Some(taken.clone())
+    }
+
+    fn restore(&self, memory: &HostField) {
+        let mut taken = self.taken.write().unwrap_or_else(PoisonError::into_inner);
+        taken.copy_from(memory);
     }
 
     fn describe(&self) -> String {
@@ -270,7 +254,6 @@ mod tests {
     use crate::schedule::Turns;
     use tomolith_core::check;
     use tomolith_core::check::small::SmallModel;
-    use tomolith_core::field::Field;
 
     fn material(diffusion: f64, domain: Domain) -> Photopolymer {
         let oxygen = Inhibitor {
@@ -381,31 +364,34 @@ mod tests {
     fn a_simulation_is_canceled_with_the_run_that_asked_for_it() {
         let model = frozen(0.05);
         let (x, run) = (patterns(&model), Run::new());
-        let c = model.new_dose().unwrap();
-        let mut back = x.zeros_like();
-        model.pullback(&x, &c, &mut back, &run).unwrap();
-        let before = model.taken.read().unwrap().as_slice().to_vec();
+        let before = model.memory().unwrap();
         run.cancel();
-        assert!(model.renew(6));
-        let mut dose = model.new_dose().unwrap();
-        let error = model.dose(&x, &mut dose, &Run::new()).unwrap_err();
+        let error = model.renew(6, &x, &run).unwrap_err();
         assert!(matches!(error, Error::Canceled), "{error}");
-        assert_eq!(model.taken.read().unwrap().as_slice(), before);
-        // It is told once
-        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        assert_eq!(model.memory().unwrap().as_slice(), before.as_slice());
     }
 
     #[test]
     fn it_is_simulated_anew_between_rounds() {
         let model = frozen(0.05);
-        let x = patterns(&model);
-        assert!(!model.renew(1) && !model.renew(6)); // nothing is known of any patterns yet
-        let c = model.new_dose().unwrap();
-        let mut back = x.zeros_like();
-        model.pullback(&x, &c, &mut back, &Run::new()).unwrap();
-        assert!(!model.renew(5) && model.renew(6));
+        let (x, run) = (patterns(&model), Run::new());
+        for iteration in [1, 5, 7] {
+            assert!(!model.renew(iteration, &x, &run).unwrap(), "{iteration}");
+        }
+        assert!(model.renew(6, &x, &run).unwrap());
         let (print, frozen) = both(&model, &x);
         let off = print.iter().zip(&frozen).filter(|(p, _)| **p > 0.0);
         assert!(off.map(|(p, f)| (p - f).abs()).fold(0.0, f32::max) < 1e-4);
+    }
+
+    #[test]
+    fn another_model_goes_on_from_its_memory() {
+        let (model, other) = (frozen(0.05), frozen(0.05));
+        let (x, run) = (patterns(&model), Run::new());
+        model.simulate(&x, &run).unwrap();
+        let (_, unlike) = both(&other, &x);
+        other.restore(&model.memory().unwrap());
+        let ((_, expected), (_, found)) = (both(&model, &x), both(&other, &x));
+        assert!(found == expected && found != unlike);
     }
 }

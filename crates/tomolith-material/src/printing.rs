@@ -482,10 +482,14 @@ impl DoseModel for Printing {
         self.material.is_memoryless() && self.optics.iter().all(|model| model.is_linear())
     }
 
-    fn renew(&self, iteration: usize) -> bool {
-        // All of them, not until the first that was
-        let renewed = self.optics.iter().filter(|model| model.renew(iteration));
-        renewed.count() > 0
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for light in 0..self.optics.len() {
+            any |= self
+                .light(light)
+                .renew(iteration, &self.of_light(light, x), run)?;
+        }
+        Ok(any)
     }
 
     fn is_renewed(&self) -> bool {

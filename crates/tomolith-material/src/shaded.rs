@@ -257,7 +257,7 @@ fn less(depth: f32) -> f32 {
 impl DoseModel for Shaded {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, renew, is_renewed, updates);
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, renew, is_renewed, memory, restore, updates);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);

@@ -127,7 +127,11 @@ pub fn darken(x: &mut [f32], dark: &[bool]) {
 impl DoseModel for MaskedModel {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, renew, is_renewed, is_linear, updates, of_light);
+    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, memory, restore, is_linear, updates, of_light);
+
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        self.model.renew(iteration, &self.masked(x), run)
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.model.dose(&self.masked(x), dose, run)

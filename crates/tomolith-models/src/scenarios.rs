@@ -215,9 +215,12 @@ impl DoseModel for Scenarios {
         self.models.iter().all(|model| model.is_linear())
     }
 
-    fn renew(&self, iteration: usize) -> bool {
-        let renewed = self.models.iter().map(|model| model.renew(iteration));
-        renewed.fold(false, |any, one| any | one)
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for (k, model) in self.models.iter().enumerate() {
+            any |= model.renew(iteration, &self.shown(k, x)?, run)?;
+        }
+        Ok(any)
     }
 
     fn is_renewed(&self) -> bool {

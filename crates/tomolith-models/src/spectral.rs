@@ -274,9 +274,12 @@ impl DoseModel for SpectralMixing {
         self.lights.iter().all(|light| light.is_linear())
     }
 
-    fn renew(&self, iteration: usize) -> bool {
-        let renewed = self.lights.iter().map(|light| light.renew(iteration));
-        renewed.fold(false, |any, one| any | one)
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for (i, light) in self.lights.iter().enumerate() {
+            any |= light.renew(iteration, &self.own(i, x), run)?;
+        }
+        Ok(any)
     }
 
     fn is_renewed(&self) -> bool {

@@ -157,6 +157,8 @@ pub(super) struct Saved<'a, F> {
     /// The best patterns, when they are others.
     pub(super) best_patterns: Option<&'a F>,
     pub(super) dose: &'a F,
+    /// What the model remembers of earlier patterns.
+    pub(super) model: Option<&'a F>,
     pub(super) memory: Memory<'a>,
     pub(super) counters: Counters,
     pub(super) history: &'a [Row],
@@ -261,7 +263,8 @@ impl Checkpoints {
         let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
         match self.contents {
             Contents::All => {
-                patterns + saved.dose.len() * size_of::<f32>() + memory().sum::<usize>()
+                let model = saved.model.map_or(0, F::len);
+                patterns + (saved.dose.len() + model) * size_of::<f32>() + memory().sum::<usize>()
             }
             Contents::Patterns => patterns,
         }
@@ -333,6 +336,8 @@ impl Checkpoints {
                 arrays.extend(best.map(|best| ("best".to_owned(), best)));
                 if self.contents == Contents::All {
                     arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
+                    let model = saved.model.map(SavedArray::of_field);
+                    arrays.extend(model.map(|array| ("model".to_owned(), array)));
                     let memory = saved.memory.arrays.into_iter();
                     arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
                 }

@@ -234,6 +234,17 @@ impl<'a, F: Field> Problem<'a, F> {
         done
     }
 
+    /// Lets the model [become another map](DoseModel::renew) before the step of an iteration, and says whether it did.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`], and what refuses a simulation.
+    pub fn renew(&mut self, iteration: usize, x: &F) -> Result<bool> {
+        let begin = Instant::now();
+        let done = self.model.renew(iteration, x, self.run);
+        self.counters.model_s += begin.elapsed().as_secs_f64();
+        done
+    }
+
     /// ∂L/∂x at a position, penalties included; counted.
     ///
     /// # Errors

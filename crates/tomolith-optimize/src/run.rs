@@ -281,7 +281,9 @@ pub fn run_after<F: Field>(
         }
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
             if let Some(checkpoints) = checkpoints.as_deref_mut() {
-                keep(checkpoints, state.saved(problem, optimizer, x), observers)?;
+                let memory = problem.model().memory();
+                let saved = state.saved(problem, optimizer, x, memory.as_ref());
+                keep(checkpoints, saved, observers)?;
             }
             break Ok(reason);
         }
@@ -292,7 +294,8 @@ pub fn run_after<F: Field>(
             Err(error) => break Err(error),
         }
         if let Some(checkpoints) = checkpoints.as_deref_mut() {
-            let saved = state.saved(problem, optimizer, x);
+            let memory = problem.model().memory();
+            let saved = state.saved(problem, optimizer, x, memory.as_ref());
             if checkpoints.is_due(&saved) {
                 keep(checkpoints, saved, observers)?;
             }
@@ -360,6 +363,15 @@ fn begin<F: Field>(
         if checkpoint.contents() == Contents::All {
             let mut dose = problem.model().new_dose()?;
             checkpoint.read_field("dose", &mut dose)?;
+            let history = checkpoint.history().to_vec();
+            let done = history.last().map_or(0, |row| row.iteration);
+            match problem.model().memory() {
+                Some(mut memory) => {
+                    checkpoint.read_field("model", &mut memory)?;
+                    problem.model().restore(&memory);
+                }
+                None => drop(problem.renew(done.max(1), x)?),
+            }
             let at = problem.place_at(x, dose)?;
             optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
@@ -371,9 +383,6 @@ fn begin<F: Field>(
                 best = Some(field);
             }
             keeper.resume(checkpoint.best(), best);
-            let history = checkpoint.history().to_vec();
-            let done = history.last().map_or(0, |row| row.iteration);
-            problem.model().renew(done.max(1));
             let before_s = history.last().map_or(0.0, |row| row.seconds);
             return Ok(Some(State {
                 at,
@@ -526,8 +535,8 @@ impl<F: Field> State<F> {
         x: &mut F,
     ) -> Result<()> {
         let iteration = self.history.last().map_or(0, |row| row.iteration) + 1;
-        if problem.model().renew(iteration) {
-            // Losses of other paths are no measure of these
+        if problem.renew(iteration, x)? {
+            // Losses of another map are no measure of this one
             optimizer.forget();
             self.at = problem.evaluate_at(x)?;
             self.keeper.begin_anew(problem, &self.at, iteration - 1);
@@ -552,12 +561,14 @@ impl<F: Field> State<F> {
         problem: &Problem<F>,
         optimizer: &'a dyn Optimizer<F>,
         x: &'a F,
+        model: Option<&'a F>,
     ) -> Saved<'a, F> {
         Saved {
             patterns: x,
             best: self.keeper.best(),
             best_patterns: self.keeper.patterns(),
             dose: &self.at.dose,
+            model,
             memory: optimizer.memory(),
             counters: problem.counters,
             history: &self.history,

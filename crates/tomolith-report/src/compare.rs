@@ -520,6 +520,30 @@ fn rows() -> Vec<Row> {
             Better::Higher,
             "/lights/0/budget/light_used",
         ),
+        pointer(
+            "best_jaccard",
+            "IoU of the print in time, at its best",
+            "",
+            Better::Higher,
+            "/time/0/best_jaccard",
+        ),
+        pointer(
+            "best_s",
+            "The best moment of the print in time",
+            "s",
+            Better::Neutral,
+            "/time/0/best_s",
+        ),
+        Row {
+            key: "window_s",
+            name: "How long the print in time stays within 0.01 of its best IoU".to_owned(),
+            unit: "s",
+            better: Better::Higher,
+            value: Box::new(|run| {
+                let end = |i: usize| run.number(&format!("/time/0/window_s/{i}"));
+                Some(end(1)? - end(0)?)
+            }),
+        },
     ]);
     rows
 }
@@ -790,6 +814,7 @@ mod tests {
                     "histogram": { "range": [0.0, 1.0], "part": [0, 1, 9], "void": [8, 2, 0] },
                 },
                 "lights": [{ "budget": { "time_s": null, "light_used": 0.2 } }],
+                "time": [{ "best_jaccard": iou, "best_s": 40.0, "window_s": [39.5, 41.0] }],
                 "history": { "loss": 0.5, "iterations": 2 },
             }),
             job: flat,
@@ -844,6 +869,10 @@ mod tests {
             let rows = json["numbers"].as_array().unwrap();
             rows.iter().find(|row| row["name"] == name).unwrap()["values"].clone()
         };
+        assert_eq!(
+            row("How long the print in time stays within 0.01 of its best IoU"),
+            json!([1.5, 1.5])
+        );
         assert_eq!(row("Model calls"), json!([6.0, 6.0]));
         let keys = json["numbers"].as_array().unwrap().iter();
         let keys: Vec<&str> = keys.map(|row| row["key"].as_str().unwrap()).collect();

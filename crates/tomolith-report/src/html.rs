@@ -115,9 +115,26 @@ fn head(data: &ReportData<'_>) -> String {
         .map(|(name, value)| format!("<li><b>{}</b>{}</li>", escape(name), escape(value)))
         .collect();
     format!(
-        "<header><div class=\"brand\">Tomolith print report</div><h1>{}</h1><p class=\"lead\">{}</p><ul class=\"facts\">{facts}</ul></header>",
+        "<header><div class=\"brand\">Tomolith print report</div><h1>{}</h1><p class=\"lead\">{}{}</p><ul class=\"facts\">{facts}</ul></header>",
         escape(data.part),
         sentence(data.evaluation),
+        first_of(data),
+    )
+}
+
+/// Which of several species the headline is about, and what all of them reach together.
+fn first_of(data: &ReportData<'_>) -> String {
+    let (Some(one), Some(first)) = (data.one_exposure, data.species.first()) else {
+        return String::new();
+    };
+    let of = |(species, iou): (&SpeciesReport<'_>, &f64)| {
+        format!("{} <b>{}</b>", escape(species.name), significant(*iou, 4))
+    };
+    let all: Vec<String> = data.species.iter().zip(&one.iou).map(of).collect();
+    format!(
+        " That is {} alone. At one exposure the species reach {}.",
+        escape(first.name),
+        all.join(", ")
     )
 }
 
@@ -146,26 +163,51 @@ fn species(data: &ReportData<'_>) -> String {
     let Some((first, others)) = data.species.split_first() else {
         return String::new();
     };
-    let intro = format!(
-        "<section><h2>Several species</h2><p>Everything above is about <b>{}</b> ({}). The others follow.</p></section>",
-        escape(first.name),
-        escape(&drive(first)),
-    );
     let intro = if others.is_empty() {
         String::new()
     } else {
-        intro
+        format!(
+            "<section><h2>Several species</h2><p>Everything above is about <b>{}</b> ({}). The others follow.</p>{}</section>",
+            escape(first.name),
+            escape(&drive(first)),
+            together(data),
+        )
     };
     others
         .iter()
         .fold(intro, |page, species| page + &of(species))
 }
 
+/// IoU of all species, at doses of their own and at one exposure.
+fn together(data: &ReportData<'_>) -> String {
+    let Some(one) = data.one_exposure else {
+        return String::new();
+    };
+    let row = |(species, together): (&SpeciesReport<'_>, &f64)| {
+        let own = species.evaluation.measures.get("iou").unwrap_or_default();
+        let at = species.evaluation.gel_threshold.unwrap_or_default();
+        format!(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td></tr>",
+            escape(species.name),
+            significant(own, 4),
+            significant(at, 3),
+            significant(*together, 4),
+        )
+    };
+    let rows: String = data.species.iter().zip(&one.iou).map(row).collect();
+    format!(
+        "<p>A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of {}: the last column. Each reaches \
+         the IoU of its own where its network gels at its own dose.</p><table class=\"plain\"><thead><tr><th>species</th><th>IoU alone</th><th>at a threshold of</th><th>IoU together</th></tr></thead><tbody>{rows}</tbody></table>",
+        significant(one.gel_dose, 3)
+    )
+}
+
 /// The print in time.
 fn in_time(data: &ReportData<'_>) -> String {
+    let own_um = 1e3 * data.evaluation.grid.pitch_mm;
     let networks = data.time.iter().enumerate();
     networks
-        .map(|(i, network)| time::section(network, i))
+        .map(|(i, network)| time::section(network, i, own_um))
         .collect()
 }
 

@@ -21,6 +21,7 @@
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
+//! one_exposure  of several species: gel_dose (at which all of them gel) and iou (of each then), where the lowest of them is the largest
 //! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
 //!               best_jaccard, window_s (within 0.01 of the best), ideal_exposure_s, requirement_mj, largest_share_of_requirement (where it is
 //!               never met), evaluation (what is solid at best_s), curves
@@ -131,6 +132,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "published": data.published,
         "lights": lights,
         "species": species,
+        "one_exposure": data.one_exposure,
         "time": data.time.iter().map(time_json).collect::<Vec<_>>(),
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,

@@ -16,11 +16,13 @@ mod picture;
 pub mod plot;
 mod relief;
 pub mod scenarios;
+pub mod species;
 pub mod time;
 
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, PrintLimits};
 pub use scenarios::{ScenarioRow, ScenarioTable};
+pub use species::OneExposure;
 use std::io::Write;
 use std::path::Path;
 pub use time::{TimePoint, TimeReport};
@@ -161,6 +163,8 @@ pub struct ReportData<'a> {
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
     pub species: Vec<SpeciesReport<'a>>,
+    /// The same species at one exposure, where there are several.
+    pub one_exposure: Option<&'a OneExposure>,
     /// The print in time, per network, where the job has a schedule.
     pub time: Vec<TimeReport<'a>>,
     /// Properties of the printed material.
@@ -216,6 +220,7 @@ impl<'a> ReportData<'a> {
             optimization: None,
             published: serde_json::Map::new(),
             species: Vec::new(),
+            one_exposure: None,
             maps: Vec::new(),
             time: Vec::new(),
             history: &[],
@@ -400,6 +405,7 @@ mod tests {
                 optimization: None,
                 published: serde_json::Map::new(),
                 species: Vec::new(),
+                one_exposure: None,
                 maps: Vec::new(),
                 time: Vec::new(),
                 history: &self.history,

@@ -115,19 +115,33 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
     })
 }
 
-/// The section of a network; `number` tells the sliders of a page apart.
-pub(super) fn section(time: &TimeReport<'_>, number: usize) -> String {
+/// The section of a network; `number` tells the sliders of a page apart, `above_um` is the pitch of the voxels of the numbers above.
+pub(super) fn section(time: &TimeReport<'_>, number: usize, above_um: f64) -> String {
     let title = if number == 0 && time.name == "resin" {
         "The print in time".to_owned()
     } else {
         format!("The print in time: {}", escape(time.name))
     };
     format!(
-        "<section><h2>{title}</h2><p>{}</p><div class=\"two\"><div>{}</div><div>{}</div></div>{}</section>",
+        "<section><h2>{title}</h2><p>{}</p><p class=\"muted\">{}</p><div class=\"two\"><div>{}</div><div>{}</div></div>{}</section>",
         sentence(time),
+        voxels(time, above_um),
         jaccard_plot(time),
         energy_plot(time),
         slider(time, number),
+    )
+}
+
+/// On which voxels it is printed, in words.
+fn voxels(time: &TimeReport<'_>, above_um: f64) -> String {
+    let own_um = 1e3 * time.labels.grid.pitch_mm;
+    let own = significant(own_um, 3);
+    if (above_um - own_um).abs() < 1e-6 * own_um {
+        return format!("Printed on voxels of {own} µm, as the dose above.");
+    }
+    format!(
+        "Printed on the job's own voxels of {own} µm. The numbers above are of voxels of {} µm, so the two cannot be compared.",
+        significant(above_um, 3)
     )
 }
 
@@ -163,6 +177,11 @@ fn sentence(time: &TimeReport<'_>) -> String {
             text,
             " It stays within 0.01 of that from {} s to {until}.",
             s(low)
+        );
+    }
+    if best.seconds >= end {
+        text.push_str(
+            " The schedule ends there; more turns would show whether it gets better still.",
         );
     }
     match (time.ideal_s, time.reached) {

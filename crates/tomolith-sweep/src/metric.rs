@@ -6,15 +6,20 @@ use tomolith::metrics::METRICS;
 use tomolith::{Error, Result};
 
 /// Tables of a report, and numbers of an evaluation beside its metrics.
-const TABLES: [&str; 11] = [
+const TABLES: [&str; 16] = [
     "evaluation",
     "optimization",
     "exposure",
     "limits",
     "published",
     "lights",
+    "species",
+    "one_exposure",
+    "time",
+    "properties",
     "history",
     "levels",
+    "scenarios",
     "movies",
     "run",
     "part",
@@ -52,13 +57,14 @@ fn unknown<'a>(
     names: impl Iterator<Item = &'a str> + Clone,
     table: &str,
 ) -> Error {
+    let all = names.clone().collect::<Vec<_>>().join(", ");
     Error::Config {
         key: key.to_owned(),
         found: format!("`{path}` is in no report.json"),
-        accepted: format!(
-            "{table} with one of {}",
-            names.clone().collect::<Vec<_>>().join(", ")
-        ),
+        accepted: match table {
+            "" => format!("a path that begins with one of {all}"),
+            table => format!("{table} with one of {all}"),
+        },
         nearest: nearest_name(word, names).map(|name| format!("{table}{name}")),
         place: None,
     }

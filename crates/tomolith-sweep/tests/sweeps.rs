@@ -545,3 +545,45 @@ log = { from = 2, to = 9, whole = true }
     assert!(svg.matches("<circle class=\"dot\"").count() == 8, "{svg}");
     assert!(Path::new(&outcome.folder).join("best.toml").is_file());
 }
+
+#[test]
+fn prints_in_time_are_swept_as_any_other_run() {
+    let bench = Bench::new(
+        r#"
+job = "job.toml"
+metrics = ["time[0].best_s", "time[0].best_jaccard", "time[0].evaluation.iou", "time[0].ideal_exposure_s"]
+[[axes]]
+key = "schedule.seconds_per_turn"
+values = [2.0, 6.0]
+[best]
+lowest = "time[0].best_s"
+"#,
+    );
+    let schedule = r#"
+schedule = { turns = 8, power = { energy_per_turn_mj_per_mm2 = 0.25 } }
+[[material.photopolymer.networks]]
+name = "resin"
+curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } }
+inhibitors = [{ capacity_mj_per_mm3 = 0.25, diffusion_mm2_per_s = 1e-4 }]
+"#;
+    fs::write(bench.path("job.toml"), format!("{JOB}{schedule}")).unwrap();
+    bench.whole("a", 1);
+    let table = bench.table("a");
+    let mut rows = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let column = |name: &str| names.iter().position(|found| *found == name).unwrap();
+    let rows: Vec<_> = rows.collect();
+    let number = |row: usize, name: &str| rows[row][column(name)].parse::<f64>().unwrap();
+    for row in [0, 1] {
+        let (jaccard, iou) = (
+            number(row, "time[0].best_jaccard"),
+            number(row, "time[0].evaluation.iou"),
+        );
+        assert!(jaccard > 0.5 && (jaccard - iou).abs() < 1e-6, "{table}");
+    }
+    // The same energy in three times the time: oxygen that flows back makes it a little longer still
+    let ratio = number(1, "time[0].best_s") / number(0, "time[0].best_s");
+    assert!((2.5..4.0).contains(&ratio), "{table}");
+}

@@ -97,38 +97,52 @@ fn a_small_p_keeps_more_voxels_in_the_band_and_a_large_one_the_largest_error_sma
     assert!(fall, "{largest:?}");
 }
 
-#[test]
-fn a_disc_that_weighs_more_is_nearer_to_its_picture() {
-    // Section 3.4.3, eq. 30; the spatial sum of weights stays
+/// Errors of a disc (root of the sum of squares) beside the axis whose voxels have the first of two numbers, all others the second: a run each.
+fn errors_in_a_disc(key: &str, runs: [[f32; 2]; 3], changes: &[&str]) -> [f32; 3] {
     let resolved = ResolvedJob::new(&job(&[])).unwrap();
     let task = resolved.task(&Run::new()).unwrap();
     let grid = task.target.inside.grid.clone();
     let [_, ny, nx] = grid.shape;
-    // A quarter of the inscribed circle's area, beside the axis
+    // A quarter of the inscribed circle's area
     let is_disc = |i: usize| {
         let (x, y) = (grid.x(i % nx) - 0.2, grid.y(i / nx % ny));
         x.hypot(y) < 0.32
     };
     let folder = tempfile::tempdir().unwrap();
-    let errors = [[0.1f32, 1.3], [1.0, 1.0], [3.5, 0.17]].map(|[inside, outside]| {
-        let weight = |i: usize| if is_disc(i) { inside } else { outside };
-        let values = (0..grid.len()).map(weight).collect();
-        let file = folder.path().join("weights.npy");
+    runs.map(|[inside, outside]| {
+        let of = |i: usize| if is_disc(i) { inside } else { outside };
+        let values = (0..grid.len()).map(of).collect();
+        let file = folder.path().join("disc.npy");
         let grid = grid.clone();
         npy::write_volume(&file, &Volume { grid, values }, &Run::new()).unwrap();
-        let weights = format!(
-            "objectives[0].weights={{ file = {:?} }}",
+        let file = format!(
+            "objectives[0].{key}={{ file = {:?} }}",
             file.display().to_string()
         );
-        let dose = ended(&[&weights]).dose;
+        let dose = ended(&[changes, &[&file]].concat()).dose;
         let pairs = dose.iter().zip(&task.target.inside.values).enumerate();
         let squares = pairs
             .filter(|(i, _)| is_disc(*i))
             .map(|(_, (a, b))| (a - b).powi(2));
         squares.sum::<f32>().sqrt()
-    });
+    })
+}
+
+#[test]
+fn a_disc_that_weighs_more_is_nearer_to_its_picture() {
+    // Section 3.4.3, eq. 30; the spatial sum of weights stays
+    let errors = errors_in_a_disc("weights", [[0.1, 1.3], [1.0, 1.0], [3.5, 0.17]], &[]);
     assert!(
         errors.windows(2).all(|pair| pair[0] > pair[1]),
         "{errors:?}"
     );
+}
+
+#[test]
+fn a_disc_with_a_wide_tolerance_is_farther_from_its_picture() {
+    // Section 3.4.3, eq. 29: 0.4, 0.1 and 0 in the disc, 0.1 outside of it; the last two are "almost identical"
+    let runs = [[0.4, 0.1], [0.1, 0.1], [0.0, 0.1]];
+    let errors = errors_in_a_disc("tolerance", runs, &["objectives[0].bclp.epsilon=0"]);
+    assert!(errors[0] > errors[1] && errors[1] > errors[2], "{errors:?}");
+    assert!(errors[0] > 2.0 * errors[1], "{errors:?}");
 }

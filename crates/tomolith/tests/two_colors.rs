@@ -33,8 +33,8 @@ const JOB: &str = r#"
     log10 = true
 "#;
 
-#[test]
-fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
+/// The report of a run with these changes, and its folder.
+fn report(changes: &[String]) -> (Value, tempfile::TempDir) {
     let images = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images");
     let image = |name: &str| format!("{:?}", images.join(name).display().to_string());
     let mut document = Document::toml("two.toml", JOB).unwrap();
@@ -42,8 +42,9 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
         "species[1].target={{ image = {}, size_mm = 1.2, height_mm = 0.1 }}",
         image("rings.png")
     );
-    for change in [format!("target.image={}", image("wheel-all.png")), epoxy] {
-        document.set(&change).unwrap();
+    let targets = [format!("target.image={}", image("wheel-all.png")), epoxy];
+    for change in targets.iter().chain(changes) {
+        document.set(change).unwrap();
     }
     let folder = tempfile::tempdir().unwrap();
     let own = folder.path().join("run");
@@ -55,6 +56,51 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
         &Run::new(),
     )
     .unwrap();
+    let text = std::fs::read(own.join("report.json")).unwrap();
+    (serde_json::from_slice(&text).unwrap(), folder)
+}
+
+#[test]
+fn two_species_are_judged_at_one_exposure() {
+    let changes = [
+        "target.gray=false",
+        "species[1].target.gray=false",
+        "objective=\"threshold\"",
+    ];
+    let (report, folder) = report(&changes.map(str::to_owned));
+    let together = &report["one_exposure"]["iou"];
+    let of = |s: usize| {
+        let alone = report["species"][s]["evaluation"]["iou"].as_f64().unwrap();
+        (alone, together[s].as_f64().unwrap())
+    };
+    for (alone, together) in [of(0), of(1)] {
+        assert!(together > 0.2 && together <= alone + 1e-9, "{report}");
+    }
+    // Neither's own best dose has a lowest IoU that is larger
+    let lowest = of(0).1.min(of(1).1);
+    for s in [0, 1] {
+        let own = report["species"][s]["evaluation"]["gel_threshold"]
+            .as_f64()
+            .unwrap();
+        let at = |s: usize| {
+            let curve = report["species"][s]["evaluation"]["iou_curve"].as_array();
+            let points = curve.unwrap().iter();
+            let nearest = points.min_by(|a, b| {
+                let off = |p: &Value| (p[0].as_f64().unwrap() - own).abs();
+                off(a).total_cmp(&off(b))
+            });
+            nearest.unwrap()[1].as_f64().unwrap()
+        };
+        assert!(at(0).min(at(1)) <= lowest + 0.02, "{s}");
+    }
+    let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
+    assert!(html.contains("IoU together"));
+}
+
+#[test]
+fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
+    let (report, folder) = report(&[]);
+    let own = folder.path().join("run");
     for file in [
         "frames/violet",
         "frames/uv",
@@ -71,8 +117,6 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
     let (soft, stiff) = (solid[solid.len() / 20], solid[solid.len() * 19 / 20]);
     assert!(solid[0] >= 5.0 && solid[solid.len() - 1] <= 9100.0);
     assert!(stiff > 30.0 * soft, "{soft} {stiff}");
-    let report: Value =
-        serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap();
     assert!(report["species"].is_array() || report["species"].is_object());
     let html = std::fs::read_to_string(own.join("report.html")).unwrap();
     assert!(html.contains("modulus") && html.contains("MPa"));

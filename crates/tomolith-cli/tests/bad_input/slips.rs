@@ -666,7 +666,86 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[printer]\ngray_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
         "gray_curve",
-        &["printer.gray_curve", "not monotone"],
+        &[
+            "printer.gray_curve",
+            "not monotone",
+            "usable from value 0 to 0.5",
+            "`tomolith calibrate gray`",
+        ],
+    ),
+    (
+        "[stop]",
+        "[printer]\ngray_curve = [[0.0, -0.2], [0.5, 0.2], [1.0, 0.6]]\n[stop]",
+        "gray_curve",
+        &[
+            "printer.gray_curve",
+            "an intensity of -0.2",
+            "usable from value 0.5 to 1",
+        ],
+    ),
+    // Doses and the print in time
+    (
+        "0.05\n",
+        "0.05\ncritical_dose_mj_per_cm2 = 80\n",
+        "critical_dose_mj_per_cm2",
+        &[
+            "resin.critical_dose_mj_per_cm2",
+            "a dose per area, and one per volume is meant",
+            "E/(100·D) mJ/mm³",
+            "did you mean `critical_dose_mj_per_mm3`",
+        ],
+    ),
+    (
+        "0.05\n",
+        "0.05\ncritical_dose_mj_per_mm3 = 0.8\n[schedule]\noptimize = \"frozen\"\n",
+        "optimize",
+        &[
+            "schedule.optimize",
+            "no network has an inhibitor: there is nothing to freeze",
+        ],
+    ),
+    (
+        "[stop]",
+        "[schedule]\nstep_s = 30.0\n[[material.photopolymer.networks]]\nname = \"resin\"\ncuring = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }\n\
+         inhibitors = [{ diffusion_mm2_per_s = 1e-4 }]\n[stop]",
+        "step_s",
+        &[
+            "schedule.step_s",
+            "found 30 s",
+            "stable up to 16.6667 s only",
+            "\"spectral\"",
+        ],
+    ),
+    (
+        "[stop]",
+        "[schedule]\n[[material.photopolymer.networks]]\nname = \"resin\"\ncuring = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }\n\
+         inhibitors = [{ capacity_mj_per_mm3 = 0.0 }]\n[stop]",
+        "capacity_mj_per_mm3 = 0.0",
+        &[
+            "networks[0].inhibitors[0].capacity_mj_per_mm3",
+            "found 0",
+            "above 0",
+        ],
+    ),
+    (
+        "[[light]]\n",
+        "[[species]]\nname = \"soft\"\n[[species]]\nname = \"stiff\"\ndriven_by = { uv = 1.0 }\n[[light]]\nname = \"violet\"\n",
+        "driven_by",
+        &[
+            "species[1].driven_by.uv",
+            "no light has this name",
+            "the name of a light: violet",
+        ],
+    ),
+    (
+        "[[light]]\n",
+        "[[species]]\nname = \"soft\"\n[[species]]\nname = \"stiff\"\ndriven_by = {}\n[[light]]\nname = \"violet\"\n",
+        "driven_by",
+        &[
+            "species[1].driven_by",
+            "no light drives it",
+            "a factor above 0",
+        ],
     ),
     (
         "[stop]",

@@ -14,16 +14,20 @@ macro_rules! forward {
     (@new_dose $($to:tt)+) => { $crate::forward!(@fn new_dose() -> $crate::error::Result<Self::Field>; $($to)+); };
     (@z_coupling $($to:tt)+) => { $crate::forward!(@fn z_coupling() -> $crate::dose::ZCoupling; $($to)+); };
     (@is_linear $($to:tt)+) => { $crate::forward!(@fn is_linear() -> bool; $($to)+); };
-    (@renew $($to:tt)+) => { $crate::forward!(@fn renew(iteration: usize) -> bool; $($to)+); };
+    (@renew $($to:tt)+) => {
+        $crate::forward!(@fn renew(iteration: usize, x: &Self::Field, run: &$crate::dose::Run) -> $crate::error::Result<bool>; $($to)+);
+    };
+    (@memory $($to:tt)+) => { $crate::forward!(@fn memory() -> Option<Self::Field>; $($to)+); };
+    (@restore $($to:tt)+) => { $crate::forward!(@fn restore(memory: &Self::Field) -> (); $($to)+); };
     (@is_renewed $($to:tt)+) => { $crate::forward!(@fn is_renewed() -> bool; $($to)+); };
     (@updates $($to:tt)+) => { $crate::forward!(@fn updates() -> u64; $($to)+); };
     (@describe $($to:tt)+) => { $crate::forward!(@fn describe() -> String; $($to)+); };
     (@of_light $($to:tt)+) => {
         $crate::forward!(@fn of_light(i: usize) -> Option<&dyn $crate::dose::DoseModel<Field = Self::Field>>; $($to)+);
     };
-    (@fn $method:ident($($value:ident: $kind:ty)?) -> $found:ty; $of:ident, $this:ident, $inner:expr) => {
-        fn $method(&$this $(, $value: $kind)?) -> $found {
-            $of::$method(&$inner $(, $value)?)
+    (@fn $method:ident($($value:ident: $kind:ty),*) -> $found:ty; $of:ident, $this:ident, $inner:expr) => {
+        fn $method(&$this $(, $value: $kind)*) -> $found {
+            $of::$method(&$inner $(, $value)*)
         }
     };
 }

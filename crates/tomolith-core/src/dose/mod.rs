@@ -106,15 +106,24 @@ pub trait DoseModel: Send + Sync {
     fn z_coupling(&self) -> ZCoupling;
     /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
     fn is_linear(&self) -> bool;
-    /// Before the step of an iteration (the first is 1): draws other Monte Carlo paths where the model's schedule wants them, and says
-    /// whether it did. It is another map then.
-    fn renew(&self, _iteration: usize) -> bool {
-        false
+    /// Before the step of an iteration (the first is 1) from patterns `x`: draws other Monte Carlo paths, or simulates a print anew, where the model's
+    /// schedule wants it, and says whether it did. It is another map then.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`](crate::Error::Canceled), and what refuses a simulation.
+    fn renew(&self, _iteration: usize, _x: &Self::Field, _run: &Run) -> Result<bool> {
+        Ok(false)
     }
     /// Whether [`renew`](Self::renew) ever does.
     fn is_renewed(&self) -> bool {
         false
     }
+    /// What earlier patterns have left in the map, where it is more than the number of the iteration says: checkpoints keep it.
+    fn memory(&self) -> Option<Self::Field> {
+        None
+    }
+    /// Makes the map that which had this [memory](Self::memory).
+    fn restore(&self, _memory: &Self::Field) {}
     /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
     fn updates(&self) -> u64;
     /// The model of light `i` alone, with one output, where the doses of the lights are computed one by one; None where they are not.
@@ -190,7 +199,7 @@ pub trait LinearOperator: Send + Sync {
     }
     /// How far a row reaches along z.
     fn z_coupling(&self) -> ZCoupling;
-    /// As [`DoseModel::renew`].
+    /// As [`DoseModel::renew`], whatever the patterns are.
     fn renew(&self, _iteration: usize) -> bool {
         false
     }
@@ -207,7 +216,11 @@ pub trait LinearOperator: Send + Sync {
 impl<A: LinearOperator> DoseModel for A {
     type Field = A::Field;
 
-    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, renew, is_renewed, updates, describe);
+    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, updates, describe);
+
+    fn renew(&self, iteration: usize, _x: &Self::Field, _run: &Run) -> Result<bool> {
+        Ok(LinearOperator::renew(self, iteration))
+    }
 
     fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
         dose.fill(0.0);

@@ -208,7 +208,10 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
     let IdealExposure::NotReached(share) = curves.ideal_exposure() else {
         panic!()
     };
-    assert_eq!(share, 0.0);
+    // What the part has absorbed: a mean of its doses
+    let [least, most] = curves.points().last().unwrap().dose;
+    let mean = 1e6 * share;
+    assert!(mean > least && mean <= most, "{least} {mean} {most}");
 }
 
 #[test]

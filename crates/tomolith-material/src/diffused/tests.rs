@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
-use tomolith_core::grid::VolumeGrid;
+use tomolith_core::grid::{Volume, VolumeGrid};
 
 const D: f64 = 1e-4;
 
@@ -155,4 +155,54 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let [exact, rough] = [12, 1].map(distance);
     assert!(exact < 1e-4, "{exact}");
     assert!(rough > 10.0 * exact, "{rough} {exact}");
+}
+
+#[test]
+fn what_a_wall_within_the_box_would_hold_back_goes_on_into_it() {
+    // Resin up to a wall in the middle of the box, lit evenly: √(DT) is 0.25 mm
+    let (diffusion, seconds, steps) = (5e-4, 125.0, 250);
+    let grid = VolumeGrid::centered([1, 1, 60], 0.1);
+    let resin = Volume {
+        values: (0..60).map(|i| i < 30).collect(),
+        grid: grid.clone(),
+    };
+    let walled = Domain::new(grid).with_walls(&resin).unwrap();
+    let dose = walled.even(1.0);
+    let wandering = Network {
+        dose_diffusion_mm2_per_s: diffusion,
+        ..Network::new("a", Curing::threshold(1.0))
+    };
+    let params = Params::new(vec![wandering]);
+    let material = Photopolymer::new(params, Mixing::identity(1), walled.clone()).unwrap();
+    let mut state = material.start().unwrap();
+    let light = walled.even(1.0 / steps as f32);
+    for _ in 0..steps {
+        let step_s = seconds / f64::from(steps);
+        material
+            .step(&mut state, &[light.as_slice()], step_s)
+            .unwrap();
+    }
+    let stepped = &state.volumes[material.readout(0).volume];
+    let spectral = Spectral::new(walled.layout());
+    let even = [Span {
+        before_s: 0.0,
+        seconds,
+        share: 1.0,
+    }];
+    let modes = Modes::of(&spectral, |k2| left_of(diffusion * k2, &even));
+    let mut boxed = dose.clone();
+    spectral.multiply(boxed.as_mut_slice(), &modes);
+    // 1 − ½·[(1 + 2a²)·erfc(a) − (2a/√π)·e^(−a²)], a = distance/(2√(DT))
+    for (from_wall, expected) in [(0.05, 0.603), (0.25, 0.860), (0.55, 0.980), (0.75, 0.996)] {
+        let own = |field: &HostField| {
+            let i = 29 - (from_wall / 0.1) as usize;
+            f64::from(field.as_slice()[walled.layout().index(0, 0, i)])
+        };
+        assert!((own(stepped) - 1.0).abs() < 1e-4, "{}", own(stepped));
+        assert!(
+            (own(&boxed) - expected).abs() < 3e-3,
+            "{from_wall} mm: {}",
+            own(&boxed)
+        );
+    }
 }

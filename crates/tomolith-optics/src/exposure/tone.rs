@@ -10,7 +10,7 @@ use tomolith_io::frames::top_level;
 
 /// What a curve must be, for messages.
 const ACCEPTED: &str = "at least two points [value, intensity], values rising from 0 to 1, intensities from 0 or more, each \
-     larger than the one before";
+     larger than the one before; `tomolith calibrate gray` makes such a curve of measurements";
 
 /// A gray curve.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,13 +36,14 @@ impl ToneCurve {
                 exact(last[0])
             ));
         }
+        let refuse_but = |found: String| refuse(format!("{found}; {}", usable(points)));
         if first[1] < 0.0 {
-            return refuse(format!("an intensity of {}", first[1]));
+            return refuse_but(format!("an intensity of {}", first[1]));
         }
         for (i, pair) in points.windows(2).enumerate() {
             for (what, axis) in [("value", 0), ("intensity", 1)] {
                 if pair[1][axis] <= pair[0][axis] {
-                    return refuse(format!(
+                    return refuse_but(format!(
                         "the {what} goes from {} to {} between points {} and {}: not monotone",
                         pair[0][axis],
                         pair[1][axis],
@@ -66,6 +67,22 @@ impl ToneCurve {
             .clamp(1, self.points.len() - 1);
         let ([x0, y0], [x1, y1]) = (self.points[next - 1], self.points[next]);
         y0 + (value - x0) / (x1 - x0) * (y1 - y0)
+    }
+}
+
+/// The part of a table in which values and intensities rise, from 0 or more: the one with the largest rise, in words.
+fn usable(points: &[[f64; 2]]) -> String {
+    let rises = |a: &[f64; 2], b: &[f64; 2]| a[1] >= 0.0 && b[0] > a[0] && b[1] > a[1];
+    let parts = points.chunk_by(rises).filter(|part| part.len() > 1);
+    let ends = parts.map(|part| (part[0], part[part.len() - 1]));
+    let most = ends.max_by(|(a, b), (c, d)| (b[1] - a[1]).total_cmp(&(d[1] - c[1])));
+    match most {
+        Some((low, high)) => format!(
+            "it is usable from value {} to {}",
+            exact(low[0]),
+            exact(high[0])
+        ),
+        None => "no part of it is usable".to_owned(),
     }
 }
 
@@ -151,14 +168,25 @@ mod tests {
             (&[[0.0, 0.0]][..], "1 points"),
             (
                 &[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]],
-                "between points 2 and 3: not monotone",
+                "between points 2 and 3: not monotone; it is usable from value 0 to 0.5",
+            ),
+            (
+                &[[0.0, 0.0], [0.2, 0.1], [0.3, 0.05], [1.0, 1.0]],
+                "usable from value 0.3 to 1",
             ),
             (
                 &[[0.0, 0.0], [0.5, 0.5], [0.5, 0.6], [1.0, 1.0]],
                 "the value goes from 0.5 to 0.5",
             ),
             (&[[0.0, 0.0], [0.9, 1.0]], "values from 0 to 0.9"),
-            (&[[0.0, -0.1], [1.0, 1.0]], "an intensity of -0.1"),
+            (
+                &[[0.0, -0.1], [0.2, 0.0], [1.0, 1.0]],
+                "an intensity of -0.1; it is usable from value 0.2 to 1",
+            ),
+            (
+                &[[0.0, -0.1], [1.0, 1.0]],
+                "an intensity of -0.1; no part of it is usable",
+            ),
             (&[[0.0, 0.0], [1.0, f64::NAN]], "point 2"),
             (&[[0.0, 0.0], [1.0, 0.0]], "not monotone"),
         ] {

@@ -291,9 +291,9 @@ impl Twisted {
 impl DoseModel for Twisted {
     type Field = HostField;
 
-    fn renew(&self, iteration: usize) -> bool {
+    fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
         let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
-        self.round.swap(round, Ordering::Relaxed) != round
+        Ok(self.round.swap(round, Ordering::Relaxed) != round)
     }
 
     fn is_renewed(&self) -> bool {

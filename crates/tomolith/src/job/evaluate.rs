@@ -20,7 +20,7 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
 use crate::optics::light::{Light, Selection};
-use crate::report::ScenarioTable;
+use crate::report::{OneExposure, ScenarioTable};
 use crate::target::label;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -59,6 +59,8 @@ pub(crate) struct Evaluated {
     pub(crate) in_time: Option<InTime>,
     /// The prints of further species.
     pub(crate) others: Vec<Species>,
+    /// All species at one exposure, where there are several.
+    pub(crate) one_exposure: Option<OneExposure>,
     /// The same patterns in the job's scenarios.
     pub(crate) scenarios: Option<ScenarioTable>,
     /// What people should know.
@@ -306,9 +308,14 @@ pub(crate) fn evaluate_patterns(
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
     }
-    let all = std::iter::once(&evaluation).chain(species.iter().map(|own| &own.evaluation));
-    for text in of_each_species(scene, &all.collect::<Vec<_>>()) {
-        progress.event(&Event::Note { text });
+    let all: Vec<&Evaluation> = std::iter::once(&evaluation)
+        .chain(species.iter().map(|own| &own.evaluation))
+        .collect();
+    let one_exposure = one_exposure(scene, &all);
+    if let Some(together) = &one_exposure {
+        for text in of_each_species(scene, &all, together) {
+            progress.event(&Event::Note { text });
+        }
     }
     Ok(Evaluated {
         evaluation,
@@ -327,45 +334,41 @@ pub(crate) fn evaluate_patterns(
         model,
         in_time,
         others: species,
+        one_exposure,
         scenarios,
         warnings,
     })
 }
 
-/// A line for each species of several: IoU at its own best threshold, and at that of the first, since one exposure prints all.
-fn of_each_species(scene: &Scene, evaluations: &[&Evaluation]) -> Vec<String> {
-    let name = |s: usize| scene.species_name(s).unwrap_or_default();
-    let of_one = |(s, evaluation): (usize, &&Evaluation)| {
-        let iou = evaluation.measures.get("iou")?;
-        let own = evaluation.gel_threshold?;
-        let mut text = format!("{}: IoU {iou:.4} at a threshold of {own:.3}", name(s));
-        let first = evaluations[0].gel_threshold.filter(|_| s > 0);
-        if let Some((first, there)) = first.and_then(|t| Some((t, iou_at(&evaluation.curve, t)?))) {
-            let of_first = name(0);
-            text += &format!(
-                ", {there:.4} at {first:.3}, that of {of_first}: one exposure prints both only if their resins gel at doses of that ratio"
-            );
-        }
-        Some(text)
+/// The prints of several species at one exposure.
+fn one_exposure(scene: &Scene, evaluations: &[&Evaluation]) -> Option<OneExposure> {
+    let over_doses = |(scene, evaluation): (&Scene, &&Evaluation)| {
+        let response = scene.response();
+        let dose =
+            |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
+        evaluation.curve.iter().map(dose).collect::<Vec<_>>()
     };
-    if evaluations.len() < 2 {
-        return Vec::new();
-    }
-    evaluations.iter().enumerate().filter_map(of_one).collect()
+    let curves: Vec<_> = scene.species().zip(evaluations).map(over_doses).collect();
+    OneExposure::of(&curves)
 }
 
-/// IoU at a threshold, between the points of its curve; None beside them.
-fn iou_at(curve: &[[f64; 2]], threshold: f64) -> Option<f64> {
-    let pair = curve
-        .windows(2)
-        .find(|pair| pair[0][0] <= threshold && threshold <= pair[1][0])?;
-    let [[low, before], [high, after]] = [pair[0], pair[1]];
-    let share = if high > low {
-        (threshold - low) / (high - low)
-    } else {
-        0.0
+/// A line for each species of several: IoU at its own best threshold, and together with the others.
+fn of_each_species(
+    scene: &Scene,
+    evaluations: &[&Evaluation],
+    together: &OneExposure,
+) -> Vec<String> {
+    let of_one = |(s, (evaluation, iou)): (usize, (&&Evaluation, &f64))| {
+        Some(format!(
+            "{}: IoU {:.4} at a threshold of {:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
+            scene.species_name(s).unwrap_or_default(),
+            evaluation.measures.get("iou")?,
+            evaluation.gel_threshold?,
+            together.gel_dose
+        ))
     };
-    Some(before + share * (after - before))
+    let all = evaluations.iter().zip(&together.iou).enumerate();
+    all.filter_map(of_one).collect()
 }
 
 /// The print in time on the job's voxels, where the job has a schedule.

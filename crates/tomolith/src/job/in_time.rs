@@ -81,6 +81,10 @@ impl InTime {
                     IdealExposure::At(seconds) => Some(seconds),
                     _ => None,
                 },
+                largest_share: match network.ideal {
+                    IdealExposure::NotReached(share) => Some(share),
+                    _ => None,
+                },
             }
         };
         self.networks.iter().map(of).collect()
@@ -143,6 +147,7 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
     let mixing = spec.mixing()?;
     let grid = VolumeGrid::centered([1, 1, 1], 0.1);
     material(spec, mixing.as_deref(), Domain::new(grid))?;
+    must_have_inhibitors(spec, mixing.as_deref().unwrap_or_default(), given)?;
     match given.step_s {
         Some(step_s) if !(step_s > 0.0 && step_s.is_finite()) => Err(Error::config(
             "schedule.step_s",
@@ -187,6 +192,40 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
             "a dose that diffuses is what \"dose\" is optimized against",
             "\"dose\" with material.diffusion",
         ));
+    }
+    Ok(())
+}
+
+/// Refuses what asks for an inhibitor where there is none.
+fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> Result<()> {
+    let own = spec.material.as_ref();
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    let takes_nothing = |network: &Network| {
+        network.inhibitors.is_empty()
+            && network.dose_diffusion_mm2_per_s == 0.0
+            && network.bleaching_mm3_per_mj == 0.0
+    };
+    if given.optimize == Against::Frozen && networks.iter().all(takes_nothing) {
+        return Err(Error::config(
+            "schedule.optimize",
+            "\"frozen\", and no network has an inhibitor: there is nothing to freeze",
+            "\"dose\", or inhibitors in material.photopolymer.networks",
+        ));
+    }
+    for (s, (name, row)) in rows.iter().enumerate() {
+        let inhibits = row.iter().position(|&factor| factor < 0.0);
+        let has_none = networks.get(s).is_none_or(|n| n.inhibitors.is_empty());
+        if let Some(light) = inhibits.filter(|_| has_none) {
+            let light = spec.light[light].name.as_deref().unwrap_or("light");
+            return Err(Error::config(
+                format!("material.photopolymer.networks[{s}].inhibitors"),
+                format!(
+                    "none, and {light} inhibits {name}: in the print in time it would do nothing"
+                ),
+                "an inhibitor that this light makes, with initial = { even = 0.0 } where there is none in the dark",
+            ));
+        }
     }
     Ok(())
 }
@@ -848,6 +887,30 @@ mod tests {
     }
 
     #[test]
+    fn a_print_that_ends_too_soon_says_how_far_it_came() {
+        let share = |turns: &str, who: &str| {
+            let folder = tempfile::tempdir().unwrap();
+            let job = job(&[turns, "stop.iterations=4"]).unwrap();
+            let job = job.with_folder(&folder.path().join("run"), "--output");
+            let summary = crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+            let own = &summary.in_time[0];
+            let share = own.largest_share.unwrap();
+            assert!(own.ideal_exposure_s.is_none());
+            let percent = crate::report::number::significant(100.0 * share, 3);
+            let said = format!("{who} {percent} % of what the part needs");
+            assert!(own.to_string().contains(&said), "{own}");
+            share
+        };
+        // Half of the light leaves half of the dose
+        let one = share("schedule.turns=1", "the part absorbs");
+        let half = share("schedule.turns=0.5", "the part absorbs");
+        assert!(
+            one > 0.1 && one < 0.5 && (one / half - 2.0).abs() < 0.1,
+            "{one} {half}"
+        );
+    }
+
+    #[test]
     fn shaded_light_and_two_networks_print_too() {
         let (report, folder) = report(&[
             "species=[{ name = \"soft\" }, { name = \"hard\", driven_by = { light = 0.5 } }]",
@@ -1069,6 +1132,10 @@ mod tests {
                 "material={ diffusion = { mm2_per_s = -1 } }",
                 "material.diffusion.mm2_per_s",
             ),
+            (
+                "species=[{ name = \"resin\", driven_by = { light = -1.0 } }]",
+                "species[0].driven_by",
+            ),
             // 0.1²/(6·10⁻⁴) is 16.7 s
             ("schedule.step_s=100", "schedule.step_s"),
             (
@@ -1083,6 +1150,20 @@ mod tests {
             let found = refused(&[change]);
             assert!(found.starts_with(key), "{change}: {found}");
         }
+        // What a light is to inhibit needs something that it makes
+        let lights = "light=[{ name = \"a\", pixels = [24, 20], angles = 24, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, \
+                      { name = \"b\", pixels = [24, 20], angles = 24, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
+        let species = "species=[{ name = \"resin\", driven_by = { a = 1.0, b = -0.5 } }]";
+        let bare = "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } } }]";
+        assert!(ResolvedJob::new(&job(&[lights, species]).unwrap()).is_ok());
+        assert_eq!(
+            refused(&[lights, species, bare]),
+            "material.photopolymer.networks[0].inhibitors"
+        );
+        assert_eq!(
+            refused(&[bare, "schedule.optimize=\"frozen\""]),
+            "schedule.optimize"
+        );
         // Air on top takes a seventh in place of a sixth: 14.3 s
         let step = "schedule.step_s=15";
         assert!(ResolvedJob::new(&job(&[step]).unwrap()).is_ok());

@@ -75,6 +75,8 @@ pub struct TimeSummary {
     pub best_jaccard: Option<f64>,
     /// When what solid voxels have absorbed meets what the part needs, s; None where it never does.
     pub ideal_exposure_s: Option<f64>,
+    /// Where it never does: the largest share of what the part needs that solid voxels have absorbed, or the part itself if nothing is solid.
+    pub largest_share: Option<f64>,
 }
 
 impl fmt::Display for TimeSummary {
@@ -94,6 +96,19 @@ impl fmt::Display for TimeSummary {
             self.best_jaccard
                 .map_or_else(|| "–".to_owned(), |j| format!("{j:.4}")),
             seconds(self.ideal_exposure_s),
+        )?;
+        let Some(share) = self.largest_share else {
+            return Ok(());
+        };
+        let who = if self.induction_end_s.is_some() {
+            "solid voxels absorb"
+        } else {
+            "the part absorbs"
+        };
+        let percent = significant(100.0 * share, 3);
+        write!(
+            f,
+            " ({who} {percent} % of what the part needs: more turns, or more power)"
         )
     }
 }

@@ -275,6 +275,7 @@ fn report(
         optimization: judged.optimization.as_ref(),
         published: published(done, exposures.lights())?,
         species: species(done),
+        one_exposure: done.judged.one_exposure.as_ref(),
         time: time(done),
         maps: made.properties.iter().map(map).collect(),
         history,
