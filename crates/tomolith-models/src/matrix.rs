@@ -675,7 +675,7 @@ mod tests {
             .enumerate()
         {
             let mut images = tomolith_core::grid::Patterns::dark(own.grid.clone());
-            images.values = check::model::noise(3 + i as u64, images.values.len());
+            images.values = check::noise(3 + i as u64, images.values.len());
             other.fill_field(&images, x.as_mut_slice());
             own.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
             patterns.push(images);
