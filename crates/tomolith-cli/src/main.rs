@@ -1,6 +1,6 @@
 //! The `tomolith` command: from a mesh to patterns that can be printed, and an honest report.
 //!
-//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 cancelled.
+//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 canceled.
 
 mod analyze;
 mod answer;
@@ -36,8 +36,8 @@ use tomolith::{Error, Result};
 const NOT_MET: u8 = 1;
 /// Could not run.
 const REFUSED: u8 = 2;
-/// Cancelled by the user: 128 + SIGINT, as shells expect.
-const CANCELLED: u8 = 130;
+/// Canceled by the user: 128 + SIGINT, as shells expect.
+const CANCELED: u8 = 130;
 
 fn main() -> ExitCode {
     let arguments = match arguments() {
@@ -85,8 +85,8 @@ fn main() -> ExitCode {
         Ok(false) => ExitCode::from(NOT_MET),
         Err(error) => {
             trouble::show(&error, manner.json);
-            ExitCode::from(if matches!(error, Error::Cancelled) {
-                CANCELLED
+            ExitCode::from(if matches!(error, Error::Canceled) {
+                CANCELED
             } else {
                 REFUSED
             })
@@ -234,10 +234,10 @@ fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
             return;
         }
         if asked.cancel() >= 2 {
-            std::process::exit(i32::from(CANCELLED));
+            std::process::exit(i32::from(CANCELED));
         }
         // An optimization ends its step first, which may take a while
-        if !manner.quiet && !asked.is_cancelled() {
+        if !manner.quiet && !asked.is_canceled() {
             screen::mutter("\nstopping after this iteration; Ctrl-C again stops at once");
         }
     });

@@ -10,7 +10,9 @@ use std::thread::available_parallelism;
 use tomolith::Result;
 use tomolith::models::Run;
 use tomolith::report::number::significant;
-use tomolith_sweep::{Event, Outcome, Plan, Shard, Sweep, Watch, duration, merge, run};
+use tomolith_sweep::{
+    Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -20,7 +22,7 @@ Examples:
   tomolith sweep sweep.toml --list | parallel -j 4   the runs as ordinary commands
 
 The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or none meets
-best.where, 2 could not run, 130 cancelled";
+best.where, 2 could not run, 130 canceled";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -68,7 +70,7 @@ pub(crate) fn sweep(given: &SweepArguments, cancel: &Run) -> Result<bool> {
     Ok(outcome.is_met())
 }
 
-fn finish(outcome: &Outcome, manner: Manner) {
+fn finish(outcome: &SweepOutcome, manner: Manner) {
     if manner.json {
         let mut line = serde_json::to_value(outcome).unwrap_or_default();
         line["event"] = "done".into();
@@ -86,7 +88,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    pub(crate) fn new(manner: Manner, plan: &Plan) -> Self {
+    pub(crate) fn new(manner: Manner, plan: &SweepPlan) -> Self {
         Board {
             manner,
             bar: None,
@@ -96,7 +98,7 @@ impl Board {
 }
 
 impl Watch for Board {
-    fn event(&mut self, event: &Event) {
+    fn event(&mut self, event: &SweepEvent) {
         if self.manner.json {
             say(&serde_json::to_string(event).unwrap_or_default());
             return;
@@ -105,7 +107,7 @@ impl Watch for Board {
             return;
         }
         match event {
-            Event::Sweep { runs, finished, .. } => {
+            SweepEvent::Sweep { runs, finished, .. } => {
                 mutter(&format!(
                     "{:>12} {}; {finished} finished before",
                     "", self.about
@@ -119,7 +121,7 @@ impl Watch for Board {
                     self.bar = Some(bar);
                 }
             }
-            Event::Run {
+            SweepEvent::Run {
                 run,
                 values,
                 state,

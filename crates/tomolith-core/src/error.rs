@@ -106,8 +106,8 @@ pub enum Error {
         reason: String,
     },
     /// The user asked to stop.
-    #[error("cancelled")]
-    Cancelled,
+    #[error("canceled")]
+    Canceled,
 }
 
 impl Error {

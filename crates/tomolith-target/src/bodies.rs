@@ -108,7 +108,7 @@ impl Assembly {
     ///
     /// # Errors
     /// [`Error::Config`] with the key of the body: a file that cannot be used, components that do not match the file,
-    /// bodies that overlap, nothing to print; [`Error::Cancelled`].
+    /// bodies that overlap, nothing to print; [`Error::Canceled`].
     pub(super) fn build(
         spec: &TargetSpec,
         bodies: &[BodySpec],

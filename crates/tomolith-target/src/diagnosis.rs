@@ -264,7 +264,7 @@ fn place(at: [f64; 3]) -> String {
 /// Examines a mesh and makes it closed and outward.
 ///
 /// # Errors
-/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for; [`Error::Cancelled`].
+/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for; [`Error::Canceled`].
 pub(super) fn examine(
     mut mesh: Mesh,
     path: &Path,

@@ -50,7 +50,7 @@ impl Crossings {
 /// Edges through triangles of their own shell, and of other shells.
 ///
 /// # Errors
-/// [`Error::Cancelled`](tomolith_core::error::Error::Cancelled).
+/// [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
     let edges = Edges::new(mesh);
     run.check()?;
@@ -68,7 +68,7 @@ pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
         .par_chunks(1024)
         .map(|pairs| {
             let mut found = [Crossings::default(); 2];
-            if run.is_cancelled() {
+            if run.is_canceled() {
                 return found;
             }
             for &edge in pairs {

@@ -34,7 +34,7 @@ impl Misfit {
     }
 }
 
-/// Looks along the lines of the lattice for winding numbers other than 0 and 1; in vain when the run is cancelled.
+/// Looks along the lines of the lattice for winding numbers other than 0 and 1; in vain when the run is canceled.
 pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     let [low, high] = mesh.bounds();
     let pitch_mm = (high[1] - low[1]).max(high[2] - low[2]) / LATTICE;
@@ -50,7 +50,7 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     let slices: Vec<[Misfit; 2]> = (0..grid.shape[0])
         .into_par_iter()
         .map_init(Lines::default, |lines, iz| {
-            if run.is_cancelled() {
+            if run.is_canceled() {
                 return Default::default();
             }
             let z = iz as f64 + 0.5;

@@ -9,7 +9,7 @@ use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
-use crate::report::{Cause, Limit, Limits};
+use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
 use std::fmt;
 
@@ -26,7 +26,7 @@ pub(crate) fn limits(
     judged: &Evaluated,
     optimized: Option<&Optimized>,
     is_toy: bool,
-) -> Limits {
+) -> PrintLimits {
     let spec = &scene.spec;
     let kind = headline(judged.evaluation.half_width.is_some());
     let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
@@ -37,7 +37,7 @@ pub(crate) fn limits(
     let finest = scene.levels.last();
     if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
         let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
-        return Limits {
+        return PrintLimits {
             sentence,
             causes: Vec::new(),
         };
@@ -51,7 +51,7 @@ pub(crate) fn limits(
         |o: &Optimized| Fall::of(&o.outcome.history).is_some_and(|fall| fall.share > FALLING_FAST);
     let found = Found {
         kind,
-        optimized: judged.optimisation.as_ref().and_then(get),
+        optimized: judged.optimization.as_ref().and_then(get),
         written: judged.written,
         standing: get(&judged.standing),
         turning: get(&judged.evaluation),
@@ -239,7 +239,7 @@ struct Found {
 }
 
 impl Found {
-    fn limits(&self) -> Limits {
+    fn limits(&self) -> PrintLimits {
         let mut causes: Vec<Limit> = [
             self.grid(),
             self.levels(),
@@ -252,7 +252,7 @@ impl Found {
         .flatten()
         .collect();
         causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
-        Limits {
+        PrintLimits {
             sentence: self.sentence(&causes).unwrap_or_default(),
             causes,
         }
@@ -529,7 +529,7 @@ fn signed(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::{grey, iou};
+    use crate::metrics::{gray, iou};
 
     /// The numbers of the first example.
     fn found() -> Found {
@@ -555,7 +555,7 @@ mod tests {
         }
     }
 
-    fn losses(limits: &Limits) -> Vec<(Cause, f64)> {
+    fn losses(limits: &PrintLimits) -> Vec<(Cause, f64)> {
         let losses = limits.causes.iter();
         losses
             .map(|l| (l.cause, (l.loss * 1e4).round() / 1e4))
@@ -799,7 +799,7 @@ mod tests {
     #[test]
     fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
         let limits = Found {
-            kind: &grey::RMS,
+            kind: &gray::RMS,
             optimized: Some(0.126),
             written: Some(0.13),
             standing: Some(0.128),
