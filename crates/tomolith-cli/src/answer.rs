@@ -59,7 +59,7 @@ impl Answer {
         } else if !manner.quiet {
             self.warnings
                 .iter()
-                .for_each(|text| mutter(&format!("{:>22} {text}", "Warning")));
+                .for_each(|text| mutter(&format!("{:>22} {text}", "warning")));
             self.lines
                 .iter()
                 .for_each(|(name, text)| say(&format!("{name:>22} {text}")));

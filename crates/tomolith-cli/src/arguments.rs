@@ -103,7 +103,7 @@ pub(crate) struct JobArguments {
     /// Run a coarse version: a third of the resolution, few angles, few iterations; its print is poor
     #[arg(long)]
     pub(crate) toy: bool,
-    /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable)
+    /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable); a kind, `vial.square={…}`, takes the place of the job's
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
 }

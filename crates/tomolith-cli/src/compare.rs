@@ -35,7 +35,7 @@ pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
     if !given.output.extension().is_some_and(is_page) {
         return Err(Error::config(
             "--output",
-            format!("`{}`", given.output.display()),
+            format!("`{}` has another ending", given.output.display()),
             "a file name ending in .html: the page is a web page",
         ));
     }

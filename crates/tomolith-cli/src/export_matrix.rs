@@ -33,7 +33,7 @@ pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) ->
     if given.output.extension().is_none_or(|e| e != "npz") {
         return Err(Error::config(
             "--output",
-            format!("`{}`", given.output.display()),
+            format!("`{}` has another ending", given.output.display()),
             "a file name ending in .npz",
         ));
     }

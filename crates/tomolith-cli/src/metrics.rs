@@ -91,6 +91,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     };
     let target = like(&grid, &given.target)?;
     let labels = labels(given, &target)?;
+    must_have_part(given, &labels)?;
     let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
     if given.gray {
         must_be_gray(&given.target, &target)?;
@@ -260,6 +261,26 @@ fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> 
     Ok(Volume {
         grid: grid.clone(),
         values: (0..grid.len()).map(label).collect::<Result<_>>()?,
+    })
+}
+
+/// Refuses arrays without a voxel of the part: nothing can be said of its print.
+fn must_have_part(given: &MetricsArguments, labels: &Volume<u8>) -> Result<()> {
+    if labels.values.contains(&PART) {
+        return Ok(());
+    }
+    let (path, accepted) = match &given.labels {
+        Some(source) => (source, "an array with labels of 2, the part"),
+        None => (
+            &given.target,
+            "an array with values of at least one half, the part",
+        ),
+    };
+    let [z, y, x] = labels.grid.shape;
+    Err(Error::Format {
+        path: path.into(),
+        found: format!("no voxel of the part in the region that counts ({z} × {y} × {x} voxels)"),
+        accepted: accepted.to_owned(),
     })
 }
 

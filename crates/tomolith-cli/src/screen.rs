@@ -115,7 +115,7 @@ impl Progress for Screen {
                 self.start.elapsed().as_secs_f64()
             )),
             (_, Event::Note { text }) => mutter(&format!("{:>12} {text}", "")),
-            (_, Event::Warning { text }) => mutter(&format!("{:>12} {text}", "Warning")),
+            (_, Event::Warning { text }) => mutter(&format!("{:>12} {text}", "warning")),
             (Style::Plain { last }, Event::Part { done, left_s }) => {
                 // A short stage needs no line, and one that is over tells itself by the next
                 let is_due = last.get_or_insert_with(Instant::now).elapsed() >= PAUSE;

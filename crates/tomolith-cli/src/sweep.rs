@@ -9,6 +9,7 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
+use tomolith::report::number::significant;
 use tomolith::{Error, Result};
 use tomolith_sweep::{
     Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
@@ -180,9 +181,13 @@ impl Watch for Board {
 /// The first of a run's metrics, for its line.
 fn first_number(result: &serde_json::Value) -> String {
     let first = result.as_object().and_then(|map| map.iter().next());
-    first
-        .map(|(name, value)| format!("{name} {value}"))
-        .unwrap_or_default()
+    let Some((name, value)) = first else {
+        return String::new();
+    };
+    match value.as_f64() {
+        Some(number) => format!("{name} {}", significant(number, 4)),
+        None => format!("{name} {value}"),
+    }
 }
 
 impl Drop for Board {

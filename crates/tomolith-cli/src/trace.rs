@@ -15,7 +15,8 @@ const EXAMPLES: &str = "\
 Examples:
   tomolith trace job.toml --pixel 0,100,50                   power balance and path of one pixel
   tomolith trace job.toml --pixel 0,20,50 --pixel 0,180,50 --output light.png
-  tomolith trace job.toml --light 1 --pixel 12,0,0 --json";
+  tomolith trace job.toml --light 1 --pixel 12,0,0 --json
+A pixel is frame,column,row; in arrays of patterns [angle, row, column] it is patterns[frame, row, column]";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

@@ -106,7 +106,7 @@ pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
         {
             return Err(Error::config(
                 "--save-mesh",
-                format!("`{}`", file.display()),
+                format!("`{}` has another ending", file.display()),
                 "a file name ending in .stl",
             ));
         }
@@ -332,7 +332,7 @@ impl Kind {
             Some("png") => Ok(Kind::Png),
             _ => Err(Error::config(
                 "--output",
-                format!("`{}`", path.display()),
+                format!("`{}` has another ending", path.display()),
                 "a file name ending in .npy, .vti or .png",
             )),
         }

@@ -222,6 +222,12 @@ fn anybodys_arrays_are_measured() {
     )
     .unwrap();
     bench.expect(0, "metrics dose.npy bytes.npy");
+    fs::write(bench.path("none.npy"), npy("2, 2", &[0.0; 4])).unwrap();
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy none.npy")
+            .contains("none.npy: no voxel of the part")
+    );
     assert!(
         bench
             .expect(2, "metrics dose.npy bytes.npy --gray")
@@ -261,6 +267,8 @@ fn runs_are_compared_and_exported() {
             .expect(2, "export a --output frames")
             .contains("is not empty")
     );
+    let lossless = bench.json("export a --output lossless --set output.movie=lossless");
+    assert_eq!(lossless["lights"][0]["movie"], "gear_10rpm.mov");
     // A folder of exported frames stands for its frames
     bench.expect(0, "export a --output plain --quiet");
     bench.expect(
@@ -458,7 +466,7 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
     );
     let said = bench.expect(2, "compare a --output page.txt");
     assert!(
-        said.contains("page.txt") && said.contains(".html"),
+        said.contains("`page.txt` has another ending") && said.contains(".html"),
         "{said}"
     );
 }
@@ -551,6 +559,17 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
             .contains("did you mean `n_steps`")
     );
     assert!(!bench.path("wrong.toml").exists());
+    let said = bench.expect(2, "import job.toml --output wrong.toml");
+    assert!(
+        said.contains("it is no JSON (expected ident at line 1 column 3), as jobs of"),
+        "{said}"
+    );
+    fs::write(bench.path("empty.json"), "{}").unwrap();
+    let said = bench.expect(2, "import empty.json --output wrong.toml --json");
+    assert!(
+        said.contains("sensor: the key is missing; accepted: a job of Dr.TVAM"),
+        "{said}"
+    );
 }
 
 /// What an optimization wants pixels to be, [angle, row, column]: the job with these keys of its light, and further tables.

@@ -143,6 +143,9 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "calibrate gray negative.csv",
         &["a negative irradiance", "from gray 128.00 to 255.00"],
     );
+    // Falling is told before the missing top
+    bench.write("low.csv", "10,3\n30,2\n");
+    bench.refuse("calibrate gray low.csv", &["falls from 3 to 2"]);
     bench.write("short.csv", "0,0\n200,3\n");
     bench.refuse(
         "calibrate gray short.csv",

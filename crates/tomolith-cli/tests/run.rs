@@ -745,6 +745,14 @@ fn numbers_that_mean_little_come_with_a_warning() {
             "the patterns are dark everywhere",
         ),
         (
+            "--set bounds.max=1e-40 --set resin.absorption_per_mm=1e-9",
+            "the patterns leave no dose in the part",
+        ),
+        (
+            "--set light.projector.collimated.pixel_pitch_mm=200",
+            "light[0]: a pixel is 200 mm wide, the part 2 mm",
+        ),
+        (
             "--set grid.shape=[10,10,10] --set grid.clip=true",
             "% of the part's volume: patterns, numbers and print",
         ),
@@ -777,6 +785,8 @@ fn numbers_that_mean_little_come_with_a_warning() {
         "direction",
         "evaluate.threshold",
         "dark everywhere",
+        "no dose",
+        "a pixel is",
         "volume",
         "own voxels",
     ] {

@@ -289,7 +289,7 @@ mod tests {
 
     fn patterns(model: &Frozen) -> HostField {
         let mut x = model.new_patterns().unwrap();
-        let noise = check::noise(x.len(), 4);
+        let noise = check::noise(4, x.len());
         let values = x.as_mut_slice().iter_mut().zip(noise);
         values.for_each(|(x, n)| *x = 0.5 + 0.4 * n);
         x
@@ -331,7 +331,7 @@ mod tests {
         after.axpy(-1.0, &terms[0]);
         assert!(after.max_abs() < 1e-5, "{}", after.max_abs());
         // ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩
-        let c = HostField::from_slice(&check::noise(terms[0].len(), 9));
+        let c = HostField::from_slice(&check::noise(9, terms[0].len()));
         let mut back = x.zeros_like();
         model.pullback(&x, &c, &mut back, &run).unwrap();
         let (forth, back) = (terms[0].dot(&c), back.dot(&d));

@@ -1,4 +1,4 @@
-//! Process window Γ: how far the threshold may be off.
+//! Threshold range Γ, the process window of Nicolet et al. 2024: how far the threshold may be off.
 //!
 //! ```text
 //! Γ = 100 % · length of {t in [0, 1]: IoU(t) > 0.95·max IoU}
@@ -33,8 +33,8 @@ impl Metric for Gamma {
 /// Row of [`METRICS`](super::METRICS).
 pub const KIND: MetricKind = MetricKind {
     name: "gamma",
-    title: "Process window Γ",
-    summary: "Range of thresholds, as a share of the dose scale 0…1, over which IoU stays above 95 % of its best.",
+    title: "Threshold range Γ",
+    summary: "Range of thresholds, as a share of the dose scale 0…1, over which IoU stays above 95 % of its best: the process window of Nicolet et al. 2024.",
     unit: "%",
     better: Better::Higher,
     metric: &Gamma,

@@ -156,7 +156,7 @@ impl Sharpen {
 mod tests {
     use super::*;
     use std::f64::consts::PI;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
     use tomolith_core::grid::VolumeGrid;
 
     fn sharpen(shape: [usize; 3], blur: CellBlur) -> Sharpen {

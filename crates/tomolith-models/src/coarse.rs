@@ -171,7 +171,7 @@ impl Coarse {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
 
     #[test]
     fn a_dose_that_is_linear_in_space_is_interpolated_exactly_and_gather_is_the_transpose() {

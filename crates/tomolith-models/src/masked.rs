@@ -271,7 +271,7 @@ mod tests {
     fn a_factor_multiplies_every_dose() {
         let run = Run::new();
         let mut x = model().new_patterns().unwrap();
-        x.copy_from_host(&check::model::noise(3, x.len()));
+        x.copy_from_host(&check::noise(3, x.len()));
         let dose_of = |model: &dyn DoseModel<Field = HostField>| {
             let mut dose = model.new_dose().unwrap();
             model.dose(&x, &mut dose, &run).unwrap();
@@ -297,7 +297,7 @@ mod tests {
         let one = MaskedModel::new(model(), marks(3), 0.453).and_dark(marks(5));
         let either = marks(3).into_iter().zip(marks(5)).map(|(a, b)| a || b);
         assert!(one.dark.iter().copied().eq(either));
-        let x = HostField::from_slice(&check::model::noise(4, pixels));
+        let x = HostField::from_slice(&check::noise(4, pixels));
         let mut dose = [one.new_dose().unwrap(), one.new_dose().unwrap()];
         one.dose(&x, &mut dose[0], &run).unwrap();
         nested.dose(&x, &mut dose[1], &run).unwrap();

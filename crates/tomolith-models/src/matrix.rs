@@ -305,15 +305,6 @@ fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usiz
 /// # Errors
 /// As [`MatrixModel::from_model`].
 pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
-    matrix_telling(model, run, &mut |_| {})
-}
-
-/// As [`matrix_of`]; `tell` hears, frame by frame, how much is done, 0 to 1.
-fn matrix_telling(
-    model: &dyn DoseModel<Field = HostField>,
-    run: &Run,
-    tell: &mut dyn FnMut(f64),
-) -> Result<Csr> {
     let refused = |reason: &str| {
         Err(Error::Unsupported {
             what: "a matrix of this model".to_owned(),
@@ -328,12 +319,12 @@ fn matrix_telling(
     };
     let mut impulses = Impulses::new(model, output)?;
     let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
+    let (steps, aside) = (run.steps(frames), run.aside());
     let mut first_frame = 0;
     let mut first_pixel = 0;
     for layout in model.patterns() {
         let grid = &layout.grid;
         for frame in 0..grid.frames() {
-            tell((first_frame + frame) as f64 / frames as f64);
             for column in 0..grid.columns {
                 impulses.light(
                     model,
@@ -341,9 +332,10 @@ fn matrix_telling(
                     first_frame + frame,
                     [frame, column],
                     first_pixel,
-                    run,
+                    &aside,
                 )?;
             }
+            steps.add(1);
         }
         first_frame += grid.frames();
         first_pixel += grid.len();
@@ -358,8 +350,7 @@ fn matrix_telling(
     ))
 }
 
-/// Writes the matrix of a linear model as SciPy's CSR `.npz`; returns its number of rows, columns and entries. `tell` hears
-/// how much is done, 0 to 1.
+/// Writes the matrix of a linear model as SciPy's CSR `.npz`; returns its number of rows, columns and entries.
 ///
 /// # Errors
 /// As [`matrix_of`] and [`Csr::write`].
@@ -367,9 +358,8 @@ pub fn export(
     model: &dyn DoseModel<Field = HostField>,
     path: &Path,
     run: &Run,
-    tell: &mut dyn FnMut(f64),
 ) -> Result<[usize; 3]> {
-    let csr = matrix_telling(model, run, tell)?;
+    let csr = matrix_of(model, run)?;
     csr.write(path)?;
     Ok([csr.rows(), csr.columns, csr.entries()])
 }
@@ -675,7 +665,7 @@ mod tests {
             .enumerate()
         {
             let mut images = tomolith_core::grid::Patterns::dark(own.grid.clone());
-            images.values = check::model::noise(3 + i as u64, images.values.len());
+            images.values = check::noise(3 + i as u64, images.values.len());
             other.fill_field(&images, x.as_mut_slice());
             own.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
             patterns.push(images);

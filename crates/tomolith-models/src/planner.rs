@@ -322,7 +322,7 @@ mod tests {
         let peaked = Some(Arc::new(HenyeyGreenstein { g: 0.8 }) as Arc<dyn Phase>);
         let (paths, reason) = pixels(peaked, true);
         assert!(
-            paths == leaning && reason.starts_with("rays, 4"),
+            paths == leaning && reason.starts_with("monte_carlo, 4"),
             "{paths} {leaning} {reason}"
         );
         let why = "the resin scatters and too much of the scattered light goes into a narrow forward peak";
@@ -330,7 +330,7 @@ mod tests {
         let (_, reason) = planned(rayleigh(), false, Some("a trial was too far off"));
         let why = "the resin scatters and a trial was too far off";
         assert!(
-            reason.starts_with("rays, 4") && reason.ends_with(why),
+            reason.starts_with("monte_carlo, 4") && reason.ends_with(why),
             "{reason}"
         );
     }
@@ -402,7 +402,7 @@ mod tests {
         for (asked, optics, sharp) in [
             (None, &clear, "rays, 16 per pixel"),
             (None, &milk, "successive_orders (rays, 16 per pixel"),
-            (Some(&scatter), &milk, "rays, 64 per pixel"),
+            (Some(&scatter), &milk, "monte_carlo, 64 per pixel"),
         ] {
             let of = |purpose| {
                 let scene = OpticalScene {
@@ -412,7 +412,7 @@ mod tests {
                 planned(asked, scene, light.clone())
             };
             let [own, probe] = [Purpose::Optimize, Purpose::Probe].map(of);
-            assert!(own.contains("rays, 4 per pixel") && own == probe, "{own}");
+            assert!(own.contains(", 4 per pixel") && own == probe, "{own}");
             let found = of(Purpose::Evaluate { refine: 2 });
             assert!(found.starts_with(sharp), "{found}");
         }

@@ -279,7 +279,7 @@ mod tests {
     fn each_output_is_the_dose_of_the_same_images_in_its_scenario() {
         let (joint, run) = (scenarios(), Run::new());
         let mut x = joint.new_patterns().unwrap();
-        let values: Vec<f32> = check::noise(x.len(), 3).iter().map(|n| 1.0 + n).collect();
+        let values: Vec<f32> = check::noise(3, x.len()).iter().map(|n| 1.0 + n).collect();
         x.copy_from_host(&values);
         let mut dose = joint.new_dose().unwrap();
         joint.dose(&x, &mut dose, &run).unwrap();

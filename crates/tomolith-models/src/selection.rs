@@ -262,7 +262,7 @@ mod tests {
         let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("matrix.npz");
-        matrix::export(&all, &file, &Run::new(), &mut |_| {}).unwrap();
+        matrix::export(&all, &file, &Run::new()).unwrap();
         let optics = [Optics::collimated(0.1)];
         let mut light = light();
         light.selection.masks = vec![mask()];

@@ -344,7 +344,7 @@ mod tests {
     fn each_species_gets_what_its_row_says() {
         let (model, run) = (mixing(), Run::new());
         let mut x = model.new_patterns().unwrap();
-        let noise = check::noise(x.len(), 3);
+        let noise = check::noise(3, x.len());
         x.as_mut_slice()
             .iter_mut()
             .zip(noise)

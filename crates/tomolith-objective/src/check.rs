@@ -15,7 +15,7 @@ use tomolith_core::field::{Field, HostField};
 /// # Errors
 /// What is wrong, in one sentence.
 pub fn objective(objective: &dyn Objective<HostField>, dose: &HostField) -> Result<(), String> {
-    let step = HostField::from_slice(&noise(dose.len(), 7));
+    let step = HostField::from_slice(&noise(7, dose.len()));
     agreement(objective, dose, &step)?;
     convexity(objective, dose, &step)?;
     remainder(objective, dose, &step)
@@ -194,7 +194,7 @@ mod tests {
 
     #[test]
     fn a_gradient_that_is_off_by_one_percent_is_found() {
-        let dose = HostField::from_slice(&noise(500, 1));
+        let dose = HostField::from_slice(&noise(1, 500));
         objective(&Wrong(1.0), &dose).unwrap();
         let complaint = objective(&Wrong(1.01), &dose).unwrap_err();
         assert!(complaint.contains("order"), "{complaint}");

@@ -152,7 +152,7 @@ mod tests {
 
     /// A dose between −0.2 and 1.4.
     fn some_dose(layout: &DoseLayout) -> HostField {
-        let values: Vec<f32> = tomolith_core::check::noise(layout.len(), 5)
+        let values: Vec<f32> = tomolith_core::check::noise(5, layout.len())
             .iter()
             .map(|v| 0.6 + 0.8 * v)
             .collect();

@@ -520,7 +520,7 @@ mod tests {
     #[test]
     fn the_loss_is_that_of_sorted_tails() {
         let inside: Vec<f32> = (0..400).map(|i| f32::from(i % 4 == 0)).collect();
-        let dose: Vec<f32> = noise(400, 3).iter().map(|v| 0.5 + 0.4 * v).collect();
+        let dose: Vec<f32> = noise(3, 400).iter().map(|v| 0.5 + 0.4 * v).collect();
         for (measure, of_void) in [
             (WindowMeasure::Pw, 0.033 * 300.0),
             (WindowMeasure::Gamma, 3.3),
@@ -570,11 +570,11 @@ mod tests {
 
     #[test]
     fn gradients_are_derivatives_with_every_key_and_any_beginning() {
-        let inside: Vec<f32> = noise(3000, 1)
+        let inside: Vec<f32> = noise(1, 3000)
             .iter()
             .map(|v| (0.5 + 0.9 * v).clamp(0.0, 1.0))
             .collect();
-        let dose: Vec<f32> = noise(3000, 2)
+        let dose: Vec<f32> = noise(2, 3000)
             .iter()
             .zip(&inside)
             .map(|(v, s)| 0.3 + 0.5 * s + 0.35 * v)

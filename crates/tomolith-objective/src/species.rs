@@ -151,7 +151,7 @@ mod tests {
         };
         let joined =
             |join| PerBlock::new(vec![(&first, of("threshold")), (&second, of("l2"))], join);
-        let noise = tomolith_core::check::noise(2 * first.len(), 5);
+        let noise = tomolith_core::check::noise(5, 2 * first.len());
         let dose: Vec<f32> = noise.iter().map(|v| 0.6 + 0.8 * v).collect();
         let field = HostField::from_slice(&dose);
         let [one, two] = [&dose[..first.len()], &dose[first.len()..]].map(HostField::from_slice);

@@ -758,7 +758,7 @@ mod tests {
         let model = SmallModel::new(18, 2, 21);
         let (target, labels) = model.ring();
         let layout = model.layout().clone();
-        let noise = tomolith_core::check::noise(layout.len(), 11);
+        let noise = tomolith_core::check::noise(11, layout.len());
         let voxel_weights = VoxelWeights {
             weight: noise
                 .iter()
@@ -766,7 +766,7 @@ mod tests {
                 .collect(),
             tolerance: noise.iter().map(|v| 0.05 * (1.0 + v)).collect(),
         };
-        let values: Vec<f32> = tomolith_core::check::noise(layout.len(), 5)
+        let values: Vec<f32> = tomolith_core::check::noise(5, layout.len())
             .iter()
             .map(|v| 0.6 + 0.8 * v)
             .collect();

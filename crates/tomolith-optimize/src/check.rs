@@ -58,7 +58,7 @@ impl Trial {
     fn new(normalizes: bool) -> Result<Self, String> {
         let model = SmallModel::new(14, 20, 3);
         let mut patterns = model.new_patterns().map_err(text)?;
-        let values = noise(patterns.as_slice().len(), 3);
+        let values = noise(3, patterns.as_slice().len());
         for (x, v) in patterns.as_mut_slice().iter_mut().zip(values) {
             *x = if v > 0.4 { v } else { 0.0 };
         }

@@ -411,7 +411,7 @@ mod tests {
     #[test]
     fn rows_of_even_and_odd_length_follow_the_sum_and_so_does_their_mean() {
         for n in [1, 2, 15, 16, 17, 31, 32, 33] {
-            let noise = tomolith_core::check::noise(n, 7);
+            let noise = tomolith_core::check::noise(7, n);
             // A constant row is where a wrong zero frequency shows
             for row in [vec![1.0f32; n], noise] {
                 let mut patterns = Patterns::dark(PatternGrid::full_turn(1, 0.0, 1, n, 1.0));

@@ -130,7 +130,7 @@ mod tests {
             let mut dose = DoseModel::new_dose(&model).unwrap();
             for seed in 0..50 {
                 let mut x = DoseModel::new_patterns(&model).unwrap();
-                let values: Vec<f32> = noise(x.len(), seed)
+                let values: Vec<f32> = noise(seed, x.len())
                     .iter()
                     .map(|v| 0.15 + 0.15 * v)
                     .collect();

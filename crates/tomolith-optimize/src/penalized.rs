@@ -45,7 +45,7 @@ fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<Ho
 
 fn patterns(model: &SmallModel) -> HostField {
     let len = DoseModel::new_patterns(model).unwrap().len();
-    let values: Vec<f32> = noise(len, 3).iter().map(|v| 0.5 + 0.4 * v).collect();
+    let values: Vec<f32> = noise(3, len).iter().map(|v| 0.5 + 0.4 * v).collect();
     HostField::from_slice(&values)
 }
 
@@ -63,7 +63,7 @@ fn loss_and_gradient_are_those_of_the_sum() {
     assert!(expected > 1.1 * alone && (at.loss - expected).abs() < 1e-9 * expected);
     let mut gradient = x.zeros_like();
     problem.gradient(&x, &at, &mut gradient).unwrap();
-    let direction = HostField::from_slice(&noise(x.len(), 8));
+    let direction = HostField::from_slice(&noise(8, x.len()));
     let mut loss = |h: f32| {
         let mut moved = x.clone();
         moved.axpy(h, &direction);

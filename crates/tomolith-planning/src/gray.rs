@@ -178,6 +178,7 @@ impl GrayCurve {
     /// is usable; when white was not measured.
     pub fn new(table: &Curve, top: f64, form: CurveForm) -> Result<Self> {
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
+        check_points(table)?;
         if first < 0.0 || last != top {
             return Err(Error::config(
                 "gray value",
@@ -188,7 +189,6 @@ impl GrayCurve {
                 ),
             ));
         }
-        check_points(table)?;
         let mut notes = Vec::new();
         let through = match form {
             CurveForm::Monotone => {

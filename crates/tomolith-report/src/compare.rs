@@ -393,19 +393,27 @@ fn warnings(runs: &[ComparedRun]) -> String {
     };
     let mut said = Vec::new();
     if differ(&|run| run.report["part"].to_string()) {
-        said.push("The runs print parts of different names.");
+        said.push("The runs print parts of different names.".to_owned());
     }
     if differ(&|run| run.report["evaluation"]["grid"].to_string()) {
-        said.push("The runs were evaluated on different voxels: distances and error rates depend on them.");
+        said.push("The runs were evaluated on different voxels: distances and error rates depend on them.".to_owned());
+    }
+    for run in runs.iter().filter(|run| !prints(run)) {
+        said.push(format!(
+            "Nothing of the part turns solid in {}: none of its numbers is marked as the best.",
+            escape(&run.name)
+        ));
     }
     if differ(&|run| run.job.get("objective").cloned().unwrap_or_default() + &objective(run)) {
-        said.push("The runs minimize different losses, whose numbers cannot be compared.");
+        said.push(
+            "The runs minimize different losses, whose numbers cannot be compared.".to_owned(),
+        );
     }
     if runs
         .iter()
         .any(|run| run.report["evaluation"]["iou_curve"].is_null())
     {
-        said.push("Reports of earlier versions hold no curves: run `tomolith simulate` on their patterns to get them.");
+        said.push("Reports of earlier versions hold no curves: run `tomolith simulate` on their patterns to get them.".to_owned());
     }
     if said.is_empty() {
         return String::new();
@@ -469,6 +477,13 @@ fn rows() -> Vec<Row> {
         }
     };
     rows.extend([
+        pointer(
+            "evaluation_pitch_mm",
+            "Edge of the evaluation's voxels",
+            "mm",
+            Better::Neutral,
+            "/evaluation/grid/pitch_mm",
+        ),
         pointer(
             "loss",
             "Loss, at the end",
@@ -565,6 +580,11 @@ fn judge(run: &ComparedRun) -> String {
     })
 }
 
+/// Whether some of the part turns solid in a run; of gray targets, which have no IoU, and earlier reports it is not asked.
+fn prints(run: &ComparedRun) -> bool {
+    run.number("/evaluation/iou") != Some(0.0) && run.number("/evaluation/part/max") != Some(0.0)
+}
+
 fn numbers(runs: &[ComparedRun]) -> String {
     let heads: String = runs
         .iter()
@@ -579,11 +599,14 @@ fn numbers(runs: &[ComparedRun]) -> String {
         })
         .collect();
     let mut body = String::new();
+    let prints: Vec<bool> = runs.iter().map(prints).collect();
     // What one model says of a print is no better than what another says
     let is_fair = (runs.windows(2)).all(|pair| judge_of(&pair[0]) == judge_of(&pair[1]));
     for row in rows() {
         let values: Vec<Option<f64>> = runs.iter().map(|run| (row.value)(run)).collect();
-        let known = values.iter().flatten().copied();
+        // Nothing is good of a print that is not there
+        let of_prints = values.iter().zip(&prints).filter(|(_, prints)| **prints);
+        let known = of_prints.filter_map(|(value, _)| *value);
         let best = match row.better {
             _ if runs.len() < 2 || !is_fair => None,
             Better::Higher => known.reduce(f64::max),
@@ -609,9 +632,9 @@ fn numbers(runs: &[ComparedRun]) -> String {
             "<tr><td>{}{arrow} <span class=\"unit\">{unit}</span></td>",
             escape(&row.name)
         );
-        for value in values {
+        for (value, prints) in values.into_iter().zip(&prints) {
             let text = value.map_or("–".to_owned(), |value| significant(value * factor, 4));
-            let class = if best.is_some() && value == best {
+            let class = if *prints && best.is_some() && value == best {
                 " class=\"head\""
             } else {
                 ""
@@ -626,7 +649,7 @@ fn numbers(runs: &[ComparedRun]) -> String {
         "the best is not marked, because the runs were evaluated by different models: compare only columns with the same one."
     };
     format!(
-        "<section><h2>Numbers</h2><p class=\"muted\">Written patterns, vial turning, finer grid. ↑ larger is better, ↓ smaller is better; \
+        "<section><h2>Numbers</h2><p class=\"muted\">Written patterns, vial turning, on the voxels of each evaluation. ↑ larger is better, ↓ smaller is better; \
          {best}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{body}</tbody></table></div></section>"
     )
 }
@@ -848,6 +871,18 @@ mod tests {
                 "No difference is drawn for waves: its voxels differ from those of rays."
             )
         );
+    }
+
+    #[test]
+    fn nothing_is_best_of_a_run_that_prints_nothing() {
+        let mut runs = [run("rays", 0.99, "10"), run("dark", 0.99, "10")];
+        runs[1].report["lights"][0]["budget"]["light_used"] = 0.9.into();
+        let best =
+            |runs: &[ComparedRun]| compare_html(runs).contains("<td class=\"head\">0.9</td>");
+        assert!(best(&runs));
+        runs[1].report["evaluation"]["part"] = json!({ "max": 0.0 });
+        assert!(!best(&runs));
+        assert!(compare_html(&runs).contains("Nothing of the part turns solid in dark"));
     }
 
     #[test]

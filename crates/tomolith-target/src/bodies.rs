@@ -30,8 +30,8 @@
 //! role = "keep-dark"
 //! ```
 
-use super::diagnosis::{Repair, components};
-use super::placing::{Map, Placement};
+use super::diagnosis::components;
+use super::placing::Placement;
 use super::voxels::zeros;
 use super::{MeshShape, MeshUnit, Shape, TargetSpec, mesh_unit};
 use rayon::prelude::*;
@@ -104,17 +104,17 @@ pub struct Assembly {
 struct Group(Vec<MeshShape>);
 
 impl Assembly {
-    /// Reads, places and examines the bodies of a target; `folder` is what files are relative to.
+    /// Reads, places and examines the bodies of a target; `folder` is what files are relative to, `section` its table.
     ///
     /// # Errors
     /// [`Error::Config`] with the key of the body: a file that cannot be used, components that do not match the file,
-    /// bodies that overlap, nothing to print.
+    /// bodies that overlap, nothing to print; [`Error::Canceled`].
     pub(super) fn build(
         spec: &TargetSpec,
         bodies: &[BodySpec],
         placement: &Placement,
-        folder: &Path,
-        section: &str,
+        (folder, section): (&Path, &str),
+        run: &Run,
     ) -> Result<Self> {
         let key = |i: usize| format!("{section}.body[{i}]");
         let meshes = meshes(spec, bodies, folder, section)?;
@@ -129,7 +129,8 @@ impl Assembly {
         let mut shapes = Vec::new();
         for &i in &present {
             let repair = spec.repair.unwrap_or_default();
-            let shape = placed(&meshes[i], &map, &file_of(spec, &bodies[i]), repair)
+            let (mesh, file) = (meshes[i].clone(), file_of(spec, &bodies[i]));
+            let shape = MeshShape::placed(mesh, &map, &file, repair, run)
                 .map_err(|e| at_key(e, &key(i)))?;
             groups[bodies[i].role as usize].0.push(shape.clone());
             shapes.push((i, shape));
@@ -288,10 +289,6 @@ fn share_out(
         format!("no body has component {}", missing.join(", ")),
         there(),
     ))
-}
-
-fn placed(mesh: &Mesh, map: &Map, file: &Path, repair: Repair) -> Result<MeshShape> {
-    MeshShape::placed(mesh.clone(), map, file, repair)
 }
 
 /// Says which key named a file that cannot be used.

@@ -123,7 +123,7 @@ fn meets(bounds: &Box3, from: [f64; 3], inverse: [f64; 3]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
 
     #[test]
     fn the_same_boxes_are_met_as_by_looking_at_all() {

@@ -40,6 +40,7 @@ use shells::turn_lone_shells;
 use std::path::Path;
 use tidy::{drop_doubles, weld_cracks};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::run::Run;
 use tomolith_core::units::concise;
 use tomolith_io::mesh::{Mesh, dot, minus};
 
@@ -263,21 +264,29 @@ fn place(at: [f64; 3]) -> String {
 /// Examines a mesh and makes it closed and outward.
 ///
 /// # Errors
-/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for.
-pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Mesh, Diagnosis)> {
+/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for; [`Error::Canceled`].
+pub(super) fn examine(
+    mut mesh: Mesh,
+    path: &Path,
+    repair: Repair,
+    run: &Run,
+) -> Result<(Mesh, Diagnosis)> {
     let mut found = Diagnosis {
         triangles: mesh.triangles.len(),
         ..Diagnosis::default()
     };
     found.welded_vertices = weld_cracks(&mut mesh);
+    run.check()?;
     let doubles = drop_doubles(&mut mesh);
     (found.copied_triangles, found.back_to_back_triangles) = (doubles.copies, doubles.back_to_back);
+    run.check()?;
     let edges = Edges::new(&mesh);
     edges.count(&mesh, &mut found);
     if found.inconsistent_edges > 0 {
         found.turned_triangles = agree(&mut mesh, &edges);
         found.one_sided_edges = Edges::new(&mesh).inconsistent();
     }
+    run.check()?;
     let holes = close(&mut mesh);
     found.holes = holes.count;
     (found.guessed_holes, found.guessed_hole_at) = (holes.guessed, holes.guessed_at);
@@ -295,6 +304,7 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Me
         found.inside_out = true;
         mesh.triangles.iter_mut().for_each(turn);
     }
+    run.check()?;
     turn_lone_shells(&mut mesh, &mut found);
     let [low, high] = mesh.bounds();
     let diagonal = dot(minus(high, low), minus(high, low)).sqrt();
@@ -310,9 +320,9 @@ pub(super) fn examine(mut mesh: Mesh, path: &Path, repair: Repair) -> Result<(Me
             accepted: "a closed surface around a volume".to_owned(),
         });
     }
-    [found.own_crossings, found.shell_crossings] = find_crossings(&mesh);
-    find_overlaps(&mesh, &mut found);
-    Ok((mesh, found))
+    [found.own_crossings, found.shell_crossings] = find_crossings(&mesh, run)?;
+    find_overlaps(&mesh, &mut found, run);
+    run.check().map(|()| (mesh, found))
 }
 
 #[cfg(test)]
@@ -321,7 +331,7 @@ mod tests {
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn found(mesh: Mesh) -> (Mesh, Diagnosis) {
-        examine(mesh, Path::new("test"), Repair::Safe).unwrap()
+        examine(mesh, Path::new("test"), Repair::Safe, &Run::new()).unwrap()
     }
 
     #[test]
@@ -496,14 +506,14 @@ mod tests {
             .map(|c| c.iter().all(|[x, y, _]| *x < 0.5 || *y < 0.1));
         half.triangles.retain(|_| kept.next().unwrap());
         let path = Path::new("a.stl");
-        let text = examine(half.clone(), path, Repair::Safe)
+        let text = examine(half.clone(), path, Repair::Safe, &Run::new())
             .unwrap_err()
             .to_string();
         assert!(
             text.contains("neither flat nor small") && text.contains("target.repair"),
             "{text}"
         );
-        let (_, diagnosis) = examine(half, path, Repair::Force).unwrap();
+        let (_, diagnosis) = examine(half, path, Repair::Force, &Run::new()).unwrap();
         assert_eq!(diagnosis.guessed_holes, 1);
         assert!(
             diagnosis
@@ -534,7 +544,7 @@ mod tests {
             strip.triangles.extend([[a, c, b], [b, c, d]]);
         }
         let with_ball = together(&[strip, ball([9.0, 0.0, 0.0], 1.0, 2)]);
-        let text = examine(with_ball, path, Repair::Safe)
+        let text = examine(with_ball, path, Repair::Safe, &Run::new())
             .unwrap_err()
             .to_string();
         assert!(text.contains("one side only"), "{text}");
@@ -544,7 +554,7 @@ mod tests {
     fn flat_meshes_are_refused() {
         let mut sheet = cuboid([0.0; 3], [1.0, 2.0, 0.0]);
         let refused = |mesh: Mesh| {
-            examine(mesh, Path::new("a.stl"), Repair::Safe)
+            examine(mesh, Path::new("a.stl"), Repair::Safe, &Run::new())
                 .unwrap_err()
                 .to_string()
         };

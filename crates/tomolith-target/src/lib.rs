@@ -44,7 +44,7 @@ pub use phantom::PHANTOMS;
 pub use placing::{Map, Placement};
 pub use region::{Resolution, default_grid};
 pub use solid::MeshShape;
-pub use spec::{TargetSpec, build, sampled, voxelize, voxelize_under};
+pub use spec::{TargetSpec, build, build_under, sampled, voxelize, voxelize_under};
 pub use tomolith_core::target::{Target, label, label_columns, label_voxels};
 
 use tomolith_core::error::Result;

@@ -33,14 +33,20 @@ impl MeshShape {
         repair: Repair,
     ) -> Result<Self> {
         let map = placement.map(&mesh.vertices, 0.0, section)?;
-        Self::placed(mesh, &map, path, repair)
+        Self::placed(mesh, &map, path, repair, &Run::new())
     }
 
-    /// The same, with a map that is known.
-    pub(super) fn placed(mut mesh: Mesh, map: &Map, path: &Path, repair: Repair) -> Result<Self> {
+    /// The same as part of a run, with a map that is known.
+    pub(super) fn placed(
+        mut mesh: Mesh,
+        map: &Map,
+        path: &Path,
+        repair: Repair,
+        run: &Run,
+    ) -> Result<Self> {
         map.apply_to(&mut mesh);
         let bounds_mm = mesh.bounds();
-        let (mesh, diagnosis) = examine(mesh, path, repair)?;
+        let (mesh, diagnosis) = examine(mesh, path, repair, run)?;
         Ok(MeshShape {
             mesh,
             bounds_mm,

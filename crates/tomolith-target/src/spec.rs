@@ -152,6 +152,19 @@ impl TargetSpec {
 /// [`Error::Config`] when not exactly one source is given or a key cannot be used;
 /// [`Error::Io`], [`Error::Mesh`] and [`Error::Format`] for files that cannot be read.
 pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Result<Box<dyn Shape>> {
+    build_under(spec, base_folder, section_path, &Run::new())
+}
+
+/// The same as part of a run: examining a mesh of a million triangles takes seconds.
+///
+/// # Errors
+/// As [`build`]; [`Error::Canceled`].
+pub fn build_under(
+    spec: &TargetSpec,
+    base_folder: &Path,
+    section_path: &str,
+    run: &Run,
+) -> Result<Box<dyn Shape>> {
     let placement = spec.placement();
     let pixels = spec.image.is_some() || spec.stack.is_some();
     if spec.mesh_unit.is_some() && spec.mesh.is_none() && spec.body.is_none() {
@@ -177,7 +190,8 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
     }
     match source(spec, section_path)? {
         Source::Bodies(bodies) => {
-            let shape = Assembly::build(spec, bodies, &placement, base_folder, section_path)?;
+            let shape =
+                Assembly::build(spec, bodies, &placement, (base_folder, section_path), run)?;
             Ok(Box::new(shape))
         }
         Source::Mesh(file) => {
@@ -185,7 +199,9 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
             let mesh = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
             let mesh = mesh_unit::in_mm(mesh, spec.mesh_unit);
             let repair = spec.repair.unwrap_or_default();
-            let shape = MeshShape::new(mesh, &placement, &path, section_path, repair)?;
+            run.check()?;
+            let map = placement.map(&mesh.vertices, 0.0, section_path)?;
+            let shape = MeshShape::placed(mesh, &map, &path, repair, run)?;
             Ok(Box::new(shape))
         }
         Source::Phantom(table) => {

@@ -370,7 +370,7 @@ mod tests {
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
-        let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe).unwrap();
+        let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe, &Run::new()).unwrap();
         inside_fractions(&mesh, grid, &Run::new()).unwrap()
     }
 
@@ -596,8 +596,13 @@ mod tests {
     #[test]
     fn too_large_a_grid_is_refused() {
         let grid = VolumeGrid::centered([1 << 20; 3], 1e-3);
-        let (mesh, _) =
-            examine(cuboid([0.0; 3], [1.0; 3]), Path::new("test"), Repair::Safe).unwrap();
+        let (mesh, _) = examine(
+            cuboid([0.0; 3], [1.0; 3]),
+            Path::new("test"),
+            Repair::Safe,
+            &Run::new(),
+        )
+        .unwrap();
         assert!(matches!(
             inside_fractions(&mesh, &grid, &Run::new()),
             Err(Error::Resources { .. })

@@ -29,7 +29,12 @@ fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
         let output = bench.tomolith(JOB, more);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(flat(&message).contains("no voxel of the grid"), "{message}");
+        for part in [
+            "grid.pitch_mm: no voxel of the grid",
+            "(from --set grid.pitch_mm=2.5)",
+        ] {
+            assert!(flat(&message).contains(part), "{part}: {message}");
+        }
     }
     assert_eq!(bench.earlier(), before);
     assert!(!bench.run_folder().join(".new").exists());

@@ -212,6 +212,16 @@ pub(super) const WRONG: &[Wrong] = &[
         &["resin.absorption_per_mm", "found 0", "pure_radon"],
     ),
     (
+        "0.05",
+        "1e-30",
+        "per_mm = 1e-30",
+        &[
+            "resin.absorption_per_mm",
+            "found 1e-30",
+            "at least 1e-9 per mm",
+        ],
+    ),
+    (
         "refractive_index = 1.5\nabs",
         "refractive_index = 0.5\nabs",
         "0.5",

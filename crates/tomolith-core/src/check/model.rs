@@ -10,6 +10,7 @@
 //! assert!(found.adjoint_error < 1e-5); // relative to ‖F′d‖‖c‖
 //! ```
 
+use super::noise;
 use crate::dose::{DoseModel, Run, elements_of, frames_of};
 use crate::error::Error;
 use crate::field::Field;
@@ -21,21 +22,6 @@ pub struct Found {
     pub adjoint_error: f64,
     /// ⟨d, F′ᵀc⟩ / ⟨F′d, c⟩: 1 unless the adjoint is off by a factor.
     pub factor: f64,
-}
-
-/// Signed pseudo-random numbers in (−1, 1), the same on every machine (splitmix64).
-pub fn noise(seed: u64, len: usize) -> Vec<f32> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    (0..len)
-        .map(|_| {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = state;
-            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            z ^= z >> 31;
-            (z >> 40) as f32 / (1u64 << 23) as f32 - 1.0
-        })
-        .collect()
 }
 
 /// Checks a model at a random point; the message of an error says which property failed and by how much.

@@ -238,7 +238,7 @@ mod tests {
         let doses: Vec<f64> = (0..60).map(|i| f64::from(i) / 40.0).collect();
         let responses: Vec<f64> = doses
             .iter()
-            .zip(noise(60, 4))
+            .zip(noise(4, 60))
             .map(|(d, e)| {
                 let u = 1.0 / (1.0 + (-params.steepness * (d - params.midpoint)).exp());
                 params.lower

@@ -103,7 +103,7 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
         // Searches know that it is linear
         let run = Run::new();
         let mut x = model.new_patterns().unwrap();
-        x.copy_from_host(&check::model::noise(8, x.len()));
+        x.copy_from_host(&check::noise(8, x.len()));
         let mut dose = model.new_dose().unwrap();
         model.dose(&x, &mut dose, &run).unwrap();
         let terms = model.along(&x, &x, &run).unwrap().unwrap();
@@ -123,7 +123,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     };
     let schedule = Schedule::of_turns(&[turns]).unwrap();
     let mut x = DoseModel::new_patterns(&model).unwrap();
-    let noise = check::model::noise(3, x.len());
+    let noise = check::noise(3, x.len());
     x.copy_from_host(&noise.iter().map(|v| v.abs()).collect::<Vec<_>>());
     let wandering = Network {
         dose_diffusion_mm2_per_s: 0.02,

@@ -249,7 +249,7 @@ fn uneven_row(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
     use tomolith_core::field::Field;
     use tomolith_core::grid::{Volume, VolumeGrid};
 

@@ -234,7 +234,7 @@ impl Spectral {
 mod tests {
     use super::*;
     use crate::domain::Domain;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
     use tomolith_core::grid::{Volume, VolumeGrid};
 
     #[test]

@@ -1,6 +1,6 @@
 use super::*;
 use crate::mixing::Mixing;
-use tomolith_core::check::model::noise;
+use tomolith_core::check::noise;
 use tomolith_core::grid::VolumeGrid;
 
 fn oxygen(capacity: f64, diffusion: f64) -> Inhibitor {

@@ -33,7 +33,7 @@ fn memoryless(mixing: Mixing, turns: &[Turns]) -> Printing {
 }
 
 fn positive(len: usize, seed: u64) -> HostField {
-    let noise = check::model::noise(seed, len);
+    let noise = check::noise(seed, len);
     HostField::from_slice(&noise.iter().map(|v| 0.2 + v.abs()).collect::<Vec<_>>())
 }
 
@@ -170,11 +170,11 @@ fn the_gradient_through_time_passes_a_taylor_test() {
         let run = Run::new();
         let x = positive(printing.new_patterns().unwrap().len(), 1);
         let mut d = x.zeros_like();
-        d.copy_from_host(&check::model::noise(2, d.len()));
+        d.copy_from_host(&check::noise(2, d.len()));
         let mut c = printing.new_dose().unwrap();
         for output in printing.outputs() {
             let grid = output.grid.clone();
-            let values = check::model::noise(3, grid.len());
+            let values = check::noise(3, grid.len());
             let field = output.field_of(&tomolith_core::grid::Volume { grid, values });
             c.as_mut_slice()[output.range()].copy_from_slice(&field);
         }

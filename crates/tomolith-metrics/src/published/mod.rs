@@ -678,7 +678,7 @@ mod tests {
     #[test]
     fn numbers_of_normalized_doses_do_not_depend_on_the_scale() {
         let labels: Vec<u8> = (0..200).map(|i| [PART, VOID][i % 2]).collect();
-        let dose: Vec<f32> = noise(200, 3)
+        let dose: Vec<f32> = noise(3, 200)
             .iter()
             .zip(&labels)
             .map(|(v, l)| 0.4 * f32::from(*l) + 0.2 * v)

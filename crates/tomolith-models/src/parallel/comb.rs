@@ -590,7 +590,7 @@ mod x86 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
 
     /// Rows of a tile at some angle: every tap and both directions of the comb's slope occur.
     fn rows(per_voxel: f64, per_row: f64) -> Rows {

@@ -361,7 +361,7 @@ mod tests {
     use super::super::kernel::Isa;
     use super::*;
     use crate::{LinearOperator, Run};
-    use tomolith_core::check::model::{model, noise};
+    use tomolith_core::check::{model::model, noise};
     use tomolith_core::field::Field;
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;

@@ -282,10 +282,7 @@ mod tests {
     #[test]
     fn a_map_passes_the_model_check() {
         // Odd cells, not those of the grid, beyond which the resin is plain
-        let total: Vec<f32> = check::model::noise(1, 90)
-            .iter()
-            .map(|v| 0.4 + 0.3 * v)
-            .collect();
+        let total: Vec<f32> = check::noise(1, 90).iter().map(|v| 0.4 + 0.3 * v).collect();
         let active: Vec<f32> = total.iter().map(|t| 0.6 * t).collect();
         for nz in [1, 5] {
             let map = AbsorptionMap::new([1, 9, 10], 0.27, active.clone(), total.clone()).unwrap();

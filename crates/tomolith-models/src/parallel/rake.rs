@@ -308,7 +308,7 @@ mod x86 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
 
     /// Some rays of a tile, with sentinels behind them.
     fn rays(slope: f64, spacing: f64, place: f64, count: usize) -> Rays {

@@ -136,7 +136,7 @@ fn isa_paths_agree() {
                 )
                 .unwrap()
                 .with_isa(isa);
-                dose_of(&model, &check::model::noise(3, model.patterns[0].len()))
+                dose_of(&model, &check::noise(3, model.patterns[0].len()))
             })
             .collect();
         for other in &results[1..] {
@@ -158,7 +158,7 @@ fn isa_paths_agree() {
 
 /// Values of which nearly all are 0, in a few short stretches.
 fn sparse(seed: u64, len: usize) -> Vec<f32> {
-    let mut values = check::model::noise(seed, len);
+    let mut values = check::noise(seed, len);
     for (i, value) in values.iter_mut().enumerate() {
         if (i / 23) % 19 != seed as usize % 19 {
             *value = 0.0;
@@ -179,7 +179,7 @@ fn zeros_that_are_left_out_change_nothing() {
                 .with_isa(isa);
             // What a part of the light, and all of it less that part, bring adds up to what all brings
             let part = sparse(2, model.patterns[0].len());
-            let all = check::model::noise(3, part.len());
+            let all = check::noise(3, part.len());
             let rest: Vec<f32> = all.iter().zip(&part).map(|(a, b)| a - b).collect();
             let [part, all, rest] = [part, all, rest].map(|x| dose_of(&model, &x).values);
             let both: Vec<f32> = part.iter().zip(&rest).map(|(a, b)| a + b).collect();
@@ -187,7 +187,7 @@ fn zeros_that_are_left_out_change_nothing() {
             let adjoint = |seed: u64, is_sparse: bool| {
                 let mut c = LinearOperator::new_dose(&model).unwrap();
                 let len = c.len();
-                let (few, many) = (sparse(seed, len), check::model::noise(9, len));
+                let (few, many) = (sparse(seed, len), check::noise(9, len));
                 for ((to, few), many) in c.as_mut_slice().iter_mut().zip(few).zip(many) {
                     *to = if is_sparse { few } else { many - few };
                 }
@@ -418,7 +418,7 @@ fn a_quarter_turn_of_the_frames_turns_the_dose() {
             VolumeGrid::centered([3, 40, 40], 0.1),
         )
         .unwrap();
-        let patterns = check::model::noise(11, model.patterns[0].len());
+        let patterns = check::noise(11, model.patterns[0].len());
         let per_frame = patterns.len() / 8;
         let mut rolled = patterns.clone();
         rolled.rotate_right(2 * per_frame); // frame k now shines from k + 2: a quarter turn further
@@ -448,7 +448,7 @@ fn a_turning_frame_is_the_mean_of_standing_ones() {
     );
     turning.sub_angles = 2;
     let turning = Parallel::new(&vial, vec![turning], grid.clone()).unwrap();
-    let x = check::model::noise(5, turning.patterns[0].len());
+    let x = check::noise(5, turning.patterns[0].len());
     let mean = dose_of(&turning, &x);
     let step = std::f64::consts::TAU / 4.0;
     let halves: Vec<Volume<f32>> = [-0.25, 0.25]
@@ -597,7 +597,7 @@ fn a_plane_is_a_slice_of_a_volume() {
             let volume = slices(vial.as_ref(), 3, resin, 45, 0.1).with_isa(Isa::Scalar);
             assert!(plane.is_plane() && !volume.is_plane());
             // The same light at all heights: fields hold the rows of a (frame, column) one after the other
-            let x = check::model::noise(3, plane.patterns[0].len());
+            let x = check::noise(3, plane.patterns[0].len());
             let same: Vec<f32> = x.iter().flat_map(|&v| [v; 3]).collect();
             let (a, b) = (dose_of(&plane, &x), dose_of(&volume, &same));
             let middle = &b.values[b.grid.index(1, 0, 0)..b.grid.index(2, 0, 0)];
@@ -653,7 +653,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         assert_eq!(single.lights[0].of_view.len(), 5);
         assert_eq!(paired.updates(), single.updates());
         check::model::model(&paired, 3).unwrap();
-        let x = HostField::from_slice(&check::model::noise(5, paired.patterns[0].len()));
+        let x = HostField::from_slice(&check::noise(5, paired.patterns[0].len()));
         let dose_of = |model: &Parallel, frames: Range<usize>| {
             let mut dose = LinearOperator::new_dose(model).unwrap();
             model
@@ -665,7 +665,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
             let (a, b) = (dose_of(&paired, frames.clone()), dose_of(&single, frames));
             assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
         }
-        let noise = check::model::noise(6, paired.outputs[0].len());
+        let noise = check::noise(6, paired.outputs[0].len());
         let cotangent = HostField::from_slice(&noise);
         let [a, b] = [&paired, &single].map(|model| {
             let mut grad = LinearOperator::new_patterns(model).unwrap();
@@ -736,7 +736,7 @@ fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
 /// Patterns of numbers that look random.
 fn patterns(grid: &PatternGrid) -> Patterns {
     Patterns {
-        values: check::model::noise(9, grid.len())
+        values: check::noise(9, grid.len())
             .iter()
             .map(|v| v.abs())
             .collect(),

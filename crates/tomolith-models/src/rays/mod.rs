@@ -757,7 +757,14 @@ impl LinearOperator for Rays {
         let cells = self.solid.as_ref().map_or(String::new(), |solid| {
             format!(", {} voxels cut by the surface", solid.cells().len())
         });
-        format!("rays, {rays} per pixel and frame, exact line integrals{cells}")
+        let (name, how) = match self.sources.iter().any(Source::is_scattering) {
+            true => (
+                "monte_carlo",
+                "random scattered paths and exact line integrals",
+            ),
+            false => ("rays", "exact line integrals"),
+        };
+        format!("{name}, {rays} per pixel and frame, {how}{cells}")
     }
 }
 

@@ -96,6 +96,11 @@ impl Source {
         Stream::new([seed, pair as u64, row as u64, leg as u64])
     }
 
+    /// Whether paths of scattered light are drawn.
+    pub(super) fn is_scattering(&self) -> bool {
+        self.seed.is_some()
+    }
+
     /// Rays per pixel and frame.
     pub(super) fn rays(&self) -> usize {
         self.samples.len() * self.sub_angles

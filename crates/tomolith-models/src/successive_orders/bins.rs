@@ -189,7 +189,7 @@ fn lit_rows(pixels: &PatternLayout) -> Option<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
     use tomolith_optics::resin::Resin;
 
     #[test]

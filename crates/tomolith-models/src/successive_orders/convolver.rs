@@ -233,7 +233,7 @@ fn smooth_even(n: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::check::model::noise;
+    use tomolith_core::check::noise;
 
     #[test]
     fn products_are_the_convolution_of_its_definition_even_and_odd() {

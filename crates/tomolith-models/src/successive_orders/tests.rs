@@ -2,7 +2,7 @@ use super::*;
 use crate::{DoseModel, monte_carlo};
 use std::sync::Arc;
 use tomolith_core::check;
-use tomolith_core::check::model::noise;
+use tomolith_core::check::noise;
 use tomolith_core::grid::{PatternGrid, Patterns, Volume};
 use tomolith_optics::motion::Motion;
 use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;

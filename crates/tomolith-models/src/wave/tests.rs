@@ -5,7 +5,7 @@ use super::*;
 use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 use tomolith_core::check;
-use tomolith_core::check::model::noise;
+use tomolith_core::check::noise;
 use tomolith_core::field::Field;
 use tomolith_core::grid::PatternGrid;
 use tomolith_optics::resin::Resin;

@@ -260,8 +260,8 @@ fn every_start_has_the_same_bits() {
 
 /// Value and gradient, slope along a step, and what ends a search: all that an objective gives.
 fn asked<F: Field>(objective: &dyn Objective<F>, like: &F) -> (Vec<f64>, Vec<f32>) {
-    let values: Vec<f32> = noise(like.len(), 5).iter().map(|v| 0.6 + 0.8 * v).collect();
-    let (mut dose, mut step) = (field(like, &values), field(like, &noise(like.len(), 9)));
+    let values: Vec<f32> = noise(5, like.len()).iter().map(|v| 0.6 + 0.8 * v).collect();
+    let (mut dose, mut step) = (field(like, &values), field(like, &noise(9, like.len())));
     let mut gradient = like.zeros_like();
     let value = objective.value_and_gradient(&dose, &mut gradient);
     let (there, slope) = objective.slope_along(&dose, &step, 0.3);
@@ -283,8 +283,8 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
     ];
     let len = model.layout().len();
     let voxel_weights = VoxelWeights {
-        weight: noise(len, 3).iter().map(|v| 1.0 + v).collect(),
-        tolerance: noise(len, 4).iter().map(|v| 0.05 * (1.0 + v)).collect(),
+        weight: noise(3, len).iter().map(|v| 1.0 + v).collect(),
+        tolerance: noise(4, len).iter().map(|v| 0.05 * (1.0 + v)).collect(),
     };
     let dose = LinearOperator::new_dose(&model).unwrap();
     let sealed = SealedField::of(dose.as_slice());
@@ -352,10 +352,10 @@ fn every_penalty_has_the_same_bits() {
     ) -> (Vec<f64>, Vec<f32>) {
         let penalty = (penalties::<F>()[kind].build)(section, lights).unwrap();
         let (x, step) = (
-            field(like, &noise(like.len(), 3)),
-            field(like, &noise(like.len(), 9)),
+            field(like, &noise(3, like.len())),
+            field(like, &noise(9, like.len())),
         );
-        let mut gradient = field(like, &noise(like.len(), 11));
+        let mut gradient = field(like, &noise(11, like.len()));
         let value = penalty.add_gradient(&x, 2.0, &mut gradient);
         let (there, slope) = penalty.slope_along(&x, &step, 0.4);
         (

@@ -13,6 +13,8 @@ use super::edges::Edges;
 use super::shells::Groups;
 use crate::boxes::Tree;
 use rayon::prelude::*;
+use tomolith_core::error::Result;
+use tomolith_core::run::Run;
 use tomolith_io::mesh::{Mesh, cross, dot, minus};
 
 /// How far surfaces may run into each other and still only touch, as a share of the mesh's diagonal: a hundred times the
@@ -46,9 +48,14 @@ impl Crossings {
 }
 
 /// Edges through triangles of their own shell, and of other shells.
-pub(super) fn find_crossings(mesh: &Mesh) -> [Crossings; 2] {
+///
+/// # Errors
+/// [`Error::Canceled`](tomolith_core::error::Error::Canceled).
+pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
     let edges = Edges::new(mesh);
+    run.check()?;
     let search = Search::new(mesh, &edges);
+    run.check()?;
     let mut shells = Groups::of_shells(mesh);
     let shell: Vec<u32> = (0..mesh.vertices.len() as u32)
         .map(|v| shells.of(v))
@@ -61,6 +68,9 @@ pub(super) fn find_crossings(mesh: &Mesh) -> [Crossings; 2] {
         .par_chunks(1024)
         .map(|pairs| {
             let mut found = [Crossings::default(); 2];
+            if run.is_canceled() {
+                return found;
+            }
             for &edge in pairs {
                 search.for_each_crossing(edge, |triangle, at, depth| {
                     let other = shell[mesh.triangles[triangle as usize][0] as usize];
@@ -75,7 +85,7 @@ pub(super) fn find_crossings(mesh: &Mesh) -> [Crossings; 2] {
         total[0].join(&block[0]);
         total[1].join(&block[1]);
     }
-    total
+    run.check().map(|()| total)
 }
 
 /// A plane: unit normal, and its product with a point of the plane.
@@ -226,6 +236,10 @@ mod tests {
         mesh
     }
 
+    fn crossings_of(mesh: &Mesh) -> [Crossings; 2] {
+        find_crossings(mesh, &Run::new()).unwrap()
+    }
+
     /// Coordinates as an STL file keeps them.
     fn rounded(mut mesh: Mesh) -> Mesh {
         for value in mesh.vertices.iter_mut().flatten() {
@@ -248,7 +262,7 @@ mod tests {
             for angles in [[0.0; 3], [31.0, -17.0, 66.0], [90.0, 45.0, 10.0]] {
                 let mesh = turned(together(&[big.clone(), other.clone()]), angles);
                 for mesh in [mesh.welded(), rounded(mesh)] {
-                    let found = find_crossings(&mesh);
+                    let found = crossings_of(&mesh);
                     assert_eq!(found.map(|c| c.count), [0, 0], "{angles:?}: {found:?}");
                 }
             }
@@ -260,7 +274,7 @@ mod tests {
         // A square rod through two opposite faces of a cube
         let rod = cuboid([0.5, 0.6, -1.0], [1.3, 1.2, 3.0]);
         let mesh = together(&[cuboid([0.0; 3], [2.0; 3]), rod]);
-        let [own, other] = find_crossings(&mesh);
+        let [own, other] = crossings_of(&mesh);
         assert_eq!(own.count, 0);
         // 4 edges and 4 diagonals of the rod through bottom and top, and their diagonals through two sides of the rod
         assert_eq!(other.count, 2 * 8 + 2 * 2);
@@ -272,11 +286,11 @@ mod tests {
     fn an_edge_through_the_diagonal_of_a_face_counts_whichever_way_it_is_turned() {
         // Three edges of each cube meet a face of the other on its diagonal
         let mesh = together(&[cuboid([0.0; 3], [2.0; 3]), cuboid([1.0; 3], [3.0; 3])]);
-        let [own, other] = find_crossings(&mesh);
+        let [own, other] = crossings_of(&mesh);
         assert_eq!(own.count, 0);
         assert!(other.count >= 6, "{other:?}");
         let alone = turned(mesh, [10.0, 20.0, 30.0]);
-        assert_eq!(find_crossings(&alone)[1].count, other.count);
+        assert_eq!(crossings_of(&alone)[1].count, other.count);
         let at = other.at.unwrap();
         assert!(at.iter().all(|v| (1.0..=2.0).contains(v)), "{at:?}");
     }
@@ -285,12 +299,12 @@ mod tests {
     fn a_dent_that_comes_out_on_the_other_side_is_found_and_located() {
         // One vertex of a fine ball pulled through the opposite side: far too thin for the lattice of lines
         let mut mesh = ball([0.0; 3], 1.0, 4);
-        assert_eq!(find_crossings(&mesh).map(|c| c.count), [0, 0]);
+        assert_eq!(crossings_of(&mesh).map(|c| c.count), [0, 0]);
         let top = (0..mesh.vertices.len())
             .max_by(|&a, &b| mesh.vertices[a][2].total_cmp(&mesh.vertices[b][2]))
             .unwrap();
         mesh.vertices[top][2] = -1.2;
-        let [own, other] = find_crossings(&mesh);
+        let [own, other] = crossings_of(&mesh);
         assert!(own.count >= 5, "{own:?}");
         assert_eq!(other.count, 0);
         let [x, y, z] = own.at.unwrap();
@@ -304,7 +318,7 @@ mod tests {
             together(&[low, cuboid([0.2, 0.3, 1.0 + gap], [0.7, 0.8, 2.0])])
         };
         // The diagonal is 2.45: a touch is 2.45e-5
-        assert_eq!(find_crossings(&pair(-2e-5))[1].count, 0);
-        assert!(find_crossings(&pair(-3e-5))[1].count >= 4);
+        assert_eq!(crossings_of(&pair(-2e-5))[1].count, 0);
+        assert!(crossings_of(&pair(-3e-5))[1].count >= 4);
     }
 }

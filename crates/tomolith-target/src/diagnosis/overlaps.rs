@@ -4,6 +4,7 @@ use super::Diagnosis;
 use crate::lines::{Lines, Scaled};
 use rayon::prelude::*;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::run::Run;
 use tomolith_io::mesh::Mesh;
 
 /// Lines along the longer of y and z that look for overlaps.
@@ -33,8 +34,8 @@ impl Misfit {
     }
 }
 
-/// Looks along the lines of the lattice for winding numbers other than 0 and 1.
-pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis) {
+/// Looks along the lines of the lattice for winding numbers other than 0 and 1; in vain when the run is canceled.
+pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     let [low, high] = mesh.bounds();
     let pitch_mm = (high[1] - low[1]).max(high[2] - low[2]) / LATTICE;
     let count = |axis: usize| ((high[axis] - low[axis]) / pitch_mm).ceil().max(1.0) as usize;
@@ -49,6 +50,9 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis) {
     let slices: Vec<[Misfit; 2]> = (0..grid.shape[0])
         .into_par_iter()
         .map_init(Lines::default, |lines, iz| {
+            if run.is_canceled() {
+                return Default::default();
+            }
             let z = iz as f64 + 0.5;
             let active = scaled.between(z, z);
             lines.cast(&scaled, &active, z, |j| j as f64 + 0.5, 0..grid.shape[1]);

@@ -150,7 +150,7 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         objective_s,
         vector_s,
         sampling_s: sampling_s / scene.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels, scene.extent.refine)?,
+        measuring_s: measuring(voxels, scene.extent.refine, run)?,
         model: plan.reason,
     })
 }
@@ -164,15 +164,19 @@ fn by_optimizer(
 ) -> Result<([Calls; 2], ModelPlan)> {
     let asked = computed(scene);
     let joins_frames = joins_frames(scene)?;
-    let trial = |frames| -> Result<(Calls, ModelPlan)> {
+    // Doses of few frames are as long as those of many
+    let mut cotangent: Option<HostField> = None;
+    let mut trial = |frames| -> Result<(Calls, ModelPlan)> {
         let lights = &some_frames(scene, frames, joins_frames);
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
         let (making_s, plan) =
             timed(|| planner::plan(asked, optics, &scene.grid, Some(&wanted), run));
         let plan = plan?;
-        let cotangent = cotangent_of_a_good_dose(&plan, scene, voxels)?;
-        let calls = Calls::of(&plan, frames, making_s, Some(&cotangent), run)?;
+        if cotangent.is_none() {
+            cotangent = Some(cotangent_of_a_good_dose(&plan, scene, voxels, run)?);
+        }
+        let calls = Calls::of(&plan, frames, making_s, cotangent.as_ref(), run)?;
         Ok((calls, plan))
     };
     let least = if joins_frames {
@@ -370,6 +374,7 @@ fn passes(
     let objective = scene.objective(&scene.kinds, &model.outputs()[0], voxels)?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
+    run.check()?;
     let (of_one_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
     // Every species has an objective of its own on as many voxels
     let objective_s = of_one_s * model.outputs().len() as f64;
@@ -377,7 +382,12 @@ fn passes(
 }
 
 /// What the objective says of a dose that is nearly the wanted one.
-fn cotangent_of_a_good_dose(plan: &ModelPlan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
+fn cotangent_of_a_good_dose(
+    plan: &ModelPlan,
+    scene: &Scene,
+    voxels: &Voxels,
+    run: &Run,
+) -> Result<HostField> {
     let outputs = plan.model.outputs();
     let layout = &outputs[0];
     let response = scene.response();
@@ -387,12 +397,15 @@ fn cotangent_of_a_good_dose(plan: &ModelPlan, scene: &Scene, voxels: &Voxels) ->
             .map(|&inside| response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0))
             .collect(),
     };
+    run.check()?;
     let mut dose = plan.model.new_dose()?;
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
+    run.check()?;
     let mut cotangent = plan.model.new_dose()?;
-    scene
-        .objective(&scene.kinds, layout, voxels)?
-        .value_and_gradient(&dose, &mut cotangent);
+    let objective = scene.objective(&scene.kinds, layout, voxels)?;
+    run.check()?;
+    objective.value_and_gradient(&dose, &mut cotangent);
+    run.check()?;
     // That of the first species stands for those of all
     let first = cotangent.as_slice()[layout.range()].to_vec();
     for other in &outputs[1..] {
@@ -410,7 +423,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 
 /// Seconds per voxel to measure a print on voxels `refine` times finer, beside what measuring any print takes: the target is
 /// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
-fn measuring(voxels: &Voxels, refine: usize) -> Result<f64> {
+fn measuring(voxels: &Voxels, refine: usize, run: &Run) -> Result<f64> {
     let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
     let edge = (longest * refine).min(TRIAL_EDGE);
     let mut found = [(0.0, 0.0); 2];
@@ -418,10 +431,11 @@ fn measuring(voxels: &Voxels, refine: usize) -> Result<f64> {
         let labels = resampled(&voxels.labels, edge);
         let inside = resampled(&voxels.target.inside, edge);
         let (seconds, measured) = timed(|| -> Result<_> {
-            let print = Print::new(&labels, &inside)?.with_inside(&inside)?;
+            let print = Print::under(&labels, &inside, run.aside())?.with_inside(&inside)?;
             Ok(evaluate(&print))
         });
         drop(measured?);
+        run.check()?;
         *found = (labels.values.len() as f64, seconds);
     }
     Ok(CallRate::through(found).per_update_s)

@@ -178,6 +178,24 @@ impl Optics {
         warnings
     }
 
+    /// Warns of pixels that a part fits into.
+    pub(crate) fn coarse(&self, shape: &dyn Shape) -> Vec<String> {
+        let [low, high] = shape.bounds_mm();
+        let across = (high[0] - low[0]).max(high[1] - low[1]);
+        let pitches = self.lights.iter().map(|light| light.pixels.pitch_mm[0]);
+        let too_large = pitches.enumerate().filter(|(_, pitch)| *pitch > across);
+        too_large
+            .map(|(i, pitch)| {
+                format!(
+                    "light[{i}]: a pixel is {} mm wide, the part {} mm: no pattern gives it its shape; lower \
+                     light[{i}].projector's pixel_pitch_mm (numbers, and text without a unit, are in mm)",
+                    concise(pitch),
+                    concise(across)
+                )
+            })
+            .collect()
+    }
+
     /// Warns of a part that turns out of the field, because the vial stands beside the rotation axis or the axis runs out.
     pub(crate) fn moved_away(&self, shape: &dyn Shape) -> Vec<String> {
         let Some(motion) = self.paths.first().map(|path| path.motion) else {
@@ -258,8 +276,13 @@ impl Optics {
         );
         let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
         if part == 0 {
+            // Some of it is in the grid, or none
+            let key = match inside.values.iter().any(|&inside| inside > 0.0) {
+                true => "grid.pitch_mm",
+                false => "target",
+            };
             return Err(Error::config(
-                "target",
+                key,
                 format!(
                     "no voxel of the grid is in the target: their edge is {} mm",
                     concise(grid.pitch_mm)

@@ -13,7 +13,9 @@
 //! JSON has the same keys. Duplicate keys, dates and numbers that are not finite are refused in both. Key paths are
 //! dotted, elements of lists are counted from 0: `light[0].pixels[1]`.
 
+use super::kinds::kinds_at;
 use crate::error::{Error, Place, Result};
+use crate::units::counted;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -37,7 +39,7 @@ pub struct Document {
 }
 
 /// What a target can be; a job names one of them.
-const TARGETS: [&str; 5] = ["mesh", "phantom", "image", "stack", "body"];
+pub(super) const TARGETS: [&str; 5] = ["mesh", "phantom", "image", "stack", "body"];
 
 impl Document {
     /// Reads a file: JSON when its name ends in `.json`, TOML otherwise.
@@ -135,18 +137,19 @@ impl Document {
 
     /// Sets one key, as `--set` does: `stop.iterations=10`, `light[0].angles=360`, `output.folder=out/b`.
     ///
-    /// The value is read as TOML, and as a plain string when it is none. A list with one element needs no index.
+    /// The value is read as TOML, and as a plain string when it is none. A list with one element needs no index. A kind of
+    /// which a job has one (`vial.square={…}`, `target.mesh=part.stl`) takes the place of the job's.
     ///
     /// # Errors
     /// [`Error::Config`] that names the override.
     pub fn set(&mut self, assignment: &str) -> Result<()> {
-        let refuse = |found: &str| {
+        let no = |found: &str, accepted: &str| {
+            let option = format!("--set {assignment}");
+            Err(Error::config(option, found, accepted))
+        };
+        let refuse = |found| {
             let accepted = "KEY=VALUE with a dotted key, for example stop.iterations=10";
-            Err(Error::config(
-                format!("--set {assignment}"),
-                found,
-                accepted,
-            ))
+            no(found, accepted)
         };
         let Some((key, text)) = assignment.split_once('=') else {
             return refuse("no `=` in it");
@@ -160,21 +163,15 @@ impl Document {
         let value = match self.override_value(text.trim()) {
             Ok(value) => value,
             Err(Misread::Lines) => return refuse("more than one line"),
-            Err(Misread::Value { found, accepted }) => {
-                return Err(Error::config(
-                    format!("--set {assignment}"),
-                    found,
-                    accepted,
-                ));
-            }
+            Err(Misread::Value { found, accepted }) => return no(&found, &accepted),
         };
         match insert(&mut self.root, &steps, value, "") {
             Ok(path) => {
-                self.replace_target(&path);
+                self.replace_kind(&path);
                 self.overridden(&path, format!("--set {assignment}"));
                 Ok(())
             }
-            Err(found) => refuse(&found),
+            Err([found, accepted]) => no(&found, &accepted),
         }
     }
 
@@ -198,20 +195,32 @@ impl Document {
         self.overrides.get(inner)
     }
 
-    /// A target given on the command line takes the place of the job's; its file is relative to the current folder.
-    fn replace_target(&mut self, path: &str) {
-        let Some(chosen) = TARGETS.iter().find(|name| path == format!("target.{name}")) else {
+    /// A kind given on the command line takes the place of the job's; the file of a target is relative to the current folder.
+    fn replace_kind(&mut self, path: &str) {
+        let (family, chosen) = path.rsplit_once('.').unwrap_or(("", path));
+        let kinds = kinds_at(family);
+        if !kinds.contains(&chosen) {
+            return;
+        }
+        let others = |key: &str| key != chosen && kinds.contains(&key);
+        let Some(Value::Object(table)) = at(&mut self.root, family) else {
             return;
         };
-        let Some(Value::Object(target)) = self.root.get_mut("target") else {
-            return;
-        };
-        target.retain(|key, _| key == chosen || !TARGETS.contains(&key.as_str()));
-        if let Some(Value::String(file)) = target.get_mut(*chosen).filter(|_| *chosen != "phantom")
+        table.retain(|key, _| !others(key));
+        if family == "target"
+            && let Some(Value::String(file)) = table.get_mut(chosen).filter(|_| chosen != "phantom")
             && let Ok(absolute) = std::path::absolute(&*file)
         {
             *file = absolute.to_string_lossy().into_owned();
         }
+        let gone = |key: &str| {
+            let key = key
+                .strip_prefix(family)
+                .and_then(|key| key.strip_prefix('.'));
+            key.is_some_and(|key| others(key.split(['.', '[']).next().unwrap_or(key)))
+        };
+        self.places.retain(|key, _| !gone(key));
+        self.overrides.retain(|key, _| !gone(key));
     }
 
     /// Adds file, line and span to an [`Error::Config`] whose key (or a part of it) stands in this document; names the
@@ -240,6 +249,7 @@ impl Document {
             }
             if let Some(span) = self.places.get(path) {
                 *place = Some(self.place(span.clone()));
+                found.push_str(&self.beside(key, path));
                 break;
             }
             if path.is_empty() {
@@ -249,6 +259,19 @@ impl Document {
             path = parent(path);
         }
         error
+    }
+
+    /// What the command line says of a table that is blamed: anything may be the reason why it does not fit the rest of the job,
+    /// and what is in it why a key is missing there.
+    fn beside(&self, key: &str, path: &str) -> String {
+        let is_table = self.places.keys().any(|k| k != path && is_within(k, path));
+        let options = self.overrides.iter();
+        let options = options.filter(|(k, _)| is_table && (key == path || is_within(k, path)));
+        let options: Vec<&str> = options.map(|(_, option)| option.as_str()).collect();
+        if options.is_empty() {
+            return String::new();
+        }
+        format!(" (with {})", options.join(", "))
     }
 
     fn empty(file: PathBuf, text: String) -> Self {
@@ -444,8 +467,21 @@ fn steps(path: &str) -> Option<Vec<Step>> {
     Some(steps)
 }
 
-/// Puts `value` where the steps lead, making tables on the way; returns the path, or why not.
-fn insert(node: &mut Value, steps: &[Step], value: Value, path: &str) -> Result<String, String> {
+/// The value at a path.
+fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
+    steps(path)?.iter().try_fold(root, |node, step| match step {
+        Step::Key(key) => node.get_mut(key),
+        Step::Index(index) => node.get_mut(index),
+    })
+}
+
+/// Puts `value` where the steps lead, making tables on the way; returns the path, or what was found instead and is accepted.
+fn insert(
+    node: &mut Value,
+    steps: &[Step],
+    value: Value,
+    path: &str,
+) -> Result<String, [String; 2]> {
     let Some((step, rest)) = steps.split_first() else {
         *node = value;
         return Ok(path.to_owned());
@@ -455,7 +491,7 @@ fn insert(node: &mut Value, steps: &[Step], value: Value, path: &str) -> Result<
     }
     // A kind without parameters may be written as text: `response = "identity"`
     if let (Value::String(kind), Step::Key(key)) = (&*node, step)
-        && kind == key
+        && (kind == key || rest.is_empty() && kinds_at(path).contains(&key.as_str()))
     {
         let mut map = Map::new();
         map.insert(key.clone(), Value::Object(Map::new()));
@@ -473,14 +509,24 @@ fn insert(node: &mut Value, steps: &[Step], value: Value, path: &str) -> Result<
             let length = list.len();
             match list.get_mut(*index) {
                 Some(child) => insert(child, rest, value, &format!("{path}[{index}]")),
-                None => Err(format!("`{path}` has {length} elements, counted from 0")),
+                None => Err([
+                    format!("`{path}` has {}", counted(length, "element")),
+                    match length {
+                        0 => format!("a whole list: {path}=[…]"),
+                        1 => format!("`{path}[0]`, the first one"),
+                        n => format!("`{path}[0]`, the first one, to `{path}[{}]`", n - 1),
+                    },
+                ]),
             }
         }
-        (Value::Array(list), Step::Key(_)) => Err(format!(
-            "`{path}` has {} elements: say which, as in `{path}[0]`",
-            list.len()
-        )),
-        (other, _) => Err(format!("`{path}` is {other}, not a table")),
+        (Value::Array(list), Step::Key(key)) => Err([
+            format!("`{path}` has {}", counted(list.len(), "element")),
+            format!("one of them, as in `{path}[0].{key}`"),
+        ]),
+        (other, _) => Err([
+            format!("`{path}` is {other}, not a table"),
+            "a key of a table".to_owned(),
+        ]),
     }
 }
 
@@ -704,6 +750,19 @@ mod tests {
             assert_eq!(message, format!("{key}: x {option}; accepted: y"));
         }
         assert_eq!(line_of(&document, "vial.cylinder"), 3);
+        for (wrong, end) in [
+            (
+                "light[7].angles=3",
+                "`light` has 1 element; accepted: `light[0]`, the first one",
+            ),
+            (
+                "title.x=3",
+                "`title` is \"a\", not a table; accepted: a key of a table",
+            ),
+        ] {
+            let message = document.set(wrong).unwrap_err().to_string();
+            assert_eq!(message, format!("--set {wrong}: {end}"));
+        }
         for wrong in [
             "stop.iterations",
             "=3",
@@ -722,6 +781,37 @@ mod tests {
                 .set(&format!("{}=1", vec!["a"; 5000].join(".")))
                 .is_err()
         );
+    }
+
+    #[test]
+    fn a_kind_of_the_command_line_takes_the_place_of_the_files() {
+        let text = "response = \"identity\"\n[vial]\nsurrounding_index = 1.4\n[vial.cylinder]\ninner_radius_mm = 7.6\n\
+                    [[light]]\nprojector.lens = {}\n[target]\nphantom = \"gear\"\n";
+        let mut document = Document::toml("a.toml", text).unwrap();
+        for assignment in [
+            "vial.square={ inner_width_mm = 9 }",
+            "light[0].projector.collimated={}",
+            "response.logistic={}",
+            "target.phantom.gyroid={ cells = 2 }",
+        ] {
+            document.set(assignment).unwrap();
+        }
+        let expected = serde_json::json!({
+            "response": { "logistic": {} },
+            "vial": { "surrounding_index": 1.4, "square": { "inner_width_mm": 9 } },
+            "light": [{ "projector": { "collimated": {} } }],
+            "target": { "phantom": { "gyroid": { "cells": 2 } } },
+        });
+        assert_eq!(document.root, expected);
+        // A table that does not fit the rest, or lacks a key, may do so for what the command line says
+        let told = |key| document.locate(Error::config(key, "x", "y")).to_string();
+        assert!(told("light").contains("x (from --set light[0].projector"));
+        let mut document = Document::toml("a.toml", text).unwrap();
+        document.set("grid.pitch_mm=50").unwrap();
+        let told = |key| document.locate(Error::config(key, "x", "y")).to_string();
+        assert!(told("target").contains("x (with --set grid.pitch_mm=50)"));
+        assert!(!told("target.height_mm").contains("--set"));
+        assert!(!told("target.phantom").contains("--set"));
     }
 
     #[test]

@@ -15,6 +15,17 @@ pub(super) fn of_light(shown: &[Patterns]) -> Option<String> {
     })
 }
 
+/// Warns of patterns whose light leaves no dose in the part.
+pub(super) fn of_dose(evaluation: &Evaluation, shown: &[Patterns]) -> Option<String> {
+    let is_lit = of_light(shown).is_none();
+    let most = evaluation.part?.max;
+    (is_lit && most == 0.0).then(|| {
+        "the patterns leave no dose in the part, so nothing turns solid: look at resin.absorption_per_mm and bounds.max, and at \
+         where the light goes (`tomolith trace`)"
+            .to_owned()
+    })
+}
+
 /// Share of the pixels that shine above which a bound, and not the objective, says how bright they are.
 const HELD: f64 = 0.9;
 /// Bits from which patterns have levels enough to tell.

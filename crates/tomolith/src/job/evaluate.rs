@@ -302,6 +302,7 @@ pub(crate) fn evaluate_patterns(
         .into_iter()
         .chain(agreement.and_then(|agreement| agreement.warning()))
         .chain(doubts::of_light(shown))
+        .chain(doubts::of_dose(&evaluation, shown))
         .chain(doubts::of_bound(&scene.spec, shown))
         .chain(doubts::of_threshold(&scene.spec, &evaluation))
         .collect();

@@ -4,10 +4,11 @@ use super::build::Optics;
 use super::device::{self, Shown};
 use super::document::is_within;
 use super::folder::unusable;
-use super::progress::{Event, Progress};
+use super::progress::{Event, Progress, watched};
 use super::read::Job;
 use super::resources::{memory_budget_mb, require};
 use super::scene::Scene;
+use super::stages::stage;
 use crate::error::{Error, Result};
 use crate::exposure::{Budget, Calibration, PrinterSpec, Quantized, quantize};
 use crate::io::frames::{FrameSet, write_frames};
@@ -46,9 +47,10 @@ pub struct ExportedLight {
 }
 
 /// What an export reads of a job: all else is in the patterns.
-const READ: [&str; 5] = [
+const READ: [&str; 6] = [
     "printer",
     "output.rpm",
+    "output.movie",
     "evaluate.bit_depth",
     "target.name",
     "resin.critical_dose_mj_per_mm3",
@@ -157,7 +159,7 @@ pub fn export(
         printers.as_deref(),
         &names,
         &frames,
-        gel_dose(job, run)?,
+        gel_dose(job, run, progress)?,
     );
     let part = spec.target.name();
     make_parent(folder)?;
@@ -182,10 +184,19 @@ pub fn export(
     })
 }
 
-/// The dose at which the run's print is solid, from its report.
-fn gel_dose(job: &Job, run: &Path) -> Result<Option<f64>> {
+/// The dose at which the run's print is solid, from its report; says where nothing of it ever is.
+fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
     let text = std::fs::read_to_string(run.join("report.json")).unwrap_or_default();
     let report: Value = serde_json::from_str(&text).unwrap_or_default();
+    if report
+        .pointer("/evaluation/part/max")
+        .and_then(Value::as_f64)
+        == Some(0.0)
+    {
+        let text = "the patterns of this run leave no dose in the part: these frames print nothing";
+        let text = text.to_owned();
+        progress.event(&Event::Warning { text });
+    }
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
@@ -210,12 +221,19 @@ pub fn matrix(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<[usize; 3]> {
-    let stage = |progress: &mut dyn Progress, name: &str| {
-        let name = name.to_owned();
-        progress.event(&Event::Stage { name });
-    };
-    stage(progress, "reading the job");
-    let scene = Scene::new(job)?;
+    watched(progress, cancel, |progress| {
+        matrix_stages(job, path, progress, cancel)
+    })
+}
+
+fn matrix_stages(
+    job: &Job,
+    path: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<[usize; 3]> {
+    stage(progress, cancel, "reading the job");
+    let scene = Scene::new(job, cancel)?;
     let family = scene.optics.family(&scene.grid)?;
     must_be_linear(&family).map_err(|e| job.locate(e))?;
     let asked = scene.optics.model.as_ref();
@@ -240,9 +258,8 @@ pub fn matrix(
         "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });
-    stage(progress, "lighting every pixel");
-    let tell = &mut |done| progress.event(&Event::Part { done, left_s: None });
-    matrix::export(&plan.model, path, cancel, tell)
+    let lighting = stage(progress, cancel, "lighting every pixel");
+    matrix::export(&plan.model, path, &lighting)
 }
 
 /// Refuses models that no matrix stands for.

@@ -87,8 +87,8 @@ impl Keys {
             Some(value) => Ok(value),
             None => Err(Error::config(
                 self.key(key),
-                "not there",
-                "a value: this program's jobs need it",
+                "the key is missing",
+                "a job of Dr.TVAM, in which this key has a value",
             )),
         }
     }
@@ -227,7 +227,7 @@ impl Ours {
 pub fn import(theirs: &str) -> Result<Imported> {
     let value: Value = serde_json::from_str(theirs).map_err(|e| Error::Unsupported {
         what: "the job to import".to_owned(),
-        reason: format!("it is no JSON: {e}"),
+        reason: format!("it is no JSON ({e}), as jobs of Dr.TVAM are"),
     })?;
     let mut root = Keys::new("", value)?;
     let mut ours = Ours::default();

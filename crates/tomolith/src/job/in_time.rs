@@ -1064,7 +1064,7 @@ mod tests {
         ] {
             document.set(change).unwrap();
         }
-        let scene = Scene::new(&Job::from_document(document).unwrap()).unwrap();
+        let scene = Scene::new(&Job::from_document(document).unwrap(), &Run::new()).unwrap();
         let held = resin(&scene, &scene.grid).unwrap();
         let walls = held.values.iter().filter(|v| !**v).count();
         assert!(walls > 20 && walls < held.values.len() / 4, "{walls}");

@@ -1,6 +1,7 @@
 //! Every row of every family's table in one list: help pages, the schema and the defaults of a resolved job come from
 //! here.
 
+use super::document::TARGETS;
 use crate::error::Error;
 use crate::kind::{Kind, KindPage};
 use crate::models::MODELS;
@@ -56,6 +57,27 @@ pub fn families() -> Vec<KindFamily> {
         family("response", "The material's response to the dose", RESPONSES),
         family("target.phantom", "Parts by formula", PHANTOMS),
     ]
+}
+
+/// Names of the kinds of which the table at this key path has one; none where it has no kinds.
+pub(super) fn kinds_at(path: &str) -> Vec<&'static str> {
+    fn names<B>(kinds: &[Kind<B>]) -> Vec<&'static str> {
+        kinds.iter().map(|kind| kind.name).collect()
+    }
+    let is_projector = path.starts_with("light[") && path.ends_with("].projector");
+    match path {
+        "target" => TARGETS.to_vec(),
+        "vial" => names(VIALS),
+        "resin.phase" => names(PHASES),
+        "model" => names(MODELS),
+        "objective" => names(OBJECTIVES),
+        "optimizer" => names(OPTIMIZERS),
+        "start" => names(STARTS),
+        "response" => names(RESPONSES),
+        "target.phantom" => names(PHANTOMS),
+        _ if is_projector => names(PROJECTORS),
+        _ => Vec::new(),
+    }
 }
 
 /// One parameter of a kind, for help pages.

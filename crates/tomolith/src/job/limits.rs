@@ -25,6 +25,7 @@ pub(crate) fn limits(
     scene: &Scene,
     judged: &Evaluated,
     optimized: Option<&Optimized>,
+    is_toy: bool,
 ) -> PrintLimits {
     let spec = &scene.spec;
     let kind = headline(judged.evaluation.half_width.is_some());
@@ -69,6 +70,7 @@ pub(crate) fn limits(
         }),
         pixel_key: pixel_key(spec, lights),
         is_simulated: optimized.is_none(),
+        is_toy,
         has_few_angles: few_angles(spec).is_some(),
         best: spec.evaluate.threshold.and(best.reduce(f64::max)),
         ends: scene
@@ -225,6 +227,8 @@ struct Found {
     pixel_key: String,
     /// Whether the patterns were given: nothing was optimized.
     is_simulated: bool,
+    /// Whether the job is a quick trial, whose coarseness limits more than any key.
+    is_toy: bool,
     /// Whether light comes from too few sides for any part.
     has_few_angles: bool,
     /// The best number over all thresholds, where the job names one.
@@ -303,7 +307,7 @@ impl Found {
     fn change(&self, before: f64, after: f64) -> String {
         let (value, before) = (self.value(after), format!("{before:.3}"));
         if value.ends_with(&before) {
-            format!("{value}, as before")
+            format!("{value} as before")
         } else {
             format!("{value} instead of {before}")
         }
@@ -332,7 +336,7 @@ impl Found {
         let loss = self.loss(self.optimized, self.written)?;
         let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
         let found = format!(
-            "Written with {bits}{machine} the patterns have {}.",
+            "Written with {bits}{machine} the patterns have {} on the job's own voxels.",
             self.change(self.optimized?, self.written?),
         );
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
@@ -487,6 +491,9 @@ impl Found {
         };
         let improve = causes.first().filter(worth);
         let improve = improve.map_or_else(String::new, |limit| {
+            if self.is_toy {
+                return " To improve, run without `--toy`.".to_owned();
+            }
             let verb = match limit.cause {
                 Cause::Grid => "lower",
                 Cause::Optics if limit.key == self.pixel_key => "try a lower",
@@ -540,6 +547,7 @@ mod tests {
             saw_finer: false,
             pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
             is_simulated: false,
+            is_toy: false,
             has_few_angles: false,
             best: None,
             ends: None,
@@ -575,11 +583,20 @@ mod tests {
             "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimizer resolves nothing below a voxel. \
              Lower `grid.pitch_mm`."
         );
+        let toy = Found {
+            is_toy: true,
+            ..found()
+        };
+        let said = toy.limits().sentence;
+        assert!(
+            said.ends_with("rotation +0.001. To improve, run without `--toy`."),
+            "{said}"
+        );
         // Nothing to gain, nothing to change
         let advice = |i: usize| limits.causes[i].advice.as_str();
         assert_eq!(
             advice(1),
-            "Written with 8 bits the patterns have IoU 1.000, as before."
+            "Written with 8 bits the patterns have IoU 1.000 as before on the job's own voxels."
         );
         assert!(advice(2).ends_with("voxels: there is nothing left to improve."));
         assert_eq!(

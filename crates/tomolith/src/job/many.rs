@@ -35,7 +35,7 @@ pub struct Needs {
 /// # Errors
 /// As [`run`](super::run), for input that cannot be used.
 pub fn needs(job: &Job) -> Result<Needs> {
-    let extent = Scene::new(job)?.extent;
+    let extent = Scene::new(job, &Run::new())?.extent;
     Ok(Needs {
         memory_mb: extent.optimization_mb().max(extent.evaluation_mb()),
     })

@@ -94,7 +94,7 @@ mod tests {
             "#
         );
         std::fs::write(&file, text).unwrap();
-        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap()).unwrap();
+        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
         let mut said = Said(Vec::new());
         try_orders(&mut scene, &mut said, &Run::new()).unwrap();
         let family = scene.optics.family(&scene.grid).unwrap();

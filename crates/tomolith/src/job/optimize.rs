@@ -876,7 +876,7 @@ mod tests {
         );
         std::fs::write(&file, text).unwrap();
         let job = Job::read(&file, &[]).unwrap();
-        let scene = Scene::new(&job).unwrap();
+        let scene = Scene::new(&job, &Run::new()).unwrap();
         let voxels = scene.voxels(&scene.grid).unwrap();
         let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
         let (optics, run) = (scene.optimizing(), Run::new());

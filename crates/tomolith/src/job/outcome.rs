@@ -189,22 +189,12 @@ impl fmt::Display for Summary {
         let ([a, b, c, d], _) = self.evaluation.columns();
         writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
         let mut row = |name: &str, q: &Quality| {
-            let number = |m: Measure| {
-                // A zero has no sign
-                m.map_or_else(
-                    || "–".to_owned(),
-                    |m| format!("{:.4}", (m * 1e4).round() / 1e4 + 0.0),
-                )
-            };
+            let number = |m: Measure| m.map_or_else(|| "–".to_owned(), in_column);
             let [a, b, c, d] = q.columns().1.map(number);
             writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
         if let Some(optimization) = &self.optimization {
-            let name = match self.iterations {
-                Some(_) => "unwritten, on the job's grid",
-                None => "unwritten, on the job's grid",
-            };
-            row(name, optimization)?;
+            row("unwritten, on the job's grid", optimization)?;
         }
         row("written, standing still", &self.standing)?;
         row("written, turning", &self.evaluation)?;
@@ -338,6 +328,16 @@ impl fmt::Display for Plan {
     }
 }
 
+/// A number as a column holds it: four decimals, or an exponent where these would say nothing or be too many.
+fn in_column(value: f64) -> String {
+    let size = value.abs();
+    if size > 0.0 && !(5e-5..1e5).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    // A zero has no sign
+    format!("{:.4}", value + 0.0)
+}
+
 /// Which iterate was kept, and why, when it is not the last one.
 pub(crate) fn earlier(kept: Kept, iterations: usize) -> String {
     let (iteration, why) = (kept.iteration, kept.by.words());
@@ -382,5 +382,23 @@ fn duration(seconds: f64) -> String {
         s if s < 100.0 => format!("{s:.0} s"),
         s if s < 6000.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_to_their_column() {
+        for (value, text) in [
+            (0.97504, "0.9750"),
+            (-0.0, "0.0000"),
+            (-0.00012, "-0.0001"),
+            (3.5e-10, "3.50e-10"),
+            (-2.7016e37, "-2.70e37"),
+        ] {
+            assert_eq!(in_column(value), text);
+        }
     }
 }

@@ -25,6 +25,8 @@ pub struct Job {
     pub spec: JobSpec,
     /// Whether a finished run of another job may be replaced.
     pub(super) overwrite: bool,
+    /// Whether it is a quick trial of the job that was read.
+    pub(super) is_toy: bool,
 }
 
 impl Job {
@@ -51,6 +53,7 @@ impl Job {
             document,
             spec,
             overwrite: false,
+            is_toy: false,
         })
     }
 
@@ -155,6 +158,7 @@ impl Job {
     /// every stage runs.
     #[must_use]
     pub fn toy(mut self) -> Self {
+        self.is_toy = true;
         let spec = &mut self.spec;
         spec.grid
             .pitch_mm

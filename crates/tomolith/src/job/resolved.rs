@@ -91,7 +91,7 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`] with the key for whatever does not fit together, and those of files.
     pub fn new(job: &Job) -> Result<Self> {
-        let scene = Scene::new(job)?;
+        let scene = Scene::new(job, &Run::new())?;
         let voxels = scene.voxels(&scene.grid).map_err(|e| job.locate(e))?;
         scene.must_start(&voxels).map_err(|e| job.locate(e))?;
         Ok(ResolvedJob { scene, voxels })

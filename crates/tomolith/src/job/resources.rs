@@ -49,7 +49,8 @@ pub fn available_disk_mb(path: &Path) -> Option<u64> {
         let absolute = std::path::absolute(path).ok()?;
         let existing = absolute.ancestors().find(|p| p.exists())?;
         let stat = rustix::fs::statvfs(existing).ok()?;
-        Some(stat.f_bavail.saturating_mul(stat.f_frsize) / 1_000_000)
+        // Systems without blocks (/proc) hold no files: that writing fails there is told by who tries
+        (stat.f_blocks > 0).then(|| stat.f_bavail.saturating_mul(stat.f_frsize) / 1_000_000)
     }
     #[cfg(not(unix))]
     {
@@ -93,6 +94,7 @@ mod tests {
         assert_eq!(memory_budget_mb(None), Some(all));
         assert_eq!((memory_budget_mb(Some(1.5)), taken[7]), (Some(1500), 1));
         assert!(available_disk_mb(Path::new("not/there/yet")).unwrap() > 0);
+        assert_eq!(available_disk_mb(Path::new("/proc/run")), None);
     }
 
     #[test]

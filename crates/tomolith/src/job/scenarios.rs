@@ -40,14 +40,14 @@ pub(crate) struct Scenario {
 ///
 /// # Errors
 /// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
-pub(super) fn of_job(job: &Job, scene: &Scene) -> Result<Vec<Scenario>> {
+pub(super) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario>> {
     let given = job.spec.scenario.iter().enumerate();
     let scenarios = given.map(|(i, scenario)| {
         let at = |error| at_scenario(i, error);
         let own = changed(job, &scenario.set).map_err(at)?;
         let name = scenario.name.clone();
         let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
-        let own = Scene::of_species(&own, 0, Some(&scene.grid)).map_err(at)?;
+        let own = Scene::of_species(&own, 0, Some(&scene.grid), run).map_err(at)?;
         must_show_the_same(scene, &own).map_err(at)?;
         Ok(Scenario { name, scene: own })
     });

@@ -96,29 +96,34 @@ impl Scene {
     ///
     /// # Errors
     /// Everything of the sections "Bad input": see [`Error`].
-    pub(crate) fn new(job: &Job) -> Result<Self> {
-        Self::of_all_species(job).map_err(|e| job.locate(e))
+    pub(crate) fn new(job: &Job, run: &Run) -> Result<Self> {
+        Self::of_all_species(job, run).map_err(|e| job.locate(e))
     }
 
-    fn of_all_species(job: &Job) -> Result<Self> {
+    fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
         let of_first = |e| match job.spec.species.is_empty() {
             true => e,
             false => species::at_species(&job.spec, 0, e),
         };
-        let mut scene = Self::of_species(job, 0, None).map_err(of_first)?;
+        let mut scene = Self::of_species(job, 0, None, run).map_err(of_first)?;
         for s in 1..job.spec.species.len() {
-            let other = Self::of_species(job, s, Some(&scene.grid));
+            let other = Self::of_species(job, s, Some(&scene.grid), run);
             scene
                 .others
                 .push(other.map_err(|e| species::at_species(&job.spec, s, e))?);
         }
         species::must_fit(&scene)?;
-        scene.scenarios = scenarios::of_job(job, &scene)?;
+        scene.scenarios = scenarios::of_job(job, &scene, run)?;
         Ok(scene)
     }
 
     /// The scene of one species; on these voxels where they are given.
-    pub(super) fn of_species(job: &Job, s: usize, on: Option<&VolumeGrid>) -> Result<Self> {
+    pub(super) fn of_species(
+        job: &Job,
+        s: usize,
+        on: Option<&VolumeGrid>,
+        run: &Run,
+    ) -> Result<Self> {
         let mut spec = job.spec.of_species(s);
         if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file") {
             *file = job.base().join(&*file).to_string_lossy().into_owned();
@@ -128,8 +133,8 @@ impl Scene {
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
         notes.extend(given_patterns(&spec, &optics)?);
-        let shape =
-            target::build(&spec.target, &job.base(), "target").map_err(|e| at_target(&spec, e))?;
+        let shape = target::build_under(&spec.target, &job.base(), "target", run)
+            .map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
         let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
         let has_cells = kinds.cells_key().is_some();
@@ -144,7 +149,7 @@ impl Scene {
             None => grid_of(
                 &spec,
                 &optics,
-                bounds_of(&spec, shape.as_ref(), &job.base())?,
+                bounds_of(&spec, shape.as_ref(), &job.base(), run)?,
             ),
         };
         optics.wall_tolerance_mm =
@@ -208,6 +213,7 @@ impl Scene {
                 on_its_own_grid(&spec).into_iter().collect(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
+                optics.coarse(shape.as_ref()),
                 touching,
                 light,
                 covered,
@@ -705,12 +711,12 @@ fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
 }
 
 /// The box of all that is to be printed, of all species.
-fn bounds_of(spec: &JobSpec, shape: &dyn Shape, base: &Path) -> Result<[[f64; 3]; 2]> {
+fn bounds_of(spec: &JobSpec, shape: &dyn Shape, base: &Path, run: &Run) -> Result<[[f64; 3]; 2]> {
     let [mut low, mut high] = shape.bounds_mm();
     for (s, species) in spec.species.iter().enumerate().skip(1) {
         let Some(own) = &species.target else { continue };
         let key = format!("species[{s}].target");
-        let [l, h] = target::build(own, base, &key)?.bounds_mm();
+        let [l, h] = target::build_under(own, base, &key, run)?.bounds_mm();
         for i in 0..3 {
             (low[i], high[i]) = (low[i].min(l[i]), high[i].max(h[i]));
         }

@@ -102,7 +102,7 @@ pub(super) fn run_shared(
 /// Reads the job, and refuses a folder that holds another one's run.
 fn begin(job: &Job, resume: bool, clock: &mut Clock<'_>) -> Result<Scene> {
     clock.stage("reading the job");
-    let mut scene = Scene::new(job)?;
+    let mut scene = Scene::new(job, cancel)?;
     scene.note_levels();
     clock.cancel.check()?;
     must_be_same(job, resume)?;
@@ -201,7 +201,7 @@ fn simulate_stages(
     let mut clock = Clock::new(progress, cancel);
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
-    let mut scene = Scene::new(job)?;
+    let mut scene = Scene::new(job, cancel)?;
     let (patterns, notes) = device::read(&scene, source)?;
     scene.notes.extend(notes);
     cancel.check()?;
@@ -390,7 +390,7 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
 
 fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
     stage(progress, cancel, "reading the job");
-    let mut scene = Scene::new(job)?;
+    let mut scene = Scene::new(job, cancel)?;
     scene.note_levels();
     let sampling = stage(progress, cancel, "sampling the target");
     let begin = Instant::now();
@@ -449,7 +449,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
 }
 
 /// Begins a stage; what it returns is the whole of it.
-fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Run {
+pub(super) fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Run {
     let stage = cancel.stage();
     let name = name.to_owned();
     progress.event(&Event::Stage { name });

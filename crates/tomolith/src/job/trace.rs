@@ -75,7 +75,7 @@ fn rays(scene: &Scene) -> Result<Rays> {
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
-    let scene = Scene::new(job)?;
+    let scene = Scene::new(job, cancel)?;
     let model = rays(&scene).map_err(|e| job.locate(e))?;
     let lights = &scene.optics.lights;
     for pixel in pixels {
@@ -86,8 +86,8 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             return Err(Error::config(
                 "--pixel",
                 format!(
-                    "light {}, frame {}, column {}, row {}",
-                    pixel.light, pixel.frame, pixel.column, pixel.row
+                    "there is no frame {}, column {}, row {} of light {}",
+                    pixel.frame, pixel.column, pixel.row, pixel.light
                 ),
                 match grid {
                     Some(_) => format!(

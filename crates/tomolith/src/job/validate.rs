@@ -15,6 +15,8 @@ use std::collections::BTreeSet;
 const MOST_RPM: f64 = 1000.0;
 /// Strongest absorption, 1/mm: light is gone within a hundredth of a millimeter.
 const MOST_ABSORPTION: f64 = 100.0;
+/// Weakest absorption, 1/mm: doses of far less are no longer told from 0.
+const LEAST_ABSORPTION: f64 = 1e-9;
 
 /// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
 pub(super) const MOST_LIGHT: f64 = 1e9;
@@ -178,6 +180,12 @@ fn absorption(resin: &ResinSpec) -> Result<()> {
         Some(0.0) if !resin.pure_radon => {
             let found = "found 0: a resin that absorbs nothing gets no dose";
             Err(Error::config(key, found, accepted))
+        }
+        Some(absorption) if 0.0 < absorption && absorption < LEAST_ABSORPTION => {
+            let accepted = format!(
+                "at least {LEAST_ABSORPTION:e} per mm, or resin.pure_radon = true for the plain sum of fluence"
+            );
+            refuse(key, exact(absorption), accepted)
         }
         Some(absorption) if absorption > MOST_ABSORPTION => {
             let accepted = format!("at most {MOST_ABSORPTION} per mm: light must reach the part");

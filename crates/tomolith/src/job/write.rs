@@ -202,7 +202,7 @@ impl Headline {
         let response = scene.response();
         Ok(Headline {
             exposure: ExposureWindow::new(&judged.evaluation, response.as_ref(), time_s),
-            limits: limits(scene, judged, done.optimized.as_ref()),
+            limits: limits(scene, judged, done.optimized.as_ref(), done.job.is_toy),
         })
     }
 }

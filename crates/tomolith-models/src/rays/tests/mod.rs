@@ -334,7 +334,7 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
                     model = model.plain();
                 }
                 let mut x = LinearOperator::new_patterns(&model).unwrap();
-                let values = check::model::noise(1, x.len());
+                let values = check::noise(1, x.len());
                 x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
                 let (exact, found) = (brute_force(&model, x.as_slice()), dose(&model, &x));
                 let largest = exact.iter().copied().fold(0.0, f64::max);
@@ -514,7 +514,7 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             let column_rays = kept.cached_column_rays(&run).unwrap();
             assert_eq!(column_rays.is_some(), has_column_rays, "{name}");
             let mut x = LinearOperator::new_patterns(&kept).unwrap();
-            x.copy_from_host(&check::model::noise(1, x.len()));
+            x.copy_from_host(&check::noise(1, x.len()));
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
                 let mut dose = LinearOperator::new_dose(model).unwrap();
@@ -524,7 +524,7 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             };
             let back = |model: &Rays| {
                 let mut c = LinearOperator::new_dose(model).unwrap();
-                c.copy_from_host(&check::model::noise(2, c.len()));
+                c.copy_from_host(&check::noise(2, c.len()));
                 let mut grad = LinearOperator::new_patterns(model).unwrap();
                 model.adjoint(&c, &mut grad, &Run::new()).unwrap();
                 grad.as_slice().to_vec()
@@ -582,9 +582,9 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
             let found = check::model::model(&together, 3).unwrap();
             assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
             let mut x = LinearOperator::new_patterns(&single).unwrap();
-            x.copy_from_host(&check::model::noise(1, x.len()));
+            x.copy_from_host(&check::noise(1, x.len()));
             let mut c = LinearOperator::new_dose(&single).unwrap();
-            c.copy_from_host(&check::model::noise(2, c.len()));
+            c.copy_from_host(&check::noise(2, c.len()));
             let both = [&together, &single].map(|model| {
                 let mut grad = LinearOperator::new_patterns(model).unwrap();
                 model.adjoint(&c, &mut grad, &Run::new()).unwrap();

@@ -24,7 +24,7 @@ use twin::{Gather, Savings, Twin, WAVENUMBER};
 
 /// Random amplitudes of single pixels, 0 or 1: the worst case of the notes.
 fn random_pixels(len: usize) -> Vec<f64> {
-    tomolith::check::model::noise(11, len)
+    tomolith::check::noise(11, len)
         .iter()
         .map(|&v| f64::from(u8::from(v > 0.0)))
         .collect()
@@ -91,7 +91,7 @@ fn times(sizes: &[usize]) -> Result<(), Error> {
         for edge in EDGES {
             let pitch = edge / n as f64;
             let x: Vec<f32> = random_pixels(n * n).iter().map(|&v| v as f32).collect();
-            let cotangent = tomolith::check::model::noise(5, n * n * n);
+            let cotangent = tomolith::check::noise(5, n * n * n);
             let twins: Vec<[f64; 2]> = (savings_of(n, pitch).into_iter())
                 .map(|(_, savings)| {
                     Twin::<f32>::new(n, pitch, savings).gradient(&x, &cotangent, 0.4)
