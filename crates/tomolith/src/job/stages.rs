@@ -102,7 +102,7 @@ pub(super) fn run_shared(
 /// Reads the job, and refuses a folder that holds another one's run.
 fn begin(job: &Job, resume: bool, clock: &mut Clock<'_>) -> Result<Scene> {
     clock.stage("reading the job");
-    let mut scene = Scene::new(job, cancel)?;
+    let mut scene = Scene::new(job, clock.cancel)?;
     scene.note_levels();
     clock.cancel.check()?;
     must_be_same(job, resume)?;
