@@ -766,6 +766,11 @@ mod tests {
                 .collect(),
             tolerance: noise.iter().map(|v| 0.05 * (1.0 + v)).collect(),
         };
+        // A process window has no bands that could be wider
+        let without_tolerance = VoxelWeights {
+            weight: voxel_weights.weight.clone(),
+            tolerance: Vec::new(),
+        };
         let values: Vec<f32> = tomolith_core::check::noise(5, layout.len())
             .iter()
             .map(|v| 0.6 + 0.8 * v)
@@ -782,7 +787,12 @@ mod tests {
                 let mut section = tomolith_core::check::example(row);
                 section.value["surface"] = surface.into();
                 let mut objective = (row.build)(&section, &input).unwrap();
-                objective.set_voxel_weights(&voxel_weights).unwrap();
+                if row.name == crate::process_window::NAME {
+                    assert!(objective.set_voxel_weights(&voxel_weights).is_err());
+                    objective.set_voxel_weights(&without_tolerance).unwrap();
+                } else {
+                    objective.set_voxel_weights(&voxel_weights).unwrap();
+                }
                 check::objective(&*objective, &dose)
                     .unwrap_or_else(|e| panic!("{} ({surface}): {e}", row.name));
             }
