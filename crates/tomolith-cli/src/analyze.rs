@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
 use tomolith::{Error, Result};
-use tomolith_planning::buildup::{Vial, wall_rate};
+use tomolith_planning::buildup::{TurningVial, wall_rate};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::measured::csv;
 use tomolith_planning::quantity::{IRRADIANCE, VOLUMETRIC_DOSE};
@@ -334,7 +334,7 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     if let Some(r) = given.at.iter().find(|r| !(0.0..=1.0).contains(*r)) {
         return refuse("--at", *r, "radii in units of the vial's, 0 to 1");
     }
-    let vial = Vial {
+    let vial = TurningVial {
         radius_mm: given.radius_mm,
         penetration_mm: given.penetration_mm,
         turn_deg_per_s: given.turn_deg_per_s,

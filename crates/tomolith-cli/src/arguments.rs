@@ -32,7 +32,7 @@ Examples:
   tomolith sweep examples/sweeps/threshold-map.toml many runs, one table, maps
   tomolith reproduce papers/dual-color              the numbers of a paper beside ours
 
-Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 cancelled";
+Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 canceled";
 
 /// Computes light patterns for tomographic volumetric printing, and predicts what they print.
 #[derive(Debug, Parser)]

@@ -14,7 +14,7 @@ use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 use tomolith_planning::discs::{self, Discs};
-use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
+use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::measured::{csv, curve, read_pairs};
 use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
 use tomolith_planning::response::{Axes, ResponseFit};
@@ -24,12 +24,12 @@ const CALIBRATE: &str = "\
 Examples:
   tomolith calibrate --canvas 1920 1080 --output calibration
   tomolith calibrate --job examples/09-printer.toml siemens_star axis_lines --output calibration
-  tomolith calibrate grey examples/calibration/grey-visible.csv --output gray
+  tomolith calibrate gray examples/calibration/gray-visible.csv --output gray
   tomolith calibrate response examples/calibration/stiffness.csv --log-response --output stiffness
   tomolith calibrate kinetics examples/calibration/balls-uv.csv --at 20 --output balls
   tomolith calibrate discs --canvas 1920 1080 --pixel-pitch-mm 0.0138 --irradiance 25 --from 20 --to 400 --output discs
   tomolith calibrate dose examples/calibration/discs.csv --output dose
-Frames: border, checkerboard, crosshair, grey_steps, siemens_star, axis_lines, orientation";
+Frames: border, checkerboard, crosshair, gray_steps, siemens_star, axis_lines, orientation";
 
 #[derive(Debug, Args)]
 #[command(after_help = CALIBRATE, args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -57,7 +57,7 @@ pub(crate) struct CalibrateArguments {
 #[derive(Debug, Subcommand)]
 enum Fit {
     /// Gray curve from a power meter's table: gray value, irradiance
-    Grey(GrayArguments),
+    Gray(GrayArguments),
     /// Response from measured pairs: dose, response
     Response(ResponseArguments),
     /// Inhibitor and kinetics from curing times: irradiance (mW/cm²), time (s)
@@ -172,7 +172,7 @@ impl CalibrateArguments {
     pub(crate) fn manner(&self) -> Manner {
         match &self.fit {
             None => self.manner,
-            Some(Fit::Grey(given)) => given.measured.manner,
+            Some(Fit::Gray(given)) => given.measured.manner,
             Some(Fit::Response(given)) => given.measured.manner,
             Some(Fit::Kinetics(given)) => given.measured.manner,
             Some(Fit::Discs(given)) => given.manner,
@@ -185,7 +185,7 @@ impl CalibrateArguments {
 pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
     match &given.fit {
         None => frames(given),
-        Some(Fit::Grey(given)) => grey(given),
+        Some(Fit::Gray(given)) => gray(given),
         Some(Fit::Response(given)) => response(given),
         Some(Fit::Kinetics(given)) => of_times(given),
         Some(Fit::Discs(given)) => print_of_discs(given),
@@ -193,15 +193,15 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
     }
 }
 
-fn grey(given: &GrayArguments) -> Result<()> {
+fn gray(given: &GrayArguments) -> Result<()> {
     voxel::above_zero("--top", Some(given.top))?;
     let path = &given.measured.table;
     let table =
         curve(&read_pairs(path, "gray value and irradiance")?).map_err(|e| in_file(e, path))?;
     let form = match given.form {
-        GrayForm::Monotone => Form::Monotone,
-        GrayForm::Line => Form::Line,
-        GrayForm::Quadratic => Form::Quadratic,
+        GrayForm::Monotone => CurveForm::Monotone,
+        GrayForm::Line => CurveForm::Line,
+        GrayForm::Quadratic => CurveForm::Quadratic,
     };
     let found = GrayCurve::new(&table, given.top, form).map_err(|e| in_file(e, path))?;
     let mut answer = Answer::default();
@@ -236,8 +236,8 @@ fn grey(given: &GrayArguments) -> Result<()> {
     answer.set("points", found.points());
     let fits: Vec<(&str, &Polynomial)> = fits.iter().map(|(name, fit)| (*name, fit)).collect();
     let files = [
-        ("grey_curve.csv", found.file("mW/cm2")),
-        ("grey_curve.svg", found.plot(&table, &fits)),
+        ("gray_curve.csv", found.file("mW/cm2")),
+        ("gray_curve.svg", found.plot(&table, &fits)),
     ];
     answer.finish(
         given.measured.manner,

@@ -11,8 +11,8 @@ use tomolith::job::{Angles, Job};
 use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
-use tomolith_planning::delivered::Shown;
-use tomolith_planning::plan::{Machine, Plan, Window};
+use tomolith_planning::delivered::ShownFrames;
+use tomolith_planning::plan::{ExposurePlan, Machine, Window};
 use tomolith_planning::quantity::{IRRADIANCE, POWER, VOLUMETRIC_DOSE};
 use tomolith_planning::voxel::above_zero;
 
@@ -128,7 +128,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
         Angles::List(_) => 0.0,
     };
-    let plan = Plan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
+    let plan = ExposurePlan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
     let pw = report["evaluation"]["pw"].as_f64().map(|pw| pw / gel_dose);
     show(given, &machine, &shown, &plan, pw);
     Ok(())
@@ -168,7 +168,7 @@ fn shown(
     i: usize,
     printer: &PrinterSpec,
     light: &Value,
-) -> Result<Shown> {
+) -> Result<ShownFrames> {
     let frames = given.run.join("frames");
     let several = job.spec.light.len() > 1;
     let folder = match &job.spec.light[i].name {
@@ -183,14 +183,14 @@ fn shown(
             accepted: "the file of a run of Tomolith".to_owned(),
         });
     };
-    Shown::read(&folder, printer, &job.base(), [pitch.0, pitch.1])
+    ShownFrames::read(&folder, printer, &job.base(), [pitch.0, pitch.1])
 }
 
 fn machine(
     given: &ExposeArguments,
     job: &Job,
     printer: &PrinterSpec,
-    shown: &Shown,
+    shown: &ShownFrames,
 ) -> Result<Machine> {
     let irradiance = match (&given.irradiance, &given.power) {
         (Some(text), _) => IRRADIANCE.parse("--irradiance", text)?,
@@ -228,7 +228,13 @@ fn range(window: Window, unit: &str) -> String {
     )
 }
 
-fn show(given: &ExposeArguments, machine: &Machine, shown: &Shown, plan: &Plan, pw: Option<f64>) {
+fn show(
+    given: &ExposeArguments,
+    machine: &Machine,
+    shown: &ShownFrames,
+    plan: &ExposurePlan,
+    pw: Option<f64>,
+) {
     let mut answer = Answer::default();
     answer.line(
         "irradiance at white",

@@ -2,14 +2,14 @@
 
 use crate::screen::say;
 use tomolith::error::nearest_name;
-use tomolith::job::kinds::{Family, Parameter, families, parameters};
+use tomolith::job::kinds::{KindFamily, Parameter, families, parameters};
 use tomolith::kind::KindPage;
 use tomolith::{Error, Result};
 
 /// Every kind, every kind of a family, or one kind.
 pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Result<()> {
     let all = families();
-    let chosen: Vec<&Family> = match family {
+    let chosen: Vec<&KindFamily> = match family {
         None => all.iter().collect(),
         Some(wanted) => vec![find("family", wanted, &all, |f| f.name)?],
     };

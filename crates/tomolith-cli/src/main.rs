@@ -1,6 +1,6 @@
 //! The `tomolith` command: from a mesh to patterns that can be printed, and an honest report.
 //!
-//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 cancelled.
+//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 canceled.
 
 mod analyze;
 mod answer;
@@ -38,8 +38,8 @@ use tomolith::{Error, Result};
 const NOT_MET: u8 = 1;
 /// Could not run.
 const REFUSED: u8 = 2;
-/// Cancelled by the user: 128 + SIGINT, as shells expect.
-const CANCELLED: u8 = 130;
+/// Canceled by the user: 128 + SIGINT, as shells expect.
+const CANCELED: u8 = 130;
 
 fn main() -> ExitCode {
     let arguments = match arguments() {
@@ -92,13 +92,13 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(NOT_MET),
         // Rank 0 speaks for all, but of what it does not know
-        Err(Error::Rank { .. } | Error::Cancelled) if ranks::is_silent(ranks.as_ref()) => {
+        Err(Error::Rank { .. } | Error::Canceled) if ranks::is_silent(ranks.as_ref()) => {
             ExitCode::SUCCESS
         }
         Err(error) => {
             trouble::show(&error, manner.json);
-            ExitCode::from(if matches!(error, Error::Cancelled) {
-                CANCELLED
+            ExitCode::from(if matches!(error, Error::Canceled) {
+                CANCELED
             } else {
                 REFUSED
             })
@@ -269,10 +269,10 @@ fn cancel_saying(manner: Manner, stopping: &'static str) -> Arc<Run> {
             return;
         }
         if asked.cancel() >= 2 {
-            std::process::exit(i32::from(CANCELLED));
+            std::process::exit(i32::from(CANCELED));
         }
         // An optimization ends its step first, which may take a while
-        if !manner.quiet && !asked.is_cancelled() {
+        if !manner.quiet && !asked.is_canceled() {
             screen::mutter(stopping);
         }
     });

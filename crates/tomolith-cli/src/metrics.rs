@@ -43,7 +43,7 @@ pub(crate) struct MetricsArguments {
     threshold: Option<f64>,
     /// The target's values are gray and to be reproduced
     #[arg(long)]
-    grey: bool,
+    gray: bool,
     /// Half width of the band of BCLP's norms
     #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
     epsilon: f64,
@@ -92,7 +92,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let target = like(&grid, &given.target)?;
     let labels = labels(given, &target)?;
     let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
-    if given.grey {
+    if given.gray {
         must_be_gray(&given.target, &target)?;
         print = print.with_gray(&target, given.epsilon)?;
     }
@@ -101,7 +101,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     }
     let evaluation = evaluate(&print);
     let options = Options {
-        grey: given.grey,
+        gray: given.gray,
         epsilon: given.epsilon,
         trim_percent: given.trim_percent,
         ..Options::default()
@@ -202,7 +202,7 @@ fn must_be_gray(source: &str, target: &Volume<f32>) -> Result<()> {
         Some(value) => Err(Error::Format {
             path: source.into(),
             found: format!("a gray value of {value}"),
-            accepted: "with --grey, values from 0 to 1: divide 8-bit values by 255".to_owned(),
+            accepted: "with --gray, values from 0 to 1: divide 8-bit values by 255".to_owned(),
         }),
         None => Ok(()),
     }

@@ -10,7 +10,7 @@ use std::process::Command;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
 use tomolith::{Error, Result};
-use tomolith_sweep::{Cost, Host, Plan, Study, Watch, duration, reproduce};
+use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, duration, reproduce};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -19,7 +19,7 @@ Examples:
   tomolith reproduce papers/bclp --check          only what it would cost
 
 The same command again goes on with what is left. Exit codes: 0 every difference is explained, 1 a difference is not,
-or a number is missing, 2 could not run, 130 cancelled";
+or a number is missing, 2 could not run, 130 canceled";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -68,7 +68,7 @@ struct Typed {
 }
 
 impl Host for Typed {
-    fn begins(&mut self, costs: &[Cost]) {
+    fn begins(&mut self, costs: &[StudyCost]) {
         let seconds: f64 = costs.iter().map(|cost| cost.seconds).sum();
         if self.manner.json {
             let line = json!({ "event": "study", "runs": costs, "seconds": seconds });
@@ -85,7 +85,7 @@ impl Host for Typed {
         }
     }
 
-    fn watch(&mut self, name: &str, plan: &Plan) -> Box<dyn Watch> {
+    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch> {
         if !self.manner.json && !self.manner.quiet {
             mutter(&format!("{:>12} {name}", "Run"));
         }
@@ -107,7 +107,7 @@ impl Host for Typed {
             .and_then(|line| serde_json::from_str::<Value>(line).ok());
         match (done.status.code(), answer) {
             (Some(0 | 1), Some(answer)) => Ok(answer),
-            (Some(130), _) => Err(Error::Cancelled),
+            (Some(130), _) => Err(Error::Canceled),
             (_, answer) => Err(Error::Unsupported {
                 what: format!("tomolith {}", words.join(" ")),
                 reason: answer

@@ -10,7 +10,9 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
 use tomolith::{Error, Result};
-use tomolith_sweep::{Event, Outcome, Plan, Shard, Sweep, Watch, duration, merge, run};
+use tomolith_sweep::{
+    Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,7 +23,7 @@ Examples:
   mpirun -n 4 tomolith sweep sweep.toml              a share each, where this was built with MPI
 
 The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or none meets
-best.where, 2 could not run, 130 cancelled";
+best.where, 2 could not run, 130 canceled";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -71,7 +73,7 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
 }
 
 /// The runs of the sweep.
-fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<Plan> {
+fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<SweepPlan> {
     let is_part = given.list || given.shard.is_some() || given.merge.is_some();
     if let Some(ranks) = ranks.filter(|_| is_part) {
         return Err(Error::config(
@@ -89,7 +91,7 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
     sweep.plan(threads, cancel)
 }
 
-fn finish(outcome: &Outcome, manner: Manner) {
+fn finish(outcome: &SweepOutcome, manner: Manner) {
     if manner.json {
         let mut line = serde_json::to_value(outcome).unwrap_or_default();
         line["event"] = "done".into();
@@ -107,7 +109,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    pub(crate) fn new(manner: Manner, plan: &Plan) -> Self {
+    pub(crate) fn new(manner: Manner, plan: &SweepPlan) -> Self {
         Board {
             manner,
             bar: None,
@@ -117,7 +119,7 @@ impl Board {
 }
 
 impl Watch for Board {
-    fn event(&mut self, event: &Event) {
+    fn event(&mut self, event: &SweepEvent) {
         if self.manner.json {
             say(&serde_json::to_string(event).unwrap_or_default());
             return;
@@ -126,7 +128,7 @@ impl Watch for Board {
             return;
         }
         match event {
-            Event::Sweep { runs, finished, .. } => {
+            SweepEvent::Sweep { runs, finished, .. } => {
                 mutter(&format!(
                     "{:>12} {}; {finished} finished before",
                     "", self.about
@@ -140,7 +142,7 @@ impl Watch for Board {
                     self.bar = Some(bar);
                 }
             }
-            Event::Run {
+            SweepEvent::Run {
                 run,
                 values,
                 state,

@@ -224,7 +224,7 @@ fn anybodys_arrays_are_measured() {
     bench.expect(0, "metrics dose.npy bytes.npy");
     assert!(
         bench
-            .expect(2, "metrics dose.npy bytes.npy --grey")
+            .expect(2, "metrics dose.npy bytes.npy --gray")
             .contains("a gray value of 255")
     );
     assert!(
@@ -400,7 +400,7 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
         assert!(
             said.contains("model.matrix.file")
                 && said.contains(wanted)
-                && !said.contains("optimising"),
+                && !said.contains("optimizing"),
             "{said}"
         );
     }

@@ -201,9 +201,9 @@ fn gray_frames_may_be_stored_in_color() {
         let file = fs::File::create(bench.path(&format!("frames/{k:02}.png"))).unwrap();
         let mut encoder = png::Encoder::new(file, 32, 16);
         encoder.set_color(png::ColorType::Rgb);
-        let grey = |i: usize| (i / 2 + k) as u8;
+        let gray = |i: usize| (i / 2 + k) as u8;
         let pixels: Vec<u8> = (0..512)
-            .flat_map(|i| [grey(i), grey(i) ^ tint, grey(i)])
+            .flat_map(|i| [gray(i), gray(i) ^ tint, gray(i)])
             .collect();
         encoder
             .write_header()
@@ -292,7 +292,7 @@ fn obj([x, y, z]: [f64; 3]) -> String {
 #[test]
 fn a_mesh_in_another_unit_is_asked_for_it() {
     let bench = Bench::new();
-    bench.write("metres.obj", obj([0.002, 0.002, 0.001]).as_bytes());
+    bench.write("meters.obj", obj([0.002, 0.002, 0.001]).as_bytes());
     bench.write("microns.obj", obj([2000.0, 2000.0, 1000.0]).as_bytes());
     let job = |name: &str| {
         JOB.replace(
@@ -302,7 +302,7 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
     };
     for (name, unit, asked) in [
         (
-            "metres.obj",
+            "meters.obj",
             "m",
             "is its file in meters? set target.mesh_unit = \"m\"",
         ),
@@ -319,7 +319,7 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
             &format!("check mesh.toml --set target.mesh_unit=\"{unit}\""),
         );
     }
-    let line = "voxelize metres.obj --pitch-mm 0.1 --output v.npy";
+    let line = "voxelize meters.obj --pitch-mm 0.1 --output v.npy";
     contains(
         &bench.expect(0, line),
         &[

@@ -50,8 +50,8 @@ folder = "run"
 fn frame(path: &Path) -> Vec<f64> {
     let decoder = png::Decoder::new(BufReader::new(File::open(path).unwrap()));
     let mut reader = decoder.read_info().unwrap();
-    let mut grey = vec![0; reader.output_buffer_size().unwrap()];
-    let shape = reader.next_frame(&mut grey).unwrap();
+    let mut gray = vec![0; reader.output_buffer_size().unwrap()];
+    let shape = reader.next_frame(&mut gray).unwrap();
     assert_eq!(
         (shape.width as usize, shape.height as usize, shape.bit_depth),
         (COLUMNS, ROWS, png::BitDepth::Eight)
@@ -62,7 +62,7 @@ fn frame(path: &Path) -> Vec<f64> {
         .find(|text| text.keyword == "tomolith:full_scale")
         .unwrap();
     let scale: f64 = scale.text.parse().unwrap();
-    grey.iter().map(|&v| f64::from(v) / 255.0 * scale).collect()
+    gray.iter().map(|&v| f64::from(v) / 255.0 * scale).collect()
 }
 
 /// Samples of the test's own volume along x and y, and along z: at the middle of each pixel row.
@@ -86,9 +86,9 @@ fn dose(frames: &[Vec<f64>], sense: f64) -> Vec<f64> {
                 if x.hypot(y) > RADIUS_MM {
                     continue;
                 }
-                let (sideways, towards_light) = (-x * sin + y * cos, x * cos + y * sin);
+                let (sideways, toward_light) = (-x * sin + y * cos, x * cos + y * sin);
                 let entry = (RADIUS_MM * RADIUS_MM - sideways * sideways).sqrt();
-                let reaches = (-ABSORPTION_PER_MM * (entry - towards_light)).exp();
+                let reaches = (-ABSORPTION_PER_MM * (entry - toward_light)).exp();
                 let column = sideways / PITCH_MM + (COLUMNS as f64 - 1.0) / 2.0;
                 if column < 0.0 || column >= (COLUMNS - 1) as f64 {
                     continue;

@@ -105,58 +105,58 @@ fn near(value: &Value, expected: f64, tolerance: f64) {
 fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     let bench = Bench::new();
     let found = bench.json(&format!(
-        "calibrate grey {} --output curve",
-        example("grey-uv.csv")
+        "calibrate gray {} --output curve",
+        example("gray-uv.csv")
     ));
     near(&found["line"]["coefficients"][1], 0.128_668, 5e-7);
     assert_eq!(found["warnings"].as_array().unwrap().len(), 1);
-    assert!(bench.read("curve/grey_curve.svg").starts_with("<svg xmlns"));
-    assert_eq!(bench.read("curve/grey_curve.csv").lines().count(), 257);
+    assert!(bench.read("curve/gray_curve.svg").starts_with("<svg xmlns"));
+    assert_eq!(bench.read("curve/gray_curve.csv").lines().count(), 257);
     bench.write(
         "job.toml",
-        &format!("{JOB}[printer]\ngrey_curve_file = \"curve/grey_curve.csv\"\n"),
+        &format!("{JOB}[printer]\ngray_curve_file = \"curve/gray_curve.csv\"\n"),
     );
     bench.expect(0, "check job.toml --quiet");
     let said = bench.expect(
         0,
-        &format!("calibrate grey {}", example("grey-visible.csv")),
+        &format!("calibrate gray {}", example("gray-visible.csv")),
     );
     assert!(said.contains("usable from gray 86.1 to 239.1"), "{said}");
     bench.refuse(
         &format!(
-            "calibrate grey {} --form quadratic",
-            example("grey-visible.csv")
+            "calibrate gray {} --form quadratic",
+            example("gray-visible.csv")
         ),
         &[
-            "grey-visible.csv",
+            "gray-visible.csv",
             "usable from gray 86.15 to 239.06",
             "monotone",
         ],
     );
     bench.write("falls.csv", "0,0\n128,3\n255,2\n");
     bench.refuse(
-        "calibrate grey falls.csv",
+        "calibrate gray falls.csv",
         &["falls from 3 to 2", "usable from gray 0.00 to 128.00"],
     );
     bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
     bench.refuse(
-        "calibrate grey negative.csv",
+        "calibrate gray negative.csv",
         &["a negative irradiance", "from gray 128.00 to 255.00"],
     );
     bench.write("short.csv", "0,0\n200,3\n");
     bench.refuse(
-        "calibrate grey short.csv",
+        "calibrate gray short.csv",
         &["--top", "gray values from 0 to 200"],
     );
-    bench.write("words.csv", "grey,irradiance\n0,zero\n");
-    bench.refuse("calibrate grey words.csv", &["words.csv", "line 2"]);
-    bench.refuse("calibrate grey none.csv", &["none.csv"]);
+    bench.write("words.csv", "gray,irradiance\n0,zero\n");
+    bench.refuse("calibrate gray words.csv", &["words.csv", "line 2"]);
+    bench.refuse("calibrate gray none.csv", &["none.csv"]);
     bench.refuse(
-        &format!("calibrate grey {} --output curve", example("grey-uv.csv")),
+        &format!("calibrate gray {} --output curve", example("gray-uv.csv")),
         &["--output", "is not empty"],
     );
     bench.refuse(
-        &format!("calibrate grey {} --top 0", example("grey-uv.csv")),
+        &format!("calibrate gray {} --top 0", example("gray-uv.csv")),
         &["--top"],
     );
 }

@@ -287,12 +287,12 @@ fn frames(folder: &Path) -> Vec<Picture> {
     let frame = |k: usize| {
         let file = File::open(folder.join(format!("frames/frame_{k:04}.png"))).unwrap();
         let mut reader = png::Decoder::new(BufReader::new(file)).read_info().unwrap();
-        let mut grey = vec![0; reader.output_buffer_size().unwrap()];
-        let shape = reader.next_frame(&mut grey).unwrap();
+        let mut gray = vec![0; reader.output_buffer_size().unwrap()];
+        let shape = reader.next_frame(&mut gray).unwrap();
         Picture::from(
             shape.height as usize,
             shape.width as usize,
-            |row, column| f64::from(grey[row * shape.width as usize + column]),
+            |row, column| f64::from(gray[row * shape.width as usize + column]),
         )
     };
     (0..FRAMES).map(frame).collect()
@@ -349,7 +349,7 @@ eccentricity_deg = 40.0
 copies_px = [[-70, 0], [70, 0]]
 rotation = "counterclockwise"
 start_deg = 78.0
-grey_curve = [[0.0, 0.01], [0.3, 0.1], [0.7, 0.5], [1.0, 1.0]]
+gray_curve = [[0.0, 0.01], [0.3, 0.1], [0.7, 0.5], [1.0, 1.0]]
 flat_field = "flat.npy"
 dead_pixels = "dead.npy"
 peak_irradiance_mw_per_cm2 = 50.0

@@ -39,7 +39,7 @@ quantity = "IoU"
 where = "Table 1"
 of = "map"
 at = { lower = 0.5 }
-metric = "optimisation.iou"
+metric = "optimization.iou"
 published = 1
 within = 0.5
 [[rows]]
@@ -47,7 +47,7 @@ quantity = "the larger PW | of both"
 where = "Fig. 2"
 name = "wide"
 of = "map"
-metric = "optimisation.pw"
+metric = "optimization.pw"
 over = ["lower < 0.6"]
 take = "max"
 published = 7
@@ -70,7 +70,7 @@ quantity = "IoU at 0.7"
 where = "Table 1"
 of = "map"
 at = { lower = 0.7 }
-metric = "optimisation.iou"
+metric = "optimization.iou"
 published = 1
 within = 0.5
 [[rows]]
@@ -156,7 +156,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
         "| pixel, mm | 0.02 | 0.02 | × 1 | reproduced | S1 |",
         "| it is below 1 | yes | yes |  | reproduced | Fig. 2 |",
         "no run of this size has these values",
-        "![map/optimisation.pw.svg](map/optimisation.pw.svg)",
+        "![map/optimization.pw.svg](map/optimization.pw.svg)",
     ] {
         assert!(table.contains(part), "{part} is not in: {table}");
     }
@@ -166,7 +166,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
     );
     assert!(
         bench
-            .path("out/papers/disc-quick/map/optimisation.pw.svg")
+            .path("out/papers/disc-quick/map/optimization.pw.svg")
             .is_file()
     );
     // Again: nothing is run, and the tables are the same
@@ -241,12 +241,12 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             ["rows[4].at", "line 45", "`upper` is no axis"],
         ),
         (
-            "metric = \"optimisation.pw\"",
-            "metric = \"optimisation.pww\"",
+            "metric = \"optimization.pw\"",
+            "metric = \"optimization.pww\"",
             [
-                "optimisation.pww",
+                "optimization.pww",
                 "runs.map",
-                "did you mean `optimisation.pw`",
+                "did you mean `optimization.pw`",
             ],
         ),
         (

@@ -107,7 +107,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     }
     assert!(!run.join(".new").exists() && !run.join(".lock").exists());
     let report = json(&run.join("report.json"));
-    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.9);
+    assert!(report["optimization"]["iou"].as_f64().unwrap() > 0.9);
     assert!(report["evaluation"]["iou"].as_f64().unwrap() > 0.8);
     assert_eq!(report["evaluation"]["sub_angles"], 4);
     assert_eq!(report["evaluation"]["standing_still"]["sub_angles"], 1);
@@ -129,13 +129,13 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     // Which model it was can be read, and the job is still a job
     let models = &report["run"]["models"];
     assert!(
-        models["optimisation"]
+        models["optimization"]
             .as_str()
             .unwrap()
             .starts_with("parallel")
     );
     let job = fs::read_to_string(run.join("job.toml")).unwrap();
-    for stage in ["optimisation", "evaluation"] {
+    for stage in ["optimization", "evaluation"] {
         let line = format!("# Model of the {stage}: parallel (");
         assert!(job.contains(&line), "{line} is not in\n{job}");
     }
@@ -150,7 +150,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "simulate job.toml --patterns out/job/patterns.npz --output again",
     );
     assert!(
-        said.contains("unwritten, on the job's grid") && !said.contains("optimis"),
+        said.contains("unwritten, on the job's grid") && !said.contains("optimiz"),
         "{said}"
     );
     // A run folder stands for its patterns.npz
@@ -160,7 +160,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         report["evaluation"]
     );
     let again = json(&bench.path("again/report.json"));
-    for section in ["evaluation", "optimisation", "lights", "movies"] {
+    for section in ["evaluation", "optimization", "lights", "movies"] {
         assert_eq!(again[section], report[section], "{section}");
     }
     let written = bits(&run);
@@ -241,7 +241,7 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
     let kept = |report: &Value| report["history"]["kept"].clone();
     let expected = serde_json::json!({ "iteration": 1, "by": "print" });
     assert_eq!(kept(&report), expected);
-    assert!(report["optimisation"]["iou"].as_f64().unwrap() > 0.88);
+    assert!(report["optimization"]["iou"].as_f64().unwrap() > 0.88);
     let page = fs::read_to_string(bench.path("best/report.html")).unwrap();
     assert!(page.contains("iteration 1 of 6"));
 
@@ -252,7 +252,7 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
     assert!(!said.contains("kept"), "{said}");
     let report = json(&bench.path("last/report.json"));
     assert_eq!(kept(&report)["iteration"], 6);
-    assert!(report["optimisation"]["iou"].as_f64().unwrap() < 0.8);
+    assert!(report["optimization"]["iou"].as_f64().unwrap() < 0.8);
 }
 
 #[test]
@@ -268,7 +268,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
         );
         (said, json(&bench.path(folder).join("report.json")))
     };
-    let (said, report) = run("few", "--set evaluate.levels=optimised");
+    let (said, report) = run("few", "--set evaluate.levels=optimized");
     assert!(said.contains("bit depth 1: loss"), "{said}");
     let (_, rounded) = run("rounded", "--set evaluate.levels=rounded");
     assert!(rounded["levels"].is_null());
@@ -278,7 +278,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert!(number(&gain["calls"]) <= 70.0);
     assert_ne!(report["evaluation"], rounded["evaluation"]);
     // What the optimization reached is told apart from what is shown of it
-    assert_eq!(report["optimisation"], rounded["optimisation"]);
+    assert_eq!(report["optimization"], rounded["optimization"]);
     // The default is to improve, and more bits are rounded
     assert_eq!(run("default", "").1["levels"], *gain);
     bench.expect(0, "run job.toml --set evaluate.bit_depth=6 --output many");
@@ -541,7 +541,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
     let light = JOB[JOB.find("[[light]]").unwrap()..JOB.find("[objective").unwrap()].trim();
     let second = light.replace(
         "angles = 30",
-        "angles = { count = 20, start_deg = 3.0 }\nname = \"b\"\npolarisation = \"p\"",
+        "angles = { count = 20, start_deg = 3.0 }\nname = \"b\"\npolarization = \"p\"",
     );
     let text = JOB
         .replace(light, &format!("{light}\nname = \"a\"\n\n{second}"))

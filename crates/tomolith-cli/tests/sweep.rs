@@ -21,7 +21,7 @@ checkpoint = { every_s = 0.001 }
 
 const SWEEP: &str = r#"
 job = "job.toml"
-metrics = ["optimisation.pw", "evaluation.pw", "history.loss"]
+metrics = ["optimization.pw", "evaluation.pw", "history.loss"]
 [[axes]]
 key = "objective.ospw.lower"
 linear = { from = 0.3, to = 0.7, step = 0.1 }
@@ -134,7 +134,7 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
     // No run meets what is asked: exit code 1, and no best job
     fs::write(
         bench.path("hard.toml"),
-        format!("{SWEEP}[best]\nwhere = [\"optimisation.pw > 5\"]\n"),
+        format!("{SWEEP}[best]\nwhere = [\"optimization.pw > 5\"]\n"),
     )
     .unwrap();
     let text = String::from_utf8(bench.expect(1, "sweep hard.toml --output out").stdout).unwrap();

@@ -112,8 +112,8 @@ pub enum Error {
         rank: usize,
     },
     /// The user asked to stop.
-    #[error("cancelled")]
-    Cancelled,
+    #[error("canceled")]
+    Canceled,
 }
 
 impl Error {

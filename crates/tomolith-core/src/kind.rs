@@ -100,7 +100,7 @@ impl Section {
         let (name, value) = match &self.value {
             Value::String(name) => (name, Value::Object(serde_json::Map::new())),
             Value::Object(map) if map.len() == 1 => {
-                let (name, value) = map.iter().next().ok_or(Error::Cancelled)?;
+                let (name, value) = map.iter().next().ok_or(Error::Canceled)?;
                 (name, value.clone())
             }
             Value::Object(map) if map.is_empty() => {

@@ -88,7 +88,7 @@ pub trait Communicator: Debug + Send + Sync {
 fn code<T>(own: &Result<T>) -> f32 {
     match own {
         Ok(_) => 0.0,
-        Err(Error::Cancelled) => 1.0,
+        Err(Error::Canceled) => 1.0,
         Err(_) => 2.0,
     }
 }
@@ -96,7 +96,7 @@ fn code<T>(own: &Result<T>) -> f32 {
 /// What a rank has, if all ranks have theirs: where one failed, all stop. Called by all ranks.
 ///
 /// # Errors
-/// This rank's own; [`Error::Rank`] where another failed, and where rank 0 failed too, which then speaks for all; [`Error::Cancelled`] where
+/// This rank's own; [`Error::Rank`] where another failed, and where rank 0 failed too, which then speaks for all; [`Error::Canceled`] where
 /// another was asked to stop.
 pub fn together<T>(ranks: &dyn Communicator, own: Result<T>) -> Result<T> {
     let all = ranks.gather(&[code(&own)]);
@@ -109,7 +109,7 @@ pub fn together<T>(ranks: &dyn Communicator, own: Result<T>) -> Result<T> {
         (_, Some(0)) => Err(Error::Rank { rank: 0 }),
         (Err(error), _) => Err(error),
         (Ok(_), Some(rank)) => Err(Error::Rank { rank }),
-        (Ok(_), None) if codes.iter().any(|&code| code > 0.0) => Err(Error::Cancelled),
+        (Ok(_), None) if codes.iter().any(|&code| code > 0.0) => Err(Error::Canceled),
         (Ok(own), None) => Ok(own),
     }
 }
@@ -450,11 +450,11 @@ mod tests {
         let all = ended(|_| Err(Error::config("key", "found", "accepted")));
         assert_eq!(all, [own, other(0), other(0)]);
         let asked = ended(|rank| match rank {
-            2 => Err(Error::Cancelled),
+            2 => Err(Error::Canceled),
             _ => Ok(()),
         });
-        let cancelled = || Err(Error::Cancelled.to_string());
-        assert_eq!(asked, [cancelled(), cancelled(), cancelled()]);
+        let canceled = || Err(Error::Canceled.to_string());
+        assert_eq!(asked, [canceled(), canceled(), canceled()]);
     }
 
     #[test]

@@ -75,7 +75,7 @@ impl Run {
 
     /// Whether work must stop now, in the middle of what it does.
     #[must_use]
-    pub fn is_cancelled(&self) -> bool {
+    pub fn is_canceled(&self) -> bool {
         let enough = if self.signal.patient.load(Ordering::Relaxed) {
             2
         } else {
@@ -87,10 +87,10 @@ impl Run {
     /// Refuses to go on when work must stop now.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn check(&self) -> Result<()> {
-        if self.is_cancelled() {
-            Err(Error::Cancelled)
+        if self.is_canceled() {
+            Err(Error::Canceled)
         } else {
             Ok(())
         }
@@ -188,8 +188,8 @@ impl Steps<'_> {
 
     /// Whether work must stop now.
     #[must_use]
-    pub fn is_cancelled(&self) -> bool {
-        self.run.is_cancelled()
+    pub fn is_canceled(&self) -> bool {
+        self.run.is_canceled()
     }
 }
 

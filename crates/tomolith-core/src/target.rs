@@ -8,10 +8,10 @@ use rayon::prelude::*;
 pub struct Target {
     /// Name of the part, for files and titles.
     pub name: String,
-    /// Inside fraction, or gray values when `grey`.
+    /// Inside fraction, or gray values when `gray`.
     pub inside: Volume<f32>,
     /// Whether the values are gray values to be reproduced.
-    pub grey: bool,
+    pub gray: bool,
 }
 
 impl Target {
@@ -92,7 +92,7 @@ mod tests {
         let target = Target {
             inside: Volume { grid, values },
             name: String::new(),
-            grey: false,
+            gray: false,
         };
         let counts = |x: f64, y: f64| x.hypot(y) < 0.25;
         let labels = label_columns(&target, |[x, y]| counts(x, y));

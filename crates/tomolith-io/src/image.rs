@@ -271,7 +271,7 @@ fn parse_png(bytes: &[u8]) -> Result<GrayPixels, String> {
             .map(|&v| f32::from(v) / 255.0)
             .collect::<Vec<_>>(),
     };
-    grey(
+    gray(
         &values,
         frame.color_type.samples(),
         frame.width as usize,
@@ -322,11 +322,11 @@ fn tiff_page(decoder: &mut Tiff<'_>) -> Result<GrayPixels, String> {
         DecodingResult::F64(v) => v.iter().map(|&v| v as f32).collect(),
         _ => return Err("a TIFF with signed, 64 bit or half-float samples".to_owned()),
     };
-    grey(&values, samples, columns as usize, rows as usize)
+    gray(&values, samples, columns as usize, rows as usize)
 }
 
 /// Luma of interleaved samples: gray, gray and alpha, RGB, or RGB and alpha.
-fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<GrayPixels, String> {
+fn gray(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<GrayPixels, String> {
     if samples == 0 || values.len() != samples * rows * columns {
         return Err(format!(
             "{} samples for {columns} × {rows} pixels of {samples}",
@@ -338,7 +338,7 @@ fn grey(values: &[f32], samples: usize, columns: usize, rows: usize) -> Result<G
         [r, g, b, ..] => {
             (0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)) as f32
         }
-        [grey, ..] => grey,
+        [gray, ..] => gray,
         [] => 0.0,
     };
     Ok(GrayPixels {
@@ -374,8 +374,8 @@ mod tests {
     #[test]
     fn png_of_every_kind_is_real_valued() {
         use png::{BitDepth, ColorType};
-        let grey = png_of(ColorType::Grayscale, BitDepth::Eight, 3, &[0, 51, 255]);
-        assert_eq!(parse(&grey, "png"), [0.0, 0.2, 1.0]);
+        let gray = png_of(ColorType::Grayscale, BitDepth::Eight, 3, &[0, 51, 255]);
+        assert_eq!(parse(&gray, "png"), [0.0, 0.2, 1.0]);
         let deep = png_of(
             ColorType::Grayscale,
             BitDepth::Sixteen,
@@ -433,8 +433,8 @@ mod tests {
     #[test]
     fn stacks_are_read_in_the_order_of_their_numbers() {
         let folder = tempfile::tempdir().unwrap();
-        let write = |name: &str, columns: u32, grey: u8| {
-            let data = vec![grey; columns as usize];
+        let write = |name: &str, columns: u32, gray: u8| {
+            let data = vec![gray; columns as usize];
             let bytes = png_of(
                 png::ColorType::Grayscale,
                 png::BitDepth::Eight,
@@ -443,13 +443,13 @@ mod tests {
             );
             std::fs::write(folder.path().join(name), bytes).unwrap();
         };
-        for (name, grey) in [
+        for (name, gray) in [
             ("s_10.png", 102),
             ("s_9.png", 51),
             ("s_1.png", 0),
             ("t_0.png", 255),
         ] {
-            write(name, 2, grey);
+            write(name, 2, gray);
         }
         std::fs::write(folder.path().join("notes.txt"), "no image").unwrap();
         let first = |stack: &[GrayPixels]| stack.iter().map(|s| s.values[0]).collect::<Vec<_>>();

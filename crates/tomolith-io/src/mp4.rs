@@ -172,12 +172,12 @@ fn encode(
         .vui(VuiConfig::bt709_full());
     let mut encoder =
         Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| said(&e))?;
-    let mut planes = YUVPlanes::grey(width, height);
+    let mut planes = YUVPlanes::gray(width, height);
     group
         .map(|frame| {
             steps.add(1);
-            if steps.is_cancelled() {
-                return Err("cancelled".to_owned());
+            if steps.is_canceled() {
+                return Err("canceled".to_owned());
             }
             planes.fill(set, frame);
             let packet = encoder
@@ -200,7 +200,7 @@ struct YUVPlanes {
 }
 
 impl YUVPlanes {
-    fn grey(width: usize, height: usize) -> Self {
+    fn gray(width: usize, height: usize) -> Self {
         let mut bytes = vec![128; width * height * 3 / 2];
         bytes[..width * height].fill(0);
         YUVPlanes {
@@ -268,8 +268,8 @@ fn compare(
     let (mut largest, mut squares) = (0, 0);
     each_image(track, group, |frame, image| {
         steps.add(1);
-        if steps.is_cancelled() {
-            return Err("cancelled".to_owned());
+        if steps.is_canceled() {
+            return Err("canceled".to_owned());
         }
         if image.dimensions() != size {
             return Err(format!("frame {frame} has {:?} pixels", image.dimensions()));
@@ -371,10 +371,10 @@ mod tests {
     #[test]
     fn black_and_white_stay_black_and_white() {
         // 0 and 255 lie outside of the limited range: they prove that the full range is kept
-        for grey in [0.0, 1.0] {
-            let (grid, values) = movie(3, 32, 32, 8, |_, _, _| grey);
+        for gray in [0.0, 1.0] {
+            let (grid, values) = movie(3, 32, 32, 8, |_, _, _| gray);
             let check = write_and_check(&grid, 8, &values, 30.0);
-            assert_eq!(check.largest_error, 0, "{grey}: {check:?}");
+            assert_eq!(check.largest_error, 0, "{gray}: {check:?}");
         }
     }
 

@@ -65,7 +65,7 @@ pub fn write_whole<T>(
 /// The same as a part of a run, which is done after so many bytes.
 ///
 /// # Errors
-/// As [`write_whole`]; [`Error::Cancelled`], with `path` as it was.
+/// As [`write_whole`]; [`Error::Canceled`], with `path` as it was.
 pub fn write_whole_under<T>(
     path: &Path,
     (run, bytes): (&Run, usize),
@@ -108,8 +108,8 @@ pub struct Watched<'r> {
 
 impl Write for Watched<'_> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        if self.steps.is_cancelled() {
-            return Err(std::io::Error::other("cancelled"));
+        if self.steps.is_canceled() {
+            return Err(std::io::Error::other("canceled"));
         }
         let written = self.file.write(&bytes[..bytes.len().min(AT_A_TIME)])?;
         self.steps.add(written);

@@ -13,7 +13,7 @@ use tomolith_core::target::label;
 
 /// All numbers of one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct CurvePoint {
     /// Time, s.
     pub seconds: f64,
     /// Drive that was absorbed so far, mJ.
@@ -60,7 +60,7 @@ pub struct Curves {
     voxel_mm3: f64,
     /// Absorbed drive, mJ/mm³.
     absorbed: HostField,
-    points: Vec<Point>,
+    points: Vec<CurvePoint>,
     requirement_mj: Option<f64>,
     cure: Option<CureTimes>,
     wanted: Vec<f64>,
@@ -194,7 +194,7 @@ impl Curves {
             });
     }
 
-    fn measure(&self, seconds: f64, readout: Readout, values: &[f32]) -> Point {
+    fn measure(&self, seconds: f64, readout: Readout, values: &[f32]) -> CurvePoint {
         let gel = readout.gel / readout.scale;
         let (doses, labels) = (self.absorbed.as_slice(), self.labels.as_slice());
         let blocks = doses.par_chunks(BLOCK).zip(values.par_chunks(BLOCK));
@@ -207,7 +207,7 @@ impl Curves {
         let middle = least + 0.5 * (most - least);
         let [contrast, printed_contrast] = self.contrasts([middle, 0.5 * (most - least)]);
         let [void, part] = whole.gelled.map(|n| n as f64);
-        Point {
+        CurvePoint {
             seconds,
             imbued_mj: whole.imbued * self.voxel_mm3,
             contribution_mj: whole.contribution * self.voxel_mm3,
@@ -251,7 +251,7 @@ impl Curves {
 
     /// One per moment that was watched.
     #[must_use]
-    pub fn points(&self) -> &[Point] {
+    pub fn points(&self) -> &[CurvePoint] {
         &self.points
     }
 
@@ -287,8 +287,8 @@ impl Curves {
 
     /// The moment at which the Jaccard index is largest, the first of several.
     #[must_use]
-    pub fn best(&self) -> Option<&Point> {
-        let mut best: Option<&Point> = None;
+    pub fn best(&self) -> Option<&CurvePoint> {
+        let mut best: Option<&CurvePoint> = None;
         for point in &self.points {
             if best.is_none_or(|b| point.jaccard > b.jaccard) {
                 best = Some(point);
@@ -313,7 +313,7 @@ impl Curves {
         let Some(needed) = self.requirement_mj else {
             return IdealExposure::NoRequirement;
         };
-        let reached = |p: &Point| p.contribution_mj >= needed;
+        let reached = |p: &CurvePoint| p.contribution_mj >= needed;
         match self.points.iter().position(reached) {
             None => {
                 let shares = self.points.iter().map(|p| p.contribution_mj / needed);

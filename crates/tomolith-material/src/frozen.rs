@@ -14,7 +14,7 @@
 //! **Cost** that of the light, and one print in time per round. Memory: a volume per network, and one pattern field.
 
 use crate::memoryless::Memoryless;
-use crate::print::{LightSource, Print};
+use crate::print::{LightSource, PrintRun};
 use crate::printing::Printing;
 use crate::schedule::Schedule;
 use crate::{Material, Model, State};
@@ -103,7 +103,7 @@ impl Frozen {
             patterns: &own[l],
         });
         let schedule = self.absorbed.schedule();
-        let mut print = Print::new(self.material.as_ref(), schedule, sources.collect())?;
+        let mut print = PrintRun::new(self.material.as_ref(), schedule, sources.collect())?;
         if let Some(step_s) = self.step_s {
             print = print.with_step_s(step_s)?;
         }
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn a_simulation_is_cancelled_with_the_run_that_asked_for_it() {
+    fn a_simulation_is_canceled_with_the_run_that_asked_for_it() {
         let model = frozen(0.05);
         let (x, run) = (patterns(&model), Run::new());
         let c = model.new_dose().unwrap();
@@ -389,7 +389,7 @@ mod tests {
         assert!(model.renew(6));
         let mut dose = model.new_dose().unwrap();
         let error = model.dose(&x, &mut dose, &Run::new()).unwrap_err();
-        assert!(matches!(error, Error::Cancelled), "{error}");
+        assert!(matches!(error, Error::Canceled), "{error}");
         assert_eq!(model.taken.read().unwrap().as_slice(), before);
         // It is told once
         model.dose(&x, &mut dose, &Run::new()).unwrap();

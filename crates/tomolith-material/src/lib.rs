@@ -2,7 +2,7 @@
 //!
 //! *What must it do, and who does it.* A material has a [`State`] on the voxels, a step through a block of time in which lights are even, the
 //! step's transpose, and a readout: a volume of the state that bands, metrics and thresholds look at. [`memoryless::Memoryless`] is today's
-//! response; [`photopolymer::Photopolymer`] has inhibitors, diffusion, curing, bleaching and shading. [`print::Print`] steps a material through a
+//! response; [`photopolymer::Photopolymer`] has inhibitors, diffusion, curing, bleaching and shading. [`print::PrintRun`] steps a material through a
 //! schedule and says what is printed when; [`printing::Printing`] is the same as a dose model, with its derivative; [`diffused::Diffused`] is the
 //! linear special case of a dose that diffuses.
 //!

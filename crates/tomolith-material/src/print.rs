@@ -53,7 +53,7 @@ pub struct Moment<'m> {
 }
 
 /// See the [module page](self).
-pub struct Print<'a> {
+pub struct PrintRun<'a> {
     material: &'a dyn Material,
     lights: Vec<LightSource<'a>>,
     renewed: Vec<Option<Box<Model>>>,
@@ -62,7 +62,7 @@ pub struct Print<'a> {
     renewal: Option<(f64, &'a mut Renew<'a>)>,
 }
 
-impl<'a> Print<'a> {
+impl<'a> PrintRun<'a> {
     /// A print of these lights.
     ///
     /// # Errors
@@ -84,7 +84,7 @@ impl<'a> Print<'a> {
                 });
             }
         }
-        Ok(Print {
+        Ok(PrintRun {
             material,
             renewed: lights.iter().map(|_| None).collect(),
             lights,
@@ -114,7 +114,7 @@ impl<'a> Print<'a> {
     /// Prints, and shows every moment; it ends early where the observer says so. Returns the last state.
     ///
     /// # Errors
-    /// Those of material, dose models and callback; [`Error::Cancelled`].
+    /// Those of material, dose models and callback; [`Error::Canceled`].
     pub fn run(
         &mut self,
         run: &Run,

@@ -34,7 +34,7 @@ pub struct Printing {
 }
 
 impl Printing {
-    /// A print of these lights, one dose model each, in blocks of at most `step_s` (None: as [`Print`](crate::print::Print) chooses).
+    /// A print of these lights, one dose model each, in blocks of at most `step_s` (None: as [`PrintRun`](crate::print::PrintRun) chooses).
     ///
     /// # Errors
     /// [`Error::Config`] where schedule, mixing matrix and lights do not fit, or the step is not stable; [`Error::Unsupported`] where voxels do not fit.

@@ -161,7 +161,7 @@ impl Shaded {
 /// The way of a frame's light through the columns of the grid, step by step along the axis that it runs along most.
 struct Walk {
     is_along_x: bool,
-    /// Whether it runs towards lower numbers.
+    /// Whether it runs toward lower numbers.
     backward: bool,
     along: usize,
     across: usize,

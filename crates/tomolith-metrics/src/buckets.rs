@@ -93,7 +93,7 @@ pub(super) fn count_share(labels: &[u8], response: &[f32], blocks: &Steps<'_>) -
     let sums = labels
         .chunks(BLOCK)
         .zip(response.chunks(BLOCK))
-        .take_while(|_| !blocks.is_cancelled())
+        .take_while(|_| !blocks.is_canceled())
         .map(|(labels, values)| {
             blocks.add(1);
             for (&label, &value) in labels.iter().zip(values) {

@@ -45,14 +45,14 @@ const NONE: u32 = u32::MAX;
 
 /// A closed triangle surface in mm.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Surface {
+pub struct Isosurface {
     /// Corners `[x, y, z]`, mm.
     pub corners: Vec<[f32; 3]>,
     /// Indices of corners, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-impl Surface {
+impl Isosurface {
     /// Whether there is no triangle.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -108,7 +108,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// The surface around what is above `level`.
 #[must_use]
-pub fn isosurface(volume: &Volume<f32>, level: f64) -> Surface {
+pub fn isosurface(volume: &Volume<f32>, level: f64) -> Isosurface {
     isosurface_of(&volume.grid, level, rows_of(&volume.values), &Run::new())
 }
 
@@ -124,22 +124,22 @@ pub fn rows_of(values: &[f32]) -> impl Fn(usize, &mut [f32]) + Sync {
 }
 
 /// As [`isosurface`], of values that `fill` writes: a row of voxels along x that begins at a position of the array. Empty when
-/// the run is cancelled.
+/// the run is canceled.
 pub fn isosurface_of(
     grid: &VolumeGrid,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     run: &Run,
-) -> Surface {
+) -> Isosurface {
     if grid.is_empty() {
-        return Surface::default();
+        return Isosurface::default();
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
     let passes = run.steps(2 * slabs.len());
     let go_on = || {
         passes.add(1);
-        !passes.is_cancelled()
+        !passes.is_canceled()
     };
     let counts: Vec<usize> = slabs
         .par_iter()
@@ -158,16 +158,16 @@ pub fn isosurface_of(
             Some((*next - count) as u32)
         })
         .collect();
-    let parts: Vec<Surface> = slabs
+    let parts: Vec<Isosurface> = slabs
         .into_par_iter()
         .zip(firsts)
         .filter(|_| go_on())
         .map(|(slab, first)| march.triangulate(slab, first, Last::Next))
         .collect();
-    if run.is_cancelled() {
-        return Surface::default();
+    if run.is_canceled() {
+        return Isosurface::default();
     }
-    let mut surface = Surface {
+    let mut surface = Isosurface {
         corners: Vec::with_capacity(counts.iter().sum()),
         triangles: Vec::with_capacity(parts.iter().map(|p| p.triangles.len()).sum()),
     };
@@ -182,12 +182,12 @@ pub fn isosurface_of(
 /// pieces meet both have the same corners, to the last bit. Empty pieces are left out.
 ///
 /// # Errors
-/// What `take` refuses; [`Error::Cancelled`].
+/// What `take` refuses; [`Error::Canceled`].
 pub fn isosurface_pieces<E: From<Error>>(
     grid: &VolumeGrid,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
-    mut take: impl FnMut(&Surface) -> Result<(), E>,
+    mut take: impl FnMut(&Isosurface) -> Result<(), E>,
     run: &Run,
 ) -> Result<(), E> {
     if grid.is_empty() {
@@ -199,7 +199,7 @@ pub fn isosurface_pieces<E: From<Error>>(
     for some in slabs.chunks(PIECES_AT_ONCE) {
         run.check()?;
         steps.add(some.len());
-        let pieces: Vec<Surface> = some
+        let pieces: Vec<Isosurface> = some
             .par_iter()
             .map(|slab| march.triangulate(slab.clone(), 0, Last::Own))
             .collect();
@@ -225,7 +225,7 @@ struct Plane {
     inside: Vec<u8>,
     /// Per row: whether anything is inside.
     rows: Vec<bool>,
-    /// Number of the corner on the edge towards +x and towards +y.
+    /// Number of the corner on the edge toward +x and toward +y.
     along: [Vec<u32>; 2],
 }
 
@@ -372,10 +372,10 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
     }
 
     /// The triangles of a slab and the corners it owns, which are numbered from `first` on in the order they are made.
-    fn triangulate(&self, slab: std::ops::Range<usize>, first: u32, last: Last) -> Surface {
+    fn triangulate(&self, slab: std::ops::Range<usize>, first: u32, last: Last) -> Isosurface {
         let (w, h) = (self.width, self.height);
-        let mut surface = Surface::default();
-        let next = |surface: &Surface| first + surface.corners.len() as u32;
+        let mut surface = Isosurface::default();
+        let next = |surface: &Isosurface| first + surface.corners.len() as u32;
         let (mut low, mut high) = (Plane::default(), Plane::default());
         let mut upright = vec![NONE; w * h];
         self.load(slab.start, &mut low);
@@ -556,7 +556,7 @@ mod tests {
     }
 
     /// Every directed edge once, and its reverse once.
-    fn assert_closed(surface: &Surface) {
+    fn assert_closed(surface: &Isosurface) {
         let mut edges: HashMap<(u32, u32), i32> = HashMap::new();
         for t in &surface.triangles {
             for i in 0..3 {
@@ -658,7 +658,7 @@ mod tests {
                 .iter()
                 .map(|f| f.vertices.map(|i| i as u32))
                 .collect();
-            assert_closed(&Surface { corners, triangles });
+            assert_closed(&Isosurface { corners, triangles });
         }
         let full = isosurface(&volume, -1.0);
         assert_closed(&full);
@@ -690,7 +690,7 @@ mod tests {
     fn pieces_make_the_same_surface() {
         let volume = sphere(3 * SLAB * PIECES_AT_ONCE / 4, 1.1, [0.1, 0.0, -0.2]);
         let whole = isosurface(&volume, 1.0);
-        let flat = |surface: &Surface| -> Vec<[[f32; 3]; 3]> {
+        let flat = |surface: &Isosurface| -> Vec<[[f32; 3]; 3]> {
             let corner = |i: u32| surface.corners[i as usize];
             surface.triangles.iter().map(|t| t.map(corner)).collect()
         };
@@ -717,7 +717,7 @@ mod tests {
         assert!(ended(&enough, &Run::new()).to_string().contains("enough"));
         let run = Run::new();
         run.cancel();
-        assert!(matches!(ended(&|| Ok(()), &run), Error::Cancelled));
+        assert!(matches!(ended(&|| Ok(()), &run), Error::Canceled));
     }
 
     #[test]
@@ -732,6 +732,6 @@ mod tests {
         };
         assert_eq!(run(1), run(3));
         let empty = isosurface(&volume, 5.0);
-        assert_eq!(empty, Surface::default());
+        assert_eq!(empty, Isosurface::default());
     }
 }

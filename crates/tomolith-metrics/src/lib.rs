@@ -12,7 +12,7 @@ pub mod cv;
 pub mod eta;
 pub mod evaluation;
 pub mod gamma;
-pub mod grey;
+pub mod gray;
 pub mod iou;
 pub mod ipdr;
 pub mod isosurface;
@@ -84,8 +84,8 @@ pub static METRICS: &[MetricKind] = &[
     surface_deviation::MEAN,
     surface_deviation::P95,
     surface_deviation::HAUSDORFF,
-    grey::IN_BAND,
-    grey::RMS,
-    grey::MAX_PART,
-    grey::MAX_VOID,
+    gray::IN_BAND,
+    gray::RMS,
+    gray::MAX_PART,
+    gray::MAX_VOID,
 ];

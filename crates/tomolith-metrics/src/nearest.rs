@@ -5,15 +5,15 @@
 //! are farther than the best triangle so far. A bound from a neighboring point makes it start well. Exact up to f32.
 //!
 //! ```
-//! use tomolith_metrics::isosurface::Surface;
+//! use tomolith_metrics::isosurface::Isosurface;
 //! use tomolith_metrics::nearest::TriangleTree;
-//! let surface = Surface { corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles: vec![[0, 1, 2]] };
+//! let surface = Isosurface { corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles: vec![[0, 1, 2]] };
 //! let tree = TriangleTree::new(&surface);
 //! assert_eq!(tree.distance([0.2, 0.2, 0.5], f32::INFINITY), 0.5); // above its face
 //! assert_eq!(tree.distance([-3.0, 4.0, 0.0], f32::INFINITY), 18f32.sqrt()); // nearest to the corner (0, 1, 0)
 //! ```
 
-use super::isosurface::Surface;
+use super::isosurface::Isosurface;
 use rayon::prelude::*;
 use tomolith_core::dose::Run;
 
@@ -66,13 +66,13 @@ pub struct TriangleTree {
 impl TriangleTree {
     /// Builds the tree.
     #[must_use]
-    pub fn new(surface: &Surface) -> Self {
+    pub fn new(surface: &Isosurface) -> Self {
         Self::under(surface, &Run::new())
     }
 
-    /// The same until the run is cancelled: a tree that is not in order answers wrong.
+    /// The same until the run is canceled: a tree that is not in order answers wrong.
     #[must_use]
-    pub fn under(surface: &Surface, run: &Run) -> Self {
+    pub fn under(surface: &Isosurface, run: &Run) -> Self {
         let mut triangles: Vec<[Point; 3]> = surface
             .triangles
             .par_iter()
@@ -161,7 +161,7 @@ impl TriangleTree {
 /// Brings triangles into the order of the leaves below a node that has `levels` levels below it.
 fn sort(triangles: &mut [[Point; 3]], levels: u32, run: &Run) {
     let n = triangles.len();
-    if levels == 0 || n < 2 || run.is_cancelled() {
+    if levels == 0 || n < 2 || run.is_canceled() {
         return;
     }
     let mut bounds = Aabb::EMPTY;
@@ -251,7 +251,7 @@ mod tests {
             let triangles = (0..count as u32)
                 .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
                 .collect();
-            let surface = Surface { corners, triangles };
+            let surface = Isosurface { corners, triangles };
             let tree = TriangleTree::new(&surface);
             for _ in 0..200 {
                 let p: Point = std::array::from_fn(|_| 2.0 * random(&mut state) - 0.5);
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn no_triangles_are_infinitely_far_away() {
-        let tree = TriangleTree::new(&Surface::default());
+        let tree = TriangleTree::new(&Isosurface::default());
         assert_eq!(tree.distance([0.0; 3], f32::INFINITY), f32::INFINITY);
     }
 }

@@ -16,8 +16,8 @@
 //! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
 //! ```
 
-use super::grey::{GrayErrors, gray_errors};
-use super::isosurface::{Surface, beyond, isosurface_of, isosurface_pieces};
+use super::gray::{GrayErrors, gray_errors};
+use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
 use rayon::prelude::*;
@@ -73,7 +73,7 @@ pub struct Print<'a> {
     inside: Option<&'a Volume<f32>>,
     patterns: Option<PatternStats>,
     threshold: Option<f64>,
-    grey: Option<(&'a Volume<f32>, f64)>,
+    gray: Option<(&'a Volume<f32>, f64)>,
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
@@ -106,10 +106,10 @@ impl<'a> Print<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is cancelled, numbers that are asked for afterwards mean nothing.
+    /// The same as a part of a run. When that is canceled, numbers that are asked for afterwards mean nothing.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::Cancelled`].
+    /// As [`new`](Self::new); [`Error::Canceled`].
     pub fn under(labels: &'a Volume<u8>, response: &'a Volume<f32>, run: Run) -> Result<Self> {
         same_shape("labels", &labels.grid, &labels.grid, labels.values.len())?;
         same_shape(
@@ -124,7 +124,7 @@ impl<'a> Print<'a> {
             inside: None,
             patterns: None,
             threshold: None,
-            grey: None,
+            gray: None,
             scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
             run,
             best: OnceLock::new(),
@@ -168,7 +168,7 @@ impl<'a> Print<'a> {
                 "a finite number, 0 or above",
             ));
         }
-        self.grey = Some((wanted, half_width));
+        self.gray = Some((wanted, half_width));
         Ok(self)
     }
 
@@ -227,13 +227,13 @@ impl<'a> Print<'a> {
     /// Half width of the band round the gray values, `None` for a target of part and void.
     #[must_use]
     pub fn half_width(&self) -> Option<f64> {
-        self.grey.map(|(_, half_width)| half_width)
+        self.gray.map(|(_, half_width)| half_width)
     }
 
     /// Errors against the gray values, `None` for a target of part and void.
     #[must_use]
     pub fn gray_errors(&self) -> Option<GrayErrors> {
-        let (wanted, half_width) = self.grey?;
+        let (wanted, half_width) = self.gray?;
         *self.errors.get_or_init(|| {
             let (labels, response) = (&self.labels.values, &self.response.values);
             gray_errors(labels, response, &wanted.values, half_width)
@@ -270,9 +270,9 @@ impl<'a> Print<'a> {
 
     /// The predicted print's surface; voxels outside of the resin are not printed. Empty when nothing is printed.
     #[must_use]
-    pub fn surface(&self) -> Surface {
+    pub fn surface(&self) -> Isosurface {
         let Some(threshold) = self.gel_threshold() else {
-            return Surface::default();
+            return Isosurface::default();
         };
         let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
         isosurface_of(self.grid(), threshold, fill, &self.run)
@@ -281,10 +281,10 @@ impl<'a> Print<'a> {
     /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
     ///
     /// # Errors
-    /// What `take` refuses; [`Error::Cancelled`].
+    /// What `take` refuses; [`Error::Canceled`].
     pub fn surface_pieces<E: From<Error>>(
         &self,
-        take: impl FnMut(&Surface) -> std::result::Result<(), E>,
+        take: impl FnMut(&Isosurface) -> std::result::Result<(), E>,
     ) -> std::result::Result<(), E> {
         let Some(threshold) = self.gel_threshold() else {
             return Ok(());

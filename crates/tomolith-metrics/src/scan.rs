@@ -143,10 +143,10 @@ impl<'a> Scan<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is cancelled later, numbers that are asked for mean nothing.
+    /// The same as a part of a run. When that is canceled later, numbers that are asked for mean nothing.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::Cancelled`].
+    /// As [`new`](Self::new); [`Error::Canceled`].
     pub fn under(labels: &'a [u8], response: &'a [f32], run: Run) -> Result<Self> {
         if labels.len() != response.len() {
             return Err(Error::Shape {
@@ -391,7 +391,7 @@ impl<'a> Scan<'a> {
                     let blocks = self.labels[share.clone()]
                         .chunks(BLOCK)
                         .zip(self.response[share].chunks(BLOCK))
-                        .take_while(|_| !steps.is_cancelled())
+                        .take_while(|_| !steps.is_canceled())
                         .inspect(|_| steps.add(1));
                     for (&label, &value) in blocks.flat_map(|(l, r)| l.iter().zip(r)) {
                         let Some(class) = class(label) else { continue };

@@ -33,7 +33,7 @@
 //! assert_eq!(distance.farthest.side.words(), "print without target");
 //! ```
 
-use super::isosurface::{Surface, isosurface_of, rows_of};
+use super::isosurface::{Isosurface, isosurface_of, rows_of};
 use super::nearest::TriangleTree;
 use super::print::Print;
 use rayon::prelude::*;
@@ -103,7 +103,7 @@ pub struct SurfaceDistance {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The print's surface.
-    pub surface: Surface,
+    pub surface: Isosurface,
     /// Distance of each corner to the target's surface, µm: positive where the corner lies outside of the target (the print is too
     /// large there), negative where it lies in it (too small).
     pub off_um: Vec<f32>,
@@ -122,7 +122,7 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
         ..
     } = surfaces(print, FULL_RESOLUTION)?;
     let distances = distances(&printed, &target, &run.part(NEAREST));
-    if run.is_cancelled() {
+    if run.is_canceled() {
         return None;
     }
     let signed = |(corner, (distance, _)): (&[f32; 3], (f32, f64))| {
@@ -151,8 +151,8 @@ pub(super) fn surface_distance(print: &Print<'_>) -> Option<SurfaceDistance> {
 /// The print's surface and the target's.
 struct Surfaces {
     threshold: f64,
-    printed: Surface,
-    target: Surface,
+    printed: Isosurface,
+    target: Isosurface,
     /// Voxels per edge that were averaged.
     coarsened: usize,
     /// What is left of measuring them.
@@ -195,7 +195,7 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
     } = surfaces(print, most_voxels)?;
     let mut samples = distances(&printed, &target, &run.part(NEAREST));
     let back = distances(&target, &printed, &run.part(NEAREST));
-    if run.is_cancelled() {
+    if run.is_canceled() {
         return None;
     }
     let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
@@ -277,7 +277,7 @@ fn surface(
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     run: &Run,
-) -> Surface {
+) -> Isosurface {
     if factor == 1 {
         return isosurface_of(grid, level, fill, run);
     }
@@ -311,7 +311,7 @@ fn averaged(
         .for_each_init(
             || (vec![0.0f32; grid.shape[2]], vec![0.0f64; shape[2]]),
             |(row, sums), (z, plane)| {
-                if planes.is_cancelled() {
+                if planes.is_canceled() {
                     return;
                 }
                 planes.add(1);
@@ -334,7 +334,7 @@ fn averaged(
 }
 
 /// Per corner of `from`: the distance to `to`, mm, and its share of the area, mm².
-fn distances(from: &Surface, to: &Surface, run: &Run) -> Vec<(f32, f64)> {
+fn distances(from: &Isosurface, to: &Isosurface, run: &Run) -> Vec<(f32, f64)> {
     let tree = TriangleTree::under(to, run);
     let runs = run.steps(from.corners.len().div_ceil(RUN));
     let areas: Vec<f64> = (0..from.triangles.len())
@@ -352,7 +352,7 @@ fn distances(from: &Surface, to: &Surface, run: &Run) -> Vec<(f32, f64)> {
         .zip(weights.par_chunks(RUN))
         .filter(|_| {
             runs.add(1);
-            !runs.is_cancelled()
+            !runs.is_canceled()
         })
         .flat_map_iter(|(corners, weights)| {
             let mut before: Option<([f32; 3], f32)> = None;

@@ -25,9 +25,9 @@ use super::surface::SurfaceDistance;
 use super::{Better, Measure, Metric, MetricKind};
 
 /// One of the distances; see the [module page](self).
-pub struct Deviation(fn(&SurfaceDistance) -> f64);
+pub struct SurfaceDeviation(fn(&SurfaceDistance) -> f64);
 
-impl Metric for Deviation {
+impl Metric for SurfaceDeviation {
     fn measure(&self, print: &Print<'_>) -> Measure {
         print.distance().map(|distance| (self.0)(&distance))
     }
@@ -37,7 +37,7 @@ const fn row(
     name: &'static str,
     title: &'static str,
     summary: &'static str,
-    metric: &'static Deviation,
+    metric: &'static SurfaceDeviation,
 ) -> MetricKind {
     MetricKind {
         name,
@@ -54,7 +54,7 @@ pub const MEAN: MetricKind = row(
     "surface_mean_mm",
     "Surface deviation, mean",
     "Mean distance between the print's surface and the target's.",
-    &Deviation(|d| d.mean_mm),
+    &SurfaceDeviation(|d| d.mean_mm),
 );
 
 /// Row of [`METRICS`](super::METRICS): the 95th percentile.
@@ -62,7 +62,7 @@ pub const P95: MetricKind = row(
     "surface_p95_mm",
     "Surface deviation, 95 %",
     "95 % of the print's surface is closer to the target's surface than this.",
-    &Deviation(|d| d.p95_mm),
+    &SurfaceDeviation(|d| d.p95_mm),
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest distance.
@@ -70,7 +70,7 @@ pub const HAUSDORFF: MetricKind = row(
     "hausdorff_mm",
     "Surface deviation, largest",
     "The largest distance between the print's surface and the target's (Hausdorff).",
-    &Deviation(|d| d.hausdorff_mm),
+    &SurfaceDeviation(|d| d.hausdorff_mm),
 );
 
 #[cfg(test)]

@@ -211,7 +211,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     /// The model, for the purpose of the scene.
     ///
     /// # Errors
-    /// What the model refuses; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+    /// What the model refuses; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel>;
 
     /// The model of its light that is not scattered and does not spread: which pixels can meet a voxel, in one call.

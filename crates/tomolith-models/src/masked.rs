@@ -27,7 +27,7 @@ pub struct MaskedModel {
 /// Which pixels (elements of a pattern field) bring light to a voxel that is marked; `places` in file order `[z, y, x]`.
 ///
 /// # Errors
-/// [`Error::Cancelled`](tomolith_core::Error::Cancelled), or not enough memory.
+/// [`Error::Canceled`](tomolith_core::Error::Canceled), or not enough memory.
 pub fn pixels_through(
     model: &dyn DoseModel<Field = HostField>,
     places: &Volume<bool>,

@@ -264,7 +264,7 @@ impl MatrixModel {
     /// Pixels of one column that are too far apart to light the same slice are lit together.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Cancelled`].
+    /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Canceled`].
     pub fn from_model(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Self> {
         let csr = matrix_of(model, run)?;
         let pixels = model.patterns().iter().map(|p| p.grid.clone()).collect();
@@ -560,14 +560,14 @@ impl LinearOperator for MatrixModel {
             .par_chunks_mut(layout.row)
             .enumerate()
             .for_each(|(place, lanes)| {
-                if run.is_cancelled() {
+                if run.is_canceled() {
                     return;
                 }
                 for (i, out) in lanes.chunks_mut(self.depth).take(items).enumerate() {
                     self.forward.add(place * items + i, x, &range, out);
                 }
             });
-        cancelled(run)
+        canceled(run)
     }
 
     fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
@@ -589,7 +589,7 @@ impl LinearOperator for MatrixModel {
             .par_chunks_mut(ranks * self.depth)
             .enumerate()
             .for_each(|(chunk, grad)| {
-                if run.is_cancelled() {
+                if run.is_canceled() {
                     return;
                 }
                 grad.fill(0.0);
@@ -598,7 +598,7 @@ impl LinearOperator for MatrixModel {
                     self.adjoint.add(rank, cotangent, &all, out);
                 }
             });
-        cancelled(run)
+        canceled(run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -637,9 +637,9 @@ impl MatrixModel {
     }
 }
 
-fn cancelled(run: &Run) -> Result<()> {
-    if run.is_cancelled() {
-        Err(Error::Cancelled)
+fn canceled(run: &Run) -> Result<()> {
+    if run.is_canceled() {
+        Err(Error::Canceled)
     } else {
         Ok(())
     }

@@ -77,7 +77,7 @@ use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
-use tomolith_optics::space::Limits;
+use tomolith_optics::space::TraceLimits;
 use tomolith_optics::vial::Vial;
 
 /// Keys of `[model.monte_carlo]`.
@@ -100,7 +100,7 @@ pub struct Params {
     pub orders: usize,
     /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
     pub smooth: usize,
-    /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgement does, which has paths enough.
+    /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgment does, which has paths enough.
     #[serde(skip)]
     pub is_sharp: bool,
 }
@@ -121,7 +121,7 @@ impl Default for Params {
     }
 }
 
-/// Paths of the judgement for each of the optimization.
+/// Paths of the judgment for each of the optimization.
 const JUDGING: usize = 16;
 
 impl Params {
@@ -290,11 +290,11 @@ fn emission(params: &Params, scattered: Option<Scattered>) -> Emission {
     Emission {
         rays_per_pixel: params.paths_per_pixel,
         accumulation: params.accumulation,
-        limits: Limits {
+        limits: TraceLimits {
             reflections: params.reflections,
             least_power: params.least_power,
             orders: params.orders,
-            ..Limits::default()
+            ..TraceLimits::default()
         },
         scattered,
     }

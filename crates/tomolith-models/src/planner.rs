@@ -14,7 +14,7 @@ use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
 
 /// A dose model, and why it was chosen.
-pub struct Plan {
+pub struct ModelPlan {
     /// The model, with its dark pixels and the factor of its doses.
     pub model: MaskedModel,
     /// One sentence for people.
@@ -80,14 +80,14 @@ fn why(family: &dyn ModelFamily, scene: &OpticalScene<'_>, grid: &VolumeGrid) ->
 /// voxel become unknowns; the others stay dark, as do those that the selection of a light leaves out.
 ///
 /// # Errors
-/// As [`choose`] and [`ModelFamily::build`]; [`Error::Cancelled`].
+/// As [`choose`] and [`ModelFamily::build`]; [`Error::Canceled`].
 pub fn plan(
     asked: Option<&Family>,
     scene: OpticalScene<'_>,
     grid: &VolumeGrid,
     wanted: Option<&Volume<u8>>,
     run: &Run,
-) -> Result<Plan> {
+) -> Result<ModelPlan> {
     let family = choose(asked, &scene, grid)?;
     let input = ModelInput::new(scene, grid, run)?;
     if family.capabilities().is_stored {
@@ -115,7 +115,7 @@ pub fn plan(
         .transpose()?
         .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
     let model = MaskedModel::new(family.build(&input)?, dark.clone(), factor);
-    Ok(Plan {
+    Ok(ModelPlan {
         reason: format!(
             "{}: {}",
             model.describe(),
@@ -132,7 +132,7 @@ fn stored(
     family: &dyn ModelFamily,
     input: &ModelInput<'_>,
     wanted: Option<&Volume<u8>>,
-) -> Result<Plan> {
+) -> Result<ModelPlan> {
     let model = family.build(input)?;
     let lights = input.scene.lights;
     let mut dark = Vec::new();
@@ -147,7 +147,7 @@ fn stored(
             .collect();
     }
     let model = MaskedModel::new(model, dark.clone(), input.scene.dose_factor);
-    Ok(Plan {
+    Ok(ModelPlan {
         reason: format!("{} {}", model.describe(), family.merit()),
         model,
         dark,
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn a_resin_that_scatters_and_differs_from_place_to_place_is_followed_by_random_paths() {
         use tomolith_optics::absorption_map::AbsorptionMap;
-        use tomolith_optics::gradient::Gradient;
+        use tomolith_optics::gradient::IndexGradient;
         let mut milk = light();
         milk.resin.attenuation_per_mm = 0.5;
         let mut optics = [Optics::collimated(0.1)];
@@ -361,7 +361,7 @@ mod tests {
         // 0.2 absorbed and 0.3 scattered per mm are more than 0.4
         assert_eq!(mapped(0.4), "resin.absorption_map.attenuation");
         let mut bent = milk.clone();
-        bent.resin.gradient = Some(Gradient {
+        bent.resin.gradient = Some(IndexGradient {
             quadratic_per_mm2: -0.01,
             quartic_per_mm4: 0.0,
             step_mm: 0.1,

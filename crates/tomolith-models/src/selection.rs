@@ -21,7 +21,7 @@ use tomolith_optics::light::{Light, Selection};
 /// inside cells are wanted.
 ///
 /// # Errors
-/// [`Error::Cancelled`], [`Error::Shape`].
+/// [`Error::Canceled`], [`Error::Shape`].
 pub fn contributions(
     model: &dyn DoseModel<Field = HostField>,
     wanted: &Volume<u8>,
@@ -215,7 +215,7 @@ mod tests {
             light.selection.masks = vec![mask()];
             let masked = planned(light.clone());
             // The gradient of an even dose is what was there, and 0 where no pixel may be lit
-            let gradient = |plan: &planner::Plan| {
+            let gradient = |plan: &planner::ModelPlan| {
                 let model = &plan.model;
                 let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
                 c.fill(1.0);

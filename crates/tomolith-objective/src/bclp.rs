@@ -9,7 +9,7 @@
 //! singular at L = 0, where it is set to 0; p < 1 as in [`band`](super::band). **Cost** one pass; a power other than 1 and 2
 //! costs a `powf` per voxel outside its band.
 
-use super::preset::{AroundTarget, Surface, not_negative, positive};
+use super::preset::{AroundTarget, SurfaceHandling, not_negative, positive};
 use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,7 +32,7 @@ pub struct Params {
     /// Weight of void voxels, 0 or above (default 1)
     pub void_weight: f64,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -43,7 +43,7 @@ impl Default for Params {
             q: 1.0,
             part_weight: 1.0,
             void_weight: 1.0,
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }

@@ -9,7 +9,7 @@
 //! use tomolith_objective::buffer::near_the_other_kind;
 //! let grid = VolumeGrid::centered([1, 1, 6], 0.5);
 //! let inside = Volume { grid, values: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0] };
-//! let target = Target { name: "wall".into(), inside, grey: false };
+//! let target = Target { name: "wall".into(), inside, gray: false };
 //! // centers of the 2nd and 4th voxel are 1 mm apart, of the 1st and 4th 1.5 mm
 //! assert_eq!(near_the_other_kind(&target, 1.0), [false, true, true, true, true, false]);
 //! ```

@@ -9,7 +9,7 @@
 //! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a gray target.
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
-use super::preset::{AroundTarget, Surface, not_negative};
+use super::preset::{AroundTarget, SurfaceHandling, not_negative};
 use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,7 @@ pub struct Params {
     /// Weight of void voxels, 0 or above (default 1)
     pub void_weight: f64,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -34,7 +34,7 @@ impl Default for Params {
         Params {
             part_weight: 1.0,
             void_weight: 1.0,
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }

@@ -220,17 +220,17 @@ mod tests {
     fn gray_targets_are_reproduced_or_refused() {
         let model = SmallModel::new(10, 2, 5);
         let (mut target, labels) = model.ring();
-        target.grey = true;
+        target.gray = true;
         for (i, value) in target.inside.values.iter_mut().enumerate() {
             *value = (i % 10) as f32 / 10.0;
         }
         let input = input(model.layout(), &labels, &target, Arc::new(Identity));
-        let grey = HostField::from_slice(&model.layout().field_of(&target.inside));
+        let gray = HostField::from_slice(&model.layout().field_of(&target.inside));
         for row in OBJECTIVES {
             let built = (row.build)(&example(row), &input);
             if ["l2", "l1", "dose_matching", "bclp"].contains(&row.name) {
                 let objective = built.unwrap();
-                assert_eq!(objective.value(&grey), 0.0, "{}", row.name);
+                assert_eq!(objective.value(&gray), 0.0, "{}", row.name);
                 check::objective(&*objective, &some_dose(model.layout())).unwrap();
             } else {
                 assert!(
@@ -252,7 +252,7 @@ mod tests {
                 grid: grid.clone(),
                 values: part.to_vec(),
             },
-            grey: false,
+            gray: false,
         };
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));
@@ -412,7 +412,7 @@ mod tests {
                 grid,
                 values: inside.to_vec(),
             },
-            grey: false,
+            gray: false,
         };
         let cells = Cells::new(&layout, &target.inside);
         let layout = layout.with_cells(Arc::new(cells));
@@ -496,7 +496,7 @@ mod tests {
         let target = Target {
             name: "all".into(),
             inside: Volume::filled(grid.clone(), 1.0),
-            grey: false,
+            gray: false,
         };
         let mut labels = Volume::filled(grid, label::OUTSIDE);
         let zero = HostField::zeros(layout.len());
@@ -576,7 +576,7 @@ mod tests {
         let target = Target {
             name: "wall".into(),
             inside: Volume { grid, values },
-            grey: false,
+            gray: false,
         };
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));

@@ -9,7 +9,7 @@
 //! method's normalization by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Surface, below, finite};
+use super::preset::{PartAndVoid, SurfaceHandling, below, finite};
 use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,7 @@ pub struct Params {
     /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
     pub d_l: f64,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -34,7 +34,7 @@ impl Default for Params {
         Params {
             d_h: 0.9,
             d_l: 0.85,
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }

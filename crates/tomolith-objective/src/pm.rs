@@ -14,7 +14,7 @@
 //! **Cost** the label pass of [`band`](super::band); the buffer costs two distance transforms once.
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Surface, below, finite, not_negative, positive};
+use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
 use super::{BuildObjective, ObjectiveInput};
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -43,7 +43,7 @@ pub struct Params {
     /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
     pub buffer_mm: Mm,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -55,7 +55,7 @@ impl Default for Params {
             rho_2: 1.0,
             p: 1.0,
             buffer_mm: Mm(0.0),
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }
@@ -108,7 +108,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
             params
                 .bands()
                 .and_then(|bands| {
-                    if params.buffer_mm.0 == 0.0 || input.target.grey {
+                    if params.buffer_mm.0 == 0.0 || input.target.gray {
                         bands.build(params.surface, input)
                     } else {
                         bands.build_with_labels(params.surface, input, &params.eroded(input))

@@ -16,7 +16,7 @@ use tomolith_core::units::exact;
 /// How voxels that the surface cuts are weighed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Surface {
+pub enum SurfaceHandling {
     /// A voxel is part when at least half of it is inside, void otherwise.
     #[default]
     Voxel,
@@ -26,13 +26,13 @@ pub enum Surface {
     Cells,
 }
 
-impl Surface {
+impl SurfaceHandling {
     /// Its name in a job.
     fn name(self) -> &'static str {
         match self {
-            Surface::Voxel => "voxel",
-            Surface::Fraction => "fraction",
-            Surface::Cells => "cells",
+            SurfaceHandling::Voxel => "voxel",
+            SurfaceHandling::Fraction => "fraction",
+            SurfaceHandling::Cells => "cells",
         }
     }
 
@@ -46,8 +46,10 @@ impl Surface {
     /// Refuses bands of voxels on a field of cells, and the other way round.
     fn must_fit(self, layout: &DoseLayout) -> Result<()> {
         match (self, &layout.cells) {
-            (Surface::Cells, None) => Err(self.refused("the model has whole voxels; [model.rays]")),
-            (Surface::Voxel | Surface::Fraction, Some(_)) => {
+            (SurfaceHandling::Cells, None) => {
+                Err(self.refused("the model has whole voxels; [model.rays]"))
+            }
+            (SurfaceHandling::Voxel | SurfaceHandling::Fraction, Some(_)) => {
                 Err(self
                     .refused("another objective has cells; surface = \"cells\" in every objective"))
             }
@@ -74,7 +76,11 @@ impl PartAndVoid {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a gray target, [`Error::Config`] for bands out of range.
-    pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
+    pub fn build<F: Field>(
+        &self,
+        surface: SurfaceHandling,
+        input: &ObjectiveInput,
+    ) -> BoxedObjective<F> {
         self.build_with_labels(surface, input, input.labels)
     }
 
@@ -84,14 +90,14 @@ impl PartAndVoid {
     /// As [`build`](Self::build).
     pub fn build_with_labels<F: Field>(
         &self,
-        surface: Surface,
+        surface: SurfaceHandling,
         input: &ObjectiveInput,
         labels: &Volume<u8>,
     ) -> BoxedObjective<F> {
         check_shape("labels", &labels.grid.shape, input)?;
         must_be_part_and_void(input)?;
         surface.must_fit(input.layout)?;
-        let bands = if surface == Surface::Voxel {
+        let bands = if surface == SurfaceHandling::Voxel {
             Bands::labels(
                 input.layout.field_of(labels),
                 &[(label::PART, self.part), (label::VOID, self.void)],
@@ -124,7 +130,7 @@ impl Shares {
     /// # Errors
     /// [`Error::Unsupported`] for a gray target, and for a surface that the model does not have.
     pub(crate) fn new(
-        surface: Surface,
+        surface: SurfaceHandling,
         input: &ObjectiveInput,
         labels: &Volume<u8>,
     ) -> Result<Self> {
@@ -132,7 +138,7 @@ impl Shares {
         surface.must_fit(input.layout)?;
         let counts = |label: u8| label == label::PART || label == label::VOID;
         let mut labels = input.layout.field_of(labels);
-        if surface == Surface::Fraction {
+        if surface == SurfaceHandling::Fraction {
             let mut inside = input.layout.field_of(&input.target.inside);
             inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
                 *s = if counts(label) {
@@ -192,7 +198,7 @@ impl Shares {
 
 /// Refuses a gray target.
 fn must_be_part_and_void(input: &ObjectiveInput) -> Result<()> {
-    if !input.target.grey {
+    if !input.target.gray {
         return Ok(());
     }
     Err(Error::Unsupported {
@@ -222,11 +228,15 @@ impl AroundTarget {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a gray target with a surface fraction, [`Error::Config`] for bands out of range.
-    pub fn build<F: Field>(&self, surface: Surface, input: &ObjectiveInput) -> BoxedObjective<F> {
+    pub fn build<F: Field>(
+        &self,
+        surface: SurfaceHandling,
+        input: &ObjectiveInput,
+    ) -> BoxedObjective<F> {
         let around = |value: f32, weight: f32| {
             Band::new(value - self.half_width, value + self.half_width, weight)
         };
-        if !input.target.grey {
+        if !input.target.gray {
             let bands = PartAndVoid {
                 part: around(1.0, self.part_weight),
                 void: around(0.0, self.void_weight),
@@ -235,16 +245,16 @@ impl AroundTarget {
             };
             return bands.build(surface, input);
         }
-        if surface != Surface::Voxel {
+        if surface != SurfaceHandling::Voxel {
             return Err(surface.refused(
                 "the target is gray, so its values are not inside fractions; use surface = \"voxel\"",
             ));
         }
         check_shape("labels", &input.labels.grid.shape, input)?;
-        finish(self.grey(input), self.p, self.q, input)
+        finish(self.gray(input), self.p, self.q, input)
     }
 
-    fn grey(&self, input: &ObjectiveInput) -> Bands {
+    fn gray(&self, input: &ObjectiveInput) -> Bands {
         let values = input.layout.field_of(&input.target.inside);
         let labels = input.layout.field_of(input.labels);
         let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };

@@ -31,7 +31,7 @@
 //! part. Regions of different exposure have no common window. **Cost** a pass over doses and shares for each trial of u and l, which
 //! begin where the last ones ended: about two passes of 8 bytes per voxel. Doses on a device are copied to the host.
 
-use super::preset::{Shares, Surface};
+use super::preset::{Shares, SurfaceHandling};
 use super::{BoxedObjective, BuildObjective, Objective, ObjectiveInput, VoxelWeights};
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -49,7 +49,7 @@ use tomolith_core::units::exact;
 /// What outliers are counted in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Measure {
+pub enum WindowMeasure {
     /// A share of either region, as in trimmed process windows.
     #[default]
     Pw,
@@ -62,7 +62,7 @@ pub enum Measure {
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
     /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
-    pub measure: Measure,
+    pub measure: WindowMeasure,
     /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.5 (default 0.05)
     pub outliers: f64,
     /// Largest dose range in the part, trimmed by the outliers, above 0 and at most 1 (default: any)
@@ -71,17 +71,17 @@ pub struct Params {
     /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.2)
     pub softness: f64,
     /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
     fn default() -> Self {
         Params {
-            measure: Measure::Pw,
+            measure: WindowMeasure::Pw,
             outliers: 0.05,
             ipdr: None,
             softness: 0.2,
-            surface: Surface::Fraction,
+            surface: SurfaceHandling::Fraction,
         }
     }
 }
@@ -332,8 +332,8 @@ impl ProcessWindow {
         }
         let outliers = self.params.outliers;
         let of_void = match self.params.measure {
-            Measure::Pw => outliers * void,
-            Measure::Gamma => (outliers * part).min(0.5 * void),
+            WindowMeasure::Pw => outliers * void,
+            WindowMeasure::Gamma => (outliers * part).min(0.5 * void),
         };
         self.prices = [1.0 / (outliers * part), 1.0 / of_void];
         Ok(())
@@ -521,7 +521,10 @@ mod tests {
     fn the_loss_is_that_of_sorted_tails() {
         let inside: Vec<f32> = (0..400).map(|i| f32::from(i % 4 == 0)).collect();
         let dose: Vec<f32> = noise(400, 3).iter().map(|v| 0.5 + 0.4 * v).collect();
-        for (measure, of_void) in [(Measure::Pw, 0.033 * 300.0), (Measure::Gamma, 3.3)] {
+        for (measure, of_void) in [
+            (WindowMeasure::Pw, 0.033 * 300.0),
+            (WindowMeasure::Gamma, 3.3),
+        ] {
             let params = Params {
                 measure,
                 outliers: 0.033,
@@ -577,7 +580,7 @@ mod tests {
             .map(|(v, s)| 0.3 + 0.5 * s + 0.35 * v)
             .collect();
         let dose = HostField::from_slice(&dose);
-        for measure in [Measure::Pw, Measure::Gamma] {
+        for measure in [WindowMeasure::Pw, WindowMeasure::Gamma] {
             for ipdr in [None, Some(0.3)] {
                 let params = Params {
                     measure,

@@ -16,7 +16,7 @@
 //! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Surface, below, finite, not_negative, positive};
+use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
 use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ pub struct Params {
     /// Weight of void voxels, 0 or above (default 1)
     pub void_weight: f64,
     /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -54,7 +54,7 @@ impl Default for Params {
             exponent: 2.0,
             part_weight: 1.0,
             void_weight: 1.0,
-            surface: Surface::Fraction,
+            surface: SurfaceHandling::Fraction,
         }
     }
 }

@@ -13,7 +13,7 @@
 //! **Equation** w_v = w(role)·w(file)·b_v·g_v with b_v = 0 in the buffer and
 //!
 //! ```text
-//! g_v = 1/(1 + (|∇f|_v/edge)²)        central differences, 1/mm; grey targets only
+//! g_v = 1/(1 + (|∇f|_v/edge)²)        central differences, 1/mm; gray targets only
 //! ε_v = ε(role) + ε(file)             bands become [lower − ε, upper + ε]
 //! ```
 //!
@@ -410,7 +410,7 @@ impl WeightsSpec {
             }
         }
         if let Some(edge) = self.edge_per_mm {
-            if !ground.target.grey {
+            if !ground.target.gray {
                 return Err(Error::config(
                     "weights.edge_per_mm",
                     "the target is not gray",
@@ -527,7 +527,7 @@ mod tests {
         target: Target,
     }
 
-    fn row(inside: &[f32], grey: bool) -> Room {
+    fn row(inside: &[f32], gray: bool) -> Room {
         let grid = VolumeGrid::centered([1, 1, inside.len()], 0.5);
         let target = Target {
             name: "row".into(),
@@ -535,7 +535,7 @@ mod tests {
                 grid: grid.clone(),
                 values: inside.to_vec(),
             },
-            grey,
+            gray,
         };
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         Room {
@@ -667,12 +667,12 @@ mod tests {
             tolerance: vec![],
         };
         let dose = [0.5f32, 1.5, 0.25, 0.0, 0.5];
-        for (json, grey) in [
+        for (json, gray) in [
             (serde_json::json!({}), false),
             (serde_json::json!({}), true),
             (serde_json::json!({"surface": "fraction"}), false),
         ] {
-            let room = row(&part, grey);
+            let room = row(&part, gray);
             let field = |values: &[f32]| {
                 room.layout.field_of(&Volume {
                     grid: room.layout.grid.clone(),
@@ -698,7 +698,7 @@ mod tests {
             for i in 0..5 {
                 assert!(
                     (slopes[i] - scale[i] * plain[i]).abs() < 1e-6,
-                    "{json} {grey}: {slopes:?} {plain:?}"
+                    "{json} {gray}: {slopes:?} {plain:?}"
                 );
             }
             // Bands [f − ½, f + ½]: doses 0.5 and 1.5 are in the part's, 0.25 and 0 in the void's

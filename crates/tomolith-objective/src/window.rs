@@ -14,7 +14,7 @@
 //! **Parameters** see [`Params`] and [`WindowParams`]. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Surface, below, finite, not_negative};
+use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative};
 use super::{BuildObjective, ObjectiveInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ pub struct Params {
     /// τ_u: threshold of part voxels (default 0.9)
     pub upper: f64,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for Params {
@@ -39,7 +39,7 @@ impl Default for Params {
         Params {
             lower: 0.7,
             upper: 0.9,
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }
@@ -55,7 +55,7 @@ pub struct WindowParams {
     /// Width of the part's band above τ_u, 0 or above (default 0)
     pub w: f64,
     /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: Surface,
+    pub surface: SurfaceHandling,
 }
 
 impl Default for WindowParams {
@@ -64,7 +64,7 @@ impl Default for WindowParams {
             lower: 0.7,
             upper: 0.9,
             w: 0.0,
-            surface: Surface::Voxel,
+            surface: SurfaceHandling::Voxel,
         }
     }
 }

@@ -10,14 +10,14 @@
 //! ```
 //! use tomolith_optics::edges::Edges;
 //! use tomolith_optics::surface::Surface;
-//! use tomolith_optics::vial::Curve;
-//! let edges = Edges::of(&Surface::Prism(Curve::Square(3.0)));
+//! use tomolith_optics::vial::CrossSection;
+//! let edges = Edges::of(&Surface::Prism(CrossSection::Square(3.0)));
 //! assert!((edges.distance_mm([3.0, -2.6, 7.0]) - 0.4).abs() < 1e-12); // 0.4 mm along the face
-//! assert!(Edges::of(&Surface::Prism(Curve::Circle(3.0))).is_empty());
+//! assert!(Edges::of(&Surface::Prism(CrossSection::Circle(3.0))).is_empty());
 //! ```
 
 use super::surface::{Surface, cross, dot, minus, unit};
-use super::vial::Curve;
+use super::vial::CrossSection;
 use std::collections::HashMap;
 
 /// Faces that meet at a smaller angle than this (30°, in rad) make no edge.
@@ -39,14 +39,16 @@ impl Edges {
     pub fn of(surface: &Surface) -> Self {
         match surface {
             // Of a vial with ends the upright edges, as without them
-            Surface::Prism(Curve::Circle(_)) | Surface::Can(Curve::Circle(_), _) => {
+            Surface::Prism(CrossSection::Circle(_)) | Surface::Can(CrossSection::Circle(_), _) => {
                 Edges::default()
             }
-            Surface::Prism(Curve::Square(w)) | Surface::Can(Curve::Square(w), _) => Edges {
-                lines: [[*w, *w], [*w, -w], [-w, *w], [-w, -w]]
-                    .map(|[x, y]| [[x, y, -ENDLESS], [x, y, ENDLESS]])
-                    .to_vec(),
-            },
+            Surface::Prism(CrossSection::Square(w)) | Surface::Can(CrossSection::Square(w), _) => {
+                Edges {
+                    lines: [[*w, *w], [*w, -w], [-w, *w], [-w, -w]]
+                        .map(|[x, y]| [[x, y, -ENDLESS], [x, y, ENDLESS]])
+                        .to_vec(),
+                }
+            }
             Surface::Net(net) => Edges {
                 lines: sharp(net.corners()),
             },

@@ -24,10 +24,10 @@
 //! # Example
 //! In Luneburg's lens, n² = 2 − ρ²/R², light that enters parallel to x at height b leaves at (R, 0): it has gone down by b.
 //! ```
-//! use tomolith_optics::gradient::Gradient;
+//! use tomolith_optics::gradient::IndexGradient;
 //! use tomolith_optics::projector::Ray;
 //! let radius: f64 = 4.0;
-//! let lens = Gradient { quadratic_per_mm2: -0.5 / radius.powi(2), quartic_per_mm4: 0.0, step_mm: 0.01 };
+//! let lens = IndexGradient { quadratic_per_mm2: -0.5 / radius.powi(2), quartic_per_mm4: 0.0, step_mm: 0.01 };
 //! let axis = 2.0f64.sqrt();
 //! assert!((lens.index(axis, [radius, 0.0, 0.0]) - 1.0).abs() < 1e-12);
 //! let b = 1.0;
@@ -59,8 +59,8 @@ pub struct Params {
 impl Params {
     /// The profile in resin of this radius (mm).
     #[must_use]
-    pub fn within(&self, radius: f64) -> Gradient {
-        let mut gradient = Gradient {
+    pub fn within(&self, radius: f64) -> IndexGradient {
+        let mut gradient = IndexGradient {
             quadratic_per_mm2: self.quadratic_per_mm2,
             quartic_per_mm4: self.quartic_per_mm4,
             step_mm: radius / 4.0,
@@ -81,7 +81,7 @@ const BESIDE_MM: f64 = 1e-3;
 
 /// See the [module page](self).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gradient {
+pub struct IndexGradient {
     /// q in n² = n₀²·(1 + q·ρ² + p·ρ⁴), 1/mm².
     pub quadratic_per_mm2: f64,
     /// p, 1/mm⁴.
@@ -101,7 +101,7 @@ pub struct Chord {
     pub end: Ray,
 }
 
-impl Gradient {
+impl IndexGradient {
     /// n²/n₀² at a distance from the axis (mm).
     #[must_use]
     pub fn relative_square(&self, rho: f64) -> f64 {

@@ -35,24 +35,24 @@ pub struct Transmittance {
 /// Polarization of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Polarisation {
+pub enum Polarization {
     /// Half s, half p. Each half keeps its own transmittance through all walls; they are averaged at the end.
     #[default]
-    Unpolarised,
-    /// Electric field along the rotation axis; of light that is tilted towards it, along the axis as seen across the ray.
+    Unpolarized,
+    /// Electric field along the rotation axis; of light that is tilted toward it, along the axis as seen across the ray.
     S,
     /// Electric field across the rotation axis and the ray.
     P,
 }
 
-impl Polarisation {
+impl Polarization {
     /// Power that starts in s and in p.
     #[must_use]
     pub fn split(self) -> Transmittance {
         let (s, p) = match self {
-            Polarisation::Unpolarised => (0.5, 0.5),
-            Polarisation::S => (1.0, 0.0),
-            Polarisation::P => (0.0, 1.0),
+            Polarization::Unpolarized => (0.5, 0.5),
+            Polarization::S => (1.0, 0.0),
+            Polarization::P => (0.0, 1.0),
         };
         Transmittance { s, p }
     }

@@ -10,7 +10,7 @@
 //! ```
 
 use crate::absorption_map::AbsorptionMap;
-use crate::interface::Polarisation;
+use crate::interface::Polarization;
 use crate::resin::Resin;
 use crate::trace::Bath;
 use std::sync::Arc;
@@ -35,7 +35,7 @@ pub struct Light {
     /// What weakens light before the vial.
     pub bath: Option<Bath>,
     /// Polarization at the projector.
-    pub polarisation: Polarisation,
+    pub polarization: Polarization,
     /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
     pub sub_angles: usize,
     /// Rows that may be lit, per (frame, column): `(bottom, count)` counted from the lowest row. None: all.
@@ -55,7 +55,7 @@ impl Light {
             surrounding_index: 1.0,
             map: None,
             bath: None,
-            polarisation: Polarisation::Unpolarised,
+            polarization: Polarization::Unpolarized,
             sub_angles: 1,
             active: None,
             selection: Selection::default(),

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 /// What a body does to light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Material {
+pub enum BodyMaterial {
     /// Ends every ray.
     #[default]
     Black,
@@ -41,5 +41,5 @@ pub struct Obstacle {
     /// Its shape, in the frame of the vial.
     pub surface: Surface,
     /// What it is made of.
-    pub material: Material,
+    pub material: BodyMaterial,
 }

@@ -3,7 +3,7 @@
 //! Active absorption μ_a (what makes dose), total attenuation μ_t ≥ μ_a (what weakens the beam) and scattering are three
 //! numbers, Napierian, per mm: a beam falls by e^(−μ_t·L) over a length L.
 
-use super::gradient::Gradient;
+use super::gradient::IndexGradient;
 
 /// What resin takes of light that passes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Resin {
     /// Refractive index, > 0; on the axis where it changes.
     pub refractive_index: f64,
     /// How the index changes with the distance from the axis; None: it is the same everywhere.
-    pub gradient: Option<Gradient>,
+    pub gradient: Option<IndexGradient>,
     /// Active absorption μ_a, 1/mm, > 0 unless `pure_radon`.
     pub absorption_per_mm: f64,
     /// Total attenuation μ_t, 1/mm, ≥ μ_a.

@@ -6,7 +6,7 @@
 //! planes of incidence differ, so polarization is followed as a field vector: at an interface its component along
 //! ŝ = d×n and the one along p̂ = d×ŝ pass with √T_s and √T_p. Unpolarized light is two such fields of half the power.
 //!
-//! With [`Limits::reflections`] the reflected part is followed too, through all orders down to `Limits::least_power` of
+//! With [`TraceLimits::reflections`] the reflected part is followed too, through all orders down to `TraceLimits::least_power` of
 //! what was emitted; else it is lost. Total reflection keeps all power; the phase between s and p that it adds is not followed.
 //!
 //! # Scattering
@@ -15,12 +15,12 @@
 //! which the resin differs; a piece of length L scatters P·(μ_s/μ_t)·(1 − e^(−μ_t·L)) of its power P, exactly. The power that goes on is
 //! the sum, the piece is drawn by its part of it, the distance in it from the free paths below L, the direction from the phase function:
 //! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the unscattered light
-//! is exact, and only what was scattered is random. Below `Limits::least_power` a path lives on with the probability
+//! is exact, and only what was scattered is random. Below `TraceLimits::least_power` a path lives on with the probability
 //! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarized; in a gradient it runs along curves.
 //!
 //! # Resin that differs from place to place
 //! Where absorption is a map ([`AbsorptionMap`]) a leg ends at every cell that takes another part; where the index changes
-//! ([`Gradient`](super::gradient::Gradient)) legs are the chords of a curve, along which the fields turn with the direction.
+//! ([`IndexGradient`](super::gradient::IndexGradient)) legs are the chords of a curve, along which the fields turn with the direction.
 //!
 //! # Equation
 //! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped + cut = 1.
@@ -31,21 +31,21 @@
 //! # Example
 //! Perpendicular light through a cylinder of glass in air, resin of 16 mm at μ = 0.1: 1 − e^−1.6 of what passes two walls.
 //! ```
-//! use tomolith_optics::interface::Polarisation;
+//! use tomolith_optics::interface::Polarization;
 //! use tomolith_optics::projector::Ray;
 //! use tomolith_optics::resin::Resin;
-//! use tomolith_optics::space::{Limits, SpaceTracer};
+//! use tomolith_optics::space::{TraceLimits, SpaceTracer};
 //! use tomolith_optics::vial::cylinder::Cylinder;
 //! let vial = Cylinder { inner_radius_mm: 8.0, outer_radius_mm: 8.7, refractive_index: 1.5 };
-//! let tracer = SpaceTracer::new(&vial, Resin::absorbing(1.5, 0.1), 1.0, Polarisation::Unpolarised, Limits::default());
+//! let tracer = SpaceTracer::new(&vial, Resin::absorbing(1.5, 0.1), 1.0, Polarization::Unpolarized, TraceLimits::default());
 //! let path = tracer.trace(Ray { from: [0.0; 3], direction: [-1.0, 0.0, 0.0] });
 //! let expected = 0.96 * (1.0 - (-1.6f64).exp()); // 4 % is lost at the first wall, nothing where the indices are equal
 //! assert!((path.balance.absorbed - expected).abs() < 1e-12);
 //! ```
 
 use super::absorption_map::AbsorptionMap;
-use super::interface::Polarisation;
-use super::obstacle::{Material, Obstacle};
+use super::interface::Polarization;
+use super::obstacle::{BodyMaterial, Obstacle};
 use super::phase::Scattering;
 use super::power_balance::PowerBalance;
 use super::projector::Ray;
@@ -53,7 +53,7 @@ use super::random::Stream;
 use super::resin::{Resin, Uptake};
 use super::surface::{Crossing, Surface, cross, dot, unit};
 use super::trace::Bath;
-use super::vial::{Curve, Medium, Vial};
+use super::vial::{CrossSection, Medium, Vial};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -74,7 +74,7 @@ pub struct PathSegment {
 
 /// How far light is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct TraceLimits {
     /// Whether light reflected at walls is followed.
     pub reflections: bool,
     /// Rays below this part of the emitted power are dropped (and counted).
@@ -85,10 +85,10 @@ pub struct Limits {
     pub orders: usize,
 }
 
-impl Default for Limits {
+impl Default for TraceLimits {
     /// No reflections; 64 interfaces.
     fn default() -> Self {
-        Limits {
+        TraceLimits {
             reflections: false,
             least_power: 1e-4,
             interfaces: 64,
@@ -99,7 +99,7 @@ impl Default for Limits {
 
 /// What became of one ray.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Path {
+pub struct RayPath {
     /// Pieces in resin.
     pub legs: Vec<PathSegment>,
     /// Power balance.
@@ -117,10 +117,10 @@ pub struct SpaceTracer {
     obstacles: Vec<Obstacle>,
     resin: Resin,
     map: Option<Arc<AbsorptionMap>>,
-    polarisation: Polarisation,
+    polarization: Polarization,
     bath: Option<Bath>,
     scattering: Option<Scattering>,
-    limits: Limits,
+    limits: TraceLimits,
     /// Whether light that leaves the resin outwards is gone.
     lets_go: bool,
     /// Whether walls end in one plane.
@@ -175,7 +175,7 @@ impl Fields {
         });
     }
 
-    fn new(polarisation: Polarisation, direction: [f64; 3]) -> Self {
+    fn new(polarization: Polarization, direction: [f64; 3]) -> Self {
         let axis = [0.0, 0.0, 1.0];
         let across = cross(direction, axis);
         // Light along the axis has no field along it; any pair of normals serves
@@ -185,7 +185,7 @@ impl Fields {
             [1.0, 0.0, 0.0]
         };
         let s = cross(p, direction);
-        let parts = polarisation.split();
+        let parts = polarization.split();
         Fields([s.map(|v| v * parts.s.sqrt()), p.map(|v| v * parts.p.sqrt())])
     }
 
@@ -236,8 +236,8 @@ impl SpaceTracer {
         vial: &dyn Vial,
         resin: Resin,
         surrounding: f64,
-        polarisation: Polarisation,
-        limits: Limits,
+        polarization: Polarization,
+        limits: TraceLimits,
     ) -> Self {
         let walls = vial.surfaces();
         let outside = vial.surrounding_index(surrounding, resin.refractive_index);
@@ -274,7 +274,7 @@ impl SpaceTracer {
             obstacles: Vec::new(),
             resin,
             map: None,
-            polarisation,
+            polarization,
             bath: None,
             scattering: None,
             limits,
@@ -314,13 +314,13 @@ impl SpaceTracer {
 
     /// Follows one ray, unscattered light only; where it begins along its line does not matter.
     #[must_use]
-    pub fn trace(&self, ray: Ray) -> Path {
+    pub fn trace(&self, ray: Ray) -> RayPath {
         self.trace_with(ray, None, Extent::Whole)
     }
 
     /// Follows one ray and what is scattered out of it.
     #[must_use]
-    pub fn trace_scattered(&self, ray: Ray, random: &mut Stream) -> Path {
+    pub fn trace_scattered(&self, ray: Ray, random: &mut Stream) -> RayPath {
         self.trace_with(ray, Some(random), Extent::Whole)
     }
 
@@ -330,8 +330,8 @@ impl SpaceTracer {
         self.trace_with(ray, random, Extent::Legs).legs
     }
 
-    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>, extent: Extent) -> Path {
-        let mut path = Path::default();
+    fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>, extent: Extent) -> RayPath {
+        let mut path = RayPath::default();
         // Back to where no wall has been met
         let [x, y, _] = ray.direction;
         let back = dot(ray.from, ray.direction) + self.far / x.hypot(y).max(LEAST_SLANT);
@@ -341,7 +341,7 @@ impl SpaceTracer {
         };
         let mut waiting = vec![State {
             ray,
-            fields: Fields::new(self.polarisation, ray.direction),
+            fields: Fields::new(self.polarization, ray.direction),
             depth: 0,
             within: None,
             crossed: 0,
@@ -366,7 +366,7 @@ impl SpaceTracer {
         mut state: State,
         extent: Extent,
         waiting: &mut Vec<State>,
-        path: &mut Path,
+        path: &mut RayPath,
         mut random: Option<&mut Stream>,
     ) {
         loop {
@@ -410,7 +410,7 @@ impl SpaceTracer {
 
     /// What goes on of light of this power where reflections are followed: all of it, or, below `least_power`, nothing (which is
     /// counted), or by chance a ray of that power in its place.
-    fn thinned(&self, power: f64, random: Option<&mut Stream>, path: &mut Path) -> f64 {
+    fn thinned(&self, power: f64, random: Option<&mut Stream>, path: &mut RayPath) -> f64 {
         let least = self.limits.least_power;
         if !self.limits.reflections || power >= least {
             return power;
@@ -420,7 +420,7 @@ impl SpaceTracer {
 
     /// A ray of `least_power` in place of a weaker one, with the probability of their ratio (Russian roulette); nothing without
     /// random numbers.
-    fn by_chance(&self, power: f64, random: Option<&mut Stream>, path: &mut Path) -> f64 {
+    fn by_chance(&self, power: f64, random: Option<&mut Stream>, path: &mut RayPath) -> f64 {
         let least = self.limits.least_power;
         let survives = random.is_some_and(|random| random.uniform() * least < power);
         let after = if survives { least } else { 0.0 };
@@ -436,7 +436,7 @@ impl SpaceTracer {
         first: usize,
         random: &mut Stream,
         waiting: &mut Vec<State>,
-        path: &mut Path,
+        path: &mut RayPath,
     ) {
         let of_leg = |leg: &PathSegment| scattered(leg, scattering.per_mm, leg.length);
         let whole: f64 = path.legs[first..].iter().map(of_leg).sum();
@@ -461,7 +461,7 @@ impl SpaceTracer {
         };
         let cosine = scattering.phase.draw(random);
         let direction = deflected(leg.ray.direction, cosine, TAU * random.uniform());
-        let mut fields = Fields::new(Polarisation::Unpolarised, direction);
+        let mut fields = Fields::new(Polarization::Unpolarized, direction);
         fields.scale(power);
         waiting.push(State {
             ray: Ray {
@@ -475,7 +475,7 @@ impl SpaceTracer {
     }
 
     /// What the medium takes on the way to the next surface.
-    fn cross_medium(&self, state: &mut State, length: f64, path: &mut Path) {
+    fn cross_medium(&self, state: &mut State, length: f64, path: &mut RayPath) {
         let power = state.fields.power();
         if self.in_resin(state) {
             state.met_resin = true;
@@ -523,7 +523,7 @@ impl SpaceTracer {
     }
 
     /// The next surface of a ray; where light runs along a curve it is followed there, chord by chord.
-    fn next(&self, state: &mut State, path: &mut Path) -> Option<Ahead> {
+    fn next(&self, state: &mut State, path: &mut RayPath) -> Option<Ahead> {
         let Some(gradient) = self.resin.gradient.filter(|_| self.in_resin(state)) else {
             return self.ahead(state);
         };
@@ -600,7 +600,7 @@ impl SpaceTracer {
         state: &mut State,
         ahead: &Ahead,
         waiting: &mut Vec<State>,
-        path: &mut Path,
+        path: &mut RayPath,
         random: Option<&mut Stream>,
     ) -> bool {
         let mut behind = *state;
@@ -611,21 +611,21 @@ impl SpaceTracer {
                 self.skip_shared_faces(&mut behind, state.depth);
             }
             Ahead::Obstacle { index, crossing } => match self.obstacles[index].material {
-                Material::Black => {
+                BodyMaterial::Black => {
                     path.balance.blocked += state.fields.power();
                     return false;
                 }
-                Material::Diffuse { reflectance } => {
+                BodyMaterial::Diffuse { reflectance } => {
                     self.diffuse(state, crossing.normal, reflectance, (waiting, random), path);
                     return false;
                 }
-                Material::Mirror => {
+                BodyMaterial::Mirror => {
                     let normal = crossing.normal;
                     state.fields = mirrored(&state.fields, normal);
                     state.ray.direction = reflected(state.ray.direction, normal);
                     return true;
                 }
-                Material::Dielectric { .. } => {
+                BodyMaterial::Dielectric { .. } => {
                     behind.within = if state.within.is_some() {
                         None
                     } else {
@@ -694,7 +694,7 @@ impl SpaceTracer {
         normal: [f64; 3],
         reflectance: f64,
         (waiting, random): (&mut Vec<State>, Option<&mut Stream>),
-        path: &mut Path,
+        path: &mut RayPath,
     ) {
         let power = state.fields.power();
         let mut sent = reflectance * power;
@@ -712,7 +712,7 @@ impl SpaceTracer {
         // The cosine to the normal has the density 2·cos
         let cosine = random.uniform().sqrt();
         let direction = deflected(normal, cosine, TAU * random.uniform());
-        let mut fields = Fields::new(Polarisation::Unpolarised, direction);
+        let mut fields = Fields::new(Polarization::Unpolarized, direction);
         fields.scale(sent);
         waiting.push(State {
             ray: Ray {
@@ -727,7 +727,7 @@ impl SpaceTracer {
 
     fn index_of(&self, state: &State) -> f64 {
         match state.within.map(|i| self.obstacles[i].material) {
-            Some(Material::Dielectric { refractive_index }) => refractive_index,
+            Some(BodyMaterial::Dielectric { refractive_index }) => refractive_index,
             _ => match self.resin.gradient.filter(|_| self.in_resin(state)) {
                 Some(gradient) => gradient.index(self.resin.refractive_index, state.ray.from),
                 None => self.indices[state.depth],
@@ -770,7 +770,7 @@ fn nearer(a: Option<Ahead>, b: Option<Ahead>) -> Option<Ahead> {
 
 /// Way of a ray through a bath around the axis before it meets something at `distance`.
 fn bath_way(bath: Bath, ray: &Ray, distance: f64) -> f64 {
-    let wall = Surface::Prism(Curve::Circle(bath.radius_mm));
+    let wall = Surface::Prism(CrossSection::Circle(bath.radius_mm));
     if wall.contains(ray.from) {
         let end = wall.leave(ray).map_or(f64::INFINITY, |c| c.distance);
         return end.min(distance);

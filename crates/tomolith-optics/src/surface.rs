@@ -12,7 +12,7 @@
 
 use super::projector::Ray;
 use super::trace;
-use super::vial::Curve;
+use super::vial::CrossSection;
 use glam::Vec3A;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -28,9 +28,9 @@ use tomolith_io::mesh::Mesh;
 #[derive(Clone, Debug)]
 pub enum Surface {
     /// A curve of the plane, at all heights.
-    Prism(Curve),
+    Prism(CrossSection),
     /// A curve of the plane between two heights, mm, closed by planes there; either may be infinite.
-    Can(Curve, [f64; 2]),
+    Can(CrossSection, [f64; 2]),
     /// Triangles.
     Net(Arc<Net>),
 }
@@ -112,7 +112,7 @@ pub fn meeting(mesh: &Mesh, surface: &Surface) -> Option<[f64; 3]> {
 }
 
 /// The first crossing of a ray that is outside of a can: through its side or an end.
-fn enter_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
+fn enter_can(curve: CrossSection, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
     let within =
         |at: [f64; 3], slack: f64| at[2] >= heights[0] - slack && at[2] <= heights[1] + slack;
     let side = across(curve, ray, trace::enter).filter(|c| within(ray.at(c.distance), 0.0));
@@ -138,7 +138,7 @@ fn enter_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
 }
 
 /// The crossing at which a ray leaves a can that it is inside of.
-fn leave_can(curve: Curve, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
+fn leave_can(curve: CrossSection, heights: [f64; 2], ray: &Ray) -> Option<Crossing> {
     let side = across(curve, ray, trace::leave);
     let end = end_ahead(
         if ray.direction[2] > 0.0 {
@@ -181,9 +181,9 @@ const BOTTOM_FACE: u8 = 5;
 type PlaneCrossing = Option<(f64, [f64; 2], u8)>;
 
 fn across(
-    curve: Curve,
+    curve: CrossSection,
     ray: &Ray,
-    cross: impl Fn(Curve, [f64; 2], [f64; 2]) -> PlaneCrossing,
+    cross: impl Fn(CrossSection, [f64; 2], [f64; 2]) -> PlaneCrossing,
 ) -> Option<Crossing> {
     let [dx, dy, _] = ray.direction;
     let flat = (dx * dx + dy * dy).sqrt();
@@ -369,7 +369,7 @@ mod tests {
         let [x, y, z] = meeting(&across(3.0), &net(&along)).unwrap();
         assert!((y.abs() - 1.0).abs() < 1e-9 && x.abs() < 1.01 && z.abs() < 0.51);
         assert!(meeting(&across(0.9), &net(&along)).is_none());
-        let wall = Surface::Prism(Curve::Circle(3.0));
+        let wall = Surface::Prism(CrossSection::Circle(3.0));
         assert!(meeting(&along, &wall).is_some());
         assert!(meeting(&across(2.0), &wall).is_none());
     }
@@ -379,10 +379,10 @@ mod tests {
         let mesh = cuboid([-2.0, -2.0, -50.0], [2.0, 2.0, 50.0]);
         assert!(mesh.signed_volume() > 0.0);
         let net = Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()));
-        let prism = Surface::Prism(Curve::Square(2.0));
+        let prism = Surface::Prism(CrossSection::Square(2.0));
         let short = cuboid([-2.0, -2.0, -1.0], [2.0, 2.0, 0.7]);
         let short = Surface::Net(Arc::new(Net::new(&short, "mesh").unwrap()));
-        let can = Surface::Can(Curve::Square(2.0), [-1.0, 0.7]);
+        let can = Surface::Can(CrossSection::Square(2.0), [-1.0, 0.7]);
         for i in 0..400 {
             let angle = 0.1 + f64::from(i) * 0.0314;
             let height = 0.05 * f64::from(i) - 10.0;

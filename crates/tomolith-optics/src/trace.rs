@@ -9,21 +9,21 @@
 //! # Example
 //! A ray through the middle of an index-matched cylinder of radius 6 mm runs 12 mm through resin:
 //! ```
-//! use tomolith_optics::interface::Polarisation;
+//! use tomolith_optics::interface::Polarization;
 //! use tomolith_optics::resin::Resin;
 //! use tomolith_optics::trace::Tracer;
 //! use tomolith_optics::vial::index_matched::IndexMatched;
-//! let tracer = Tracer::new(&IndexMatched { radius_mm: 6.0 }, Resin::absorbing(1.5, 0.1), 1.0, Polarisation::S);
+//! let tracer = Tracer::new(&IndexMatched { radius_mm: 6.0 }, Resin::absorbing(1.5, 0.1), 1.0, Polarization::S);
 //! let path = tracer.trace(0.0, 0.0);
 //! assert_eq!(path.legs[0].from, [6.0, 0.0]); // azimuth 0: light comes from +x
 //! assert!((path.legs[0].length - 12.0).abs() < 1e-12);
 //! assert!((path.balance.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
 //! ```
 
-use super::interface::{Polarisation, Transmittance, refract};
+use super::interface::{Polarization, Transmittance, refract};
 use super::power_balance::PowerBalance;
 use super::resin::Resin;
-use super::vial::{Curve, Medium, Vial, Wall};
+use super::vial::{CrossSection, Medium, Vial, Wall};
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,14 +51,14 @@ pub struct Bath {
 impl Bath {
     /// Way through the bath of a ray that starts outside at `position` and meets the vial after `distance` mm.
     fn way(self, position: [f64; 2], direction: [f64; 2], distance: f64) -> f64 {
-        let entry = enter(Curve::Circle(self.radius_mm), position, direction);
+        let entry = enter(CrossSection::Circle(self.radius_mm), position, direction);
         entry.map_or(0.0, |(entry, ..)| (distance - entry).max(0.0))
     }
 }
 
 /// What became of one ray.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Path {
+pub struct PlanarPath {
     /// Pieces in resin, in order of travel.
     pub legs: Vec<PlanarSegment>,
     /// Power balance.
@@ -74,7 +74,7 @@ pub struct Tracer {
     /// Refractive index outside and inside each wall.
     indices: Vec<f64>,
     resin: Resin,
-    polarisation: Polarisation,
+    polarization: Polarization,
     bath: Option<Bath>,
 }
 
@@ -88,7 +88,7 @@ impl Tracer {
         vial: &dyn Vial,
         resin: Resin,
         surrounding: f64,
-        polarisation: Polarisation,
+        polarization: Polarization,
     ) -> Self {
         let walls = vial.walls();
         let outside = vial.surrounding_index(surrounding, resin.refractive_index);
@@ -102,7 +102,7 @@ impl Tracer {
             walls,
             indices,
             resin,
-            polarisation,
+            polarization,
             bath: None,
         }
     }
@@ -116,15 +116,15 @@ impl Tracer {
 
     /// The ray at lateral coordinate `u` (mm) of a frame from `azimuth` (rad).
     #[must_use]
-    pub fn trace(&self, u: f64, azimuth: f64) -> Path {
+    pub fn trace(&self, u: f64, azimuth: f64) -> PlanarPath {
         let (sin, cos) = azimuth.sin_cos();
         let vial = self.walls.first();
         let vial = vial.map_or(1.0, |wall| wall.curve.inscribed_radius());
         let far = 4.0 * self.bath.map_or(vial, |bath| bath.radius_mm.max(vial));
         let mut position = [far * cos - u * sin, far * sin + u * cos];
         let mut direction = [-cos, -sin];
-        let mut power = self.polarisation.split();
-        let mut path = Path::default();
+        let mut power = self.polarization.split();
+        let mut path = PlanarPath::default();
         let mut depth = 0; // number of walls around the ray
 
         for _ in 0..MOST_CROSSINGS {
@@ -185,7 +185,7 @@ impl Tracer {
         direction: [f64; 2],
         length: f64,
         power: &mut Transmittance,
-        path: &mut Path,
+        path: &mut PlanarPath,
     ) {
         path.legs.push(PlanarSegment {
             from,
@@ -239,9 +239,9 @@ fn tag(wall: usize, face: u8) -> u8 {
 const TOUCH: f64 = 1e-9;
 
 /// Distance to a convex curve from outside, normal against the ray, and face; None when it is missed.
-pub(super) fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+pub(super) fn enter(curve: CrossSection, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
     match curve {
-        Curve::Circle(r) => {
+        CrossSection::Circle(r) => {
             let b = p[0] * d[0] + p[1] * d[1];
             let lateral = p[0] * d[1] - p[1] * d[0];
             let half_squared = (r - lateral.abs()) * (r + lateral.abs());
@@ -251,7 +251,7 @@ pub(super) fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64
             let t = -b - half_squared.sqrt();
             (t > TOUCH).then(|| (t, [(p[0] + t * d[0]) / r, (p[1] + t * d[1]) / r], 0))
         }
-        Curve::Square(w) => {
+        CrossSection::Square(w) => {
             // Slab method: the last of the entries is where the ray gets in
             let (mut near, mut far, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
             for i in 0..2 {
@@ -280,15 +280,15 @@ pub(super) fn enter(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64
 }
 
 /// Distance to a convex curve from inside, normal against the ray, and face.
-pub(super) fn leave(curve: Curve, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
+pub(super) fn leave(curve: CrossSection, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
     match curve {
-        Curve::Circle(r) => {
+        CrossSection::Circle(r) => {
             let b = p[0] * d[0] + p[1] * d[1];
             let lateral = p[0] * d[1] - p[1] * d[0];
             let t = -b + ((r - lateral.abs()) * (r + lateral.abs())).max(0.0).sqrt();
             Some((t, [-(p[0] + t * d[0]) / r, -(p[1] + t * d[1]) / r], 0))
         }
-        Curve::Square(w) => {
+        CrossSection::Square(w) => {
             let (axis, t) = (0..2)
                 .filter(|&i| d[i] != 0.0)
                 .map(|i| (i, (w * d[i].signum() - p[i]) / d[i]))
@@ -334,14 +334,14 @@ mod tests {
     }
 
     #[test]
-    fn power_is_accounted_for_in_every_vial_and_polarisation() {
+    fn power_is_accounted_for_in_every_vial_and_polarization() {
         for vial in vials() {
-            for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
+            for polarization in [Polarization::Unpolarized, Polarization::S, Polarization::P] {
                 let tracer = Tracer::new(
                     vial.as_ref(),
                     Resin::absorbing(1.4849, 0.1),
                     1.0,
-                    polarisation,
+                    polarization,
                 );
                 for i in 0..400 {
                     let balance = tracer
@@ -364,15 +364,15 @@ mod tests {
         };
         for vial in vials() {
             let resin = Resin::absorbing(1.4849, 0.1);
-            let clear = Tracer::new(vial.as_ref(), resin, 1.33, Polarisation::S);
+            let clear = Tracer::new(vial.as_ref(), resin, 1.33, Polarization::S);
             let absorbing = clear.clone().in_bath(Some(bath));
             for u in [-3.0f64, 0.0, 2.5] {
                 let (a, b) = (clear.trace(u, 0.0), absorbing.trace(u, 0.0));
                 assert!((b.balance.total() - 1.0).abs() < 1e-12);
                 // Light comes from +x: it enters the bath at √(R² − u²), a round vial at √(r² − u²)
                 let outer = match vial.walls()[0].curve {
-                    Curve::Circle(r) => (r * r - u * u).sqrt(),
-                    Curve::Square(w) => w,
+                    CrossSection::Circle(r) => (r * r - u * u).sqrt(),
+                    CrossSection::Square(w) => w,
                 };
                 let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
                 let expected = a.legs[0].power * (-0.15 * way).exp();
@@ -389,7 +389,7 @@ mod tests {
             outer_radius_mm: 8.7,
             refractive_index: 1.58,
         };
-        let tracer = Tracer::new(&vial, Resin::absorbing(n_r, 0.1), n_s, Polarisation::S);
+        let tracer = Tracer::new(&vial, Resin::absorbing(n_r, 0.1), n_s, Polarization::S);
         for u in [-8.5, -5.0, -0.1, 0.0, 2.0, 7.9, 8.6] {
             let leg = tracer.trace(u, 1.1).legs[0];
             let b = leg.from[0] * leg.direction[1] - leg.from[1] * leg.direction[0];
@@ -407,7 +407,7 @@ mod tests {
             vials[3].as_ref(),
             Resin::absorbing(1.48, 0.1),
             1.0,
-            Polarisation::S,
+            Polarization::S,
         );
         let path = tracer.trace(0.0, 0.0);
         assert_eq!(path.legs.len(), 2);
@@ -477,7 +477,7 @@ mod tests {
                 vial,
                 Resin::absorbing(n, mu),
                 1.0,
-                Polarisation::Unpolarised,
+                Polarization::Unpolarized,
             );
             let factor = if vial.walls().len() == 1 { 1.0 } else { n * n };
             for (u, published) in rows {

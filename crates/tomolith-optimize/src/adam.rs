@@ -38,7 +38,7 @@ use tomolith_core::units::exact;
 /// How the step changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Schedule {
+pub enum StepSchedule {
     /// All steps are `step`.
     #[default]
     Constant,
@@ -53,7 +53,7 @@ pub struct Params {
     /// Length of the first step in units of x, above 0 (default 0.1)
     pub step: f64,
     /// How it changes: "constant" (default) or "root" (step/√k)
-    pub schedule: Schedule,
+    pub schedule: StepSchedule,
     /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
     pub beta_1: f64,
     /// β₂: the same for their squares (default 0.999)
@@ -66,7 +66,7 @@ impl Default for Params {
     fn default() -> Self {
         Params {
             step: 0.1,
-            schedule: Schedule::Constant,
+            schedule: StepSchedule::Constant,
             beta_1: 0.9,
             beta_2: 0.999,
             epsilon: 1e-8,
@@ -171,8 +171,8 @@ impl<F: Field> Optimizer<F> for Adam<F> {
             ..
         } = self.params;
         let length = match self.params.schedule {
-            Schedule::Root => self.params.step / f64::from(k).sqrt(),
-            Schedule::Constant => self.params.step,
+            StepSchedule::Root => self.params.step / f64::from(k).sqrt(),
+            StepSchedule::Constant => self.params.step,
         };
         let (b1, b2, epsilon) = (beta_1 as f32, beta_2 as f32, epsilon as f32);
         mean.mix(b1, gradient);
@@ -236,7 +236,7 @@ mod tests {
     fn it_follows_algorithm_1_step_by_step() {
         let case = Case::new();
         let objective = case.objective("l2", serde_json::json!({}));
-        for schedule in [Schedule::Root, Schedule::Constant] {
+        for schedule in [StepSchedule::Root, StepSchedule::Constant] {
             let params = Params {
                 step: 0.03,
                 schedule,
@@ -263,8 +263,8 @@ mod tests {
                     .collect();
                 let g = case.dense.adjoint(&slopes);
                 let step = match schedule {
-                    Schedule::Root => 0.03 / f64::from(k).sqrt(),
-                    Schedule::Constant => 0.03,
+                    StepSchedule::Root => 0.03 / f64::from(k).sqrt(),
+                    StepSchedule::Constant => 0.03,
                 };
                 for i in 0..x.len() {
                     m[i] = 0.8 * m[i] + 0.2 * g[i];

@@ -4,7 +4,7 @@
 //! measure that the method improves:
 //!
 //! - one that descends the loss: the lowest loss;
-//! - one that [normalises](super::Optimizer::normalizes) its doses, and whose loss only watches: the best print on the job's own
+//! - one that [normalizes](super::Optimizer::normalizes) its doses, and whose loss only watches: the best print on the job's own
 //!   voxels, as [`quick`] sees it. That is the best IoU over thresholds, and where it is 1 the widest process window. Row 0 of its
 //!   history is the job's `[start]`, at another scale and no iterate of the method, so it is never kept. A gray target has no IoU: its
 //!   last iterate is kept.
@@ -314,7 +314,7 @@ mod tests {
     fn go(
         optimizer: &mut dyn Optimizer<HostField>,
         stop: Stop,
-        grey: bool,
+        gray: bool,
         checkpoints: Option<&mut Checkpoints>,
     ) -> (HostField, f64, Result<Outcome>) {
         let model = SmallModel::new(16, 24, 1);
@@ -336,7 +336,7 @@ mod tests {
             limits: &[Limits::default()],
         };
         let mut target = input.target_field().unwrap();
-        if grey {
+        if gray {
             target.scale(0.5);
         }
         let flag = Run::new();
@@ -392,8 +392,8 @@ mod tests {
     #[test]
     fn the_last_is_kept_where_it_is_asked_for_and_where_nothing_says_which_is_best() {
         let by = KeptBy::Last;
-        for (keep, grey) in [(Keep::Last, false), (Keep::Best, true)] {
-            let (x, _, outcome) = go(&mut scripted(&SCRIPT), steps(4, keep), grey, None);
+        for (keep, gray) in [(Keep::Last, false), (Keep::Best, true)] {
+            let (x, _, outcome) = go(&mut scripted(&SCRIPT), steps(4, keep), gray, None);
             assert_eq!(outcome.unwrap().kept, Kept { iteration: 4, by });
             assert!(x.as_slice().iter().all(|&v| v == 1.0), "even light");
         }

@@ -63,16 +63,16 @@ pub struct Gain {
 }
 
 /// The light that a machine shows for given patterns.
-pub type Shown<'a> = dyn FnMut(&HostField) -> Result<HostField> + 'a;
+pub type ShownDose<'a> = dyn FnMut(&HostField) -> Result<HostField> + 'a;
 
 /// Improves patterns on the levels that a machine shows: what to ask of it, and what that brings.
 ///
 /// # Errors
-/// [`Error::Cancelled`], [`Error::NonFinite`], and those of `shown`.
+/// [`Error::Canceled`], [`Error::NonFinite`], and those of `shown`.
 pub fn improve(
     problem: &mut Problem<HostField>,
     x: &HostField,
-    shown: &mut Shown<'_>,
+    shown: &mut ShownDose<'_>,
 ) -> Result<(HostField, Gain)> {
     let model = problem.model();
     let mut pass = Pass {
@@ -110,7 +110,7 @@ struct Pass<'p, 'm, 's, 'c> {
     brightest: Brightest,
     at: Position<HostField>,
     problem: &'p mut Problem<'m, HostField>,
-    shown: &'s mut Shown<'c>,
+    shown: &'s mut ShownDose<'c>,
 }
 
 impl Pass<'_, '_, '_, '_> {

@@ -51,7 +51,7 @@ pub trait Optimizer<F: Field>: Send {
     /// From x to a better x inside the bounds; `at` follows. Costs one adjoint and, with a linear model, one forward call.
     ///
     /// # Errors
-    /// [`Error::Cancelled`]; then x and `at` may be lost.
+    /// [`Error::Canceled`]; then x and `at` may be lost.
     fn step(&mut self, problem: &mut Problem<F>, x: &mut F, at: &mut Position<F>) -> Result<Step>;
     /// Whether no step raises the loss.
     fn is_monotone(&self) -> bool;

@@ -225,7 +225,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// F(x), counted.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn dose(&mut self, x: &F, dose: &mut F) -> Result<()> {
         let begin = Instant::now();
         let done = self.model.dose(x, dose, self.run);
@@ -237,7 +237,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// ∂L/∂x at a position, penalties included; counted.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn gradient(&mut self, x: &F, at: &Position<F>, gradient: &mut F) -> Result<()> {
         let begin = Instant::now();
         let done = self.model.pullback(x, &at.cotangent, gradient, self.run);
@@ -262,7 +262,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// is not known to be convex, or a pixel has no largest value. One adjoint call, counted.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn lower_bound(&mut self, x: &F, at: &Position<F>) -> Result<Option<f64>> {
         if !self.has_lower_bound() {
             return Ok(None);
@@ -280,7 +280,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// F′(x)ᵀ d: a dose field as the pixels see it, counted; with a linear model x may be any patterns.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn project(&mut self, x: &F, dose: &F, patterns: &mut F) -> Result<()> {
         let begin = Instant::now();
         let done = self.model.pullback(x, dose, patterns, self.run);
@@ -297,7 +297,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn evaluate(&mut self, x: &mut F, at: &mut Position<F>) -> Result<()> {
         self.project_onto_bounds(x);
         self.measure(x, at)
@@ -322,7 +322,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// `scratch` is overwritten.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] when the dose is zero everywhere, or there is no target; [`Error::Cancelled`].
+    /// [`Error::Unsupported`] when the dose is zero everywhere, or there is no target; [`Error::Canceled`].
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     pub fn evaluate_scaled(
         &mut self,
@@ -375,7 +375,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// Brings x into the bounds and, with a bit depth, to its levels; evaluates it.
     ///
     /// # Errors
-    /// [`Error::Cancelled`], or not enough memory.
+    /// [`Error::Canceled`], or not enough memory.
     pub fn evaluate_at(&mut self, x: &mut F) -> Result<Position<F>> {
         self.project_onto_bounds(x);
         let mut dose = self.model.new_dose()?;
@@ -402,7 +402,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// Takes a full step, `step` = x̄ − x, whatever the loss does; one forward call.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn full_step(&mut self, x: &mut F, step: &F, at: &mut Position<F>) -> Result<()> {
         x.move_along(step, 1.0, self.bounds(x));
         self.round(x);
@@ -413,7 +413,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// must be negative. Never raises the loss.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn search(
         &mut self,
         x: &mut F,
@@ -558,7 +558,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// forward call. `direction` is overwritten with the negative gradient, without pixels that the bounds hold.
     ///
     /// # Errors
-    /// [`Error::Cancelled`].
+    /// [`Error::Canceled`].
     pub fn first_length(
         &mut self,
         x: &F,

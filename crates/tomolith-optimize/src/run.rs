@@ -105,7 +105,7 @@ pub enum StopReason {
     /// The time is over.
     WallTime,
     /// The user asked for it.
-    Cancelled,
+    Canceled,
 }
 
 impl StopReason {
@@ -207,7 +207,7 @@ impl Outcome {
 /// # Errors
 /// [`Error::Unsupported`] when the optimizer [needs](super::Requirements) what the problem lacks;
 /// [`Error::NonFinite`] with the iteration when loss or gradient is no number; what a model, a checkpoint or [`Stop`] refuses.
-/// A cancelled run is no error; cancelled before its first loss, that is NaN and the history empty.
+/// A canceled run is no error; canceled before its first loss, that is NaN and the history empty.
 pub fn run<F: Field>(
     problem: &mut Problem<F>,
     optimizer: &mut dyn Optimizer<F>,
@@ -265,7 +265,7 @@ pub fn run_after<F: Field>(
                 iteration: 0,
                 by: KeptBy::Last,
             },
-            reason: StopReason::Cancelled,
+            reason: StopReason::Canceled,
             history,
             bound: None,
             counters: problem.counters,
@@ -276,7 +276,7 @@ pub fn run_after<F: Field>(
     let result = loop {
         match state.look_at_gap(problem, x, stop) {
             Ok(()) => {}
-            Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
+            Err(Error::Canceled) => break Ok(StopReason::Canceled),
             Err(error) => break Err(error),
         }
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
@@ -288,7 +288,7 @@ pub fn run_after<F: Field>(
         match state.step(problem, optimizer, x) {
             Ok(()) => {}
             // A step that was broken into has lost the position: the last checkpoint stays
-            Err(Error::Cancelled) => break Ok(StopReason::Cancelled),
+            Err(Error::Canceled) => break Ok(StopReason::Canceled),
             Err(error) => break Err(error),
         }
         if let Some(checkpoints) = checkpoints.as_deref_mut() {
@@ -299,7 +299,7 @@ pub fn run_after<F: Field>(
         }
     };
     problem.set_patient(false);
-    if result.as_ref().is_ok_and(|r| *r != StopReason::Cancelled) {
+    if result.as_ref().is_ok_and(|r| *r != StopReason::Canceled) {
         state.tighten(problem, x)?;
     }
     let loss = state.keeper.best().loss;
@@ -341,7 +341,7 @@ struct State<F> {
     bound_at: Option<usize>,
 }
 
-/// Resumes, or starts anew; None when cancelled before the first loss.
+/// Resumes, or starts anew; None when canceled before the first loss.
 fn begin<F: Field>(
     mut earlier: Vec<Row>,
     problem: &mut Problem<F>,
@@ -390,7 +390,7 @@ fn begin<F: Field>(
         }
     }
     let at = match problem.evaluate_at(x) {
-        Err(Error::Cancelled) => return Ok(None),
+        Err(Error::Canceled) => return Ok(None),
         other => other?,
     };
     if !at.loss.is_finite() {
@@ -488,7 +488,7 @@ impl<F: Field> State<F> {
             .seconds
             .is_some_and(|limit| x.any(row.seconds >= limit));
         if is_asked {
-            Some(StopReason::Cancelled)
+            Some(StopReason::Canceled)
         } else if row.loss == 0.0 && !goes_on {
             Some(StopReason::ZeroLoss)
         } else if row.projected_gradient.is_some_and(small) {

@@ -12,8 +12,8 @@
 //! **Cost** microseconds a point. **Limits** straight light of one direction, one even attenuation.
 //!
 //! ```
-//! use tomolith_planning::buildup::{Vial, wall_rate};
-//! let vial = Vial { radius_mm: 1.0, penetration_mm: 0.1, turn_deg_per_s: 5.0 };
+//! use tomolith_planning::buildup::{TurningVial, wall_rate};
+//! let vial = TurningVial { radius_mm: 1.0, penetration_mm: 0.1, turn_deg_per_s: 5.0 };
 //! assert!((vial.mean_rate(1.0) - wall_rate(10.0)).abs() < 1e-8);
 //! // A wall point that begins in the light has its dose after half of the first half turn, and no more for half a turn
 //! assert!((vial.dose(1.0, 0.0, 50.0) - vial.dose(1.0, 0.0, 20.0)).abs() < 0.03);
@@ -23,7 +23,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A vial of resin that turns in even light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vial {
+pub struct TurningVial {
     /// R, mm.
     pub radius_mm: f64,
     /// D_p, mm.
@@ -43,7 +43,7 @@ const GAUSS: [[f64; 2]; 5] = [
 /// Panels of an integral over a quarter turn.
 const PANELS: usize = 48;
 
-impl Vial {
+impl TurningVial {
     /// Share of the light that reaches a point (r in units of R) when it stands at an angle from the side that faces the light, rad.
     #[must_use]
     pub fn rate(&self, r: f64, theta: f64) -> f64 {

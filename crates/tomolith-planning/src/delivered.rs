@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use tomolith_planning::delivered::delivered_j;
-//! // Their visible example: grey 255 everywhere on 1.2 cm × 2 cm for 900 s (printed: 10 J)
+//! // Their visible example: gray 255 everywhere on 1.2 cm × 2 cm for 900 s (printed: 10 J)
 //! let light = delivered_j(&[(4.62, 1.0)], 2.4, 900.0);
 //! assert!((light - 9.979).abs() < 5e-4);
 //! ```
@@ -39,7 +39,7 @@ pub fn area_cm2(dose_j: f64, irradiance: f64, seconds: f64) -> f64 {
 
 /// Frames as a machine shows them.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct ShownFrames {
     /// Sum of the intensities of all pixels of each frame, where white is 1.
     pub sums: Vec<f64>,
     /// Pixels of a frame.
@@ -50,7 +50,7 @@ pub struct Shown {
     pub white: Option<f64>,
 }
 
-impl Shown {
+impl ShownFrames {
     /// The frames of a folder on a machine with this gray curve and these maps (files relative to `base`); `pitch_mm` is that of the canvas.
     ///
     /// # Errors
@@ -77,8 +77,8 @@ impl Shown {
         };
         // What a frame's levels put out depends on curve and maps only, not on where the patterns lie
         let spec = PrinterSpec {
-            grey_curve: machine.grey_curve.clone(),
-            grey_curve_file: machine.grey_curve_file.clone(),
+            gray_curve: machine.gray_curve.clone(),
+            gray_curve_file: machine.gray_curve_file.clone(),
             flat_field: machine.flat_field.clone(),
             dead_pixels: machine.dead_pixels.clone(),
             ..PrinterSpec::default()
@@ -100,7 +100,7 @@ impl Shown {
                 accepted: "frames with light".to_owned(),
             });
         }
-        Ok(Shown {
+        Ok(ShownFrames {
             sums,
             pixels: rows * columns,
             pixel_mm2: grid.pixel_mm2(),

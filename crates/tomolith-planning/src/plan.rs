@@ -1,6 +1,6 @@
 //! Power and critical dose → time, turns, speed, frame rate, duty and energy.
 //!
-//! **Equation** [`Exposure`] says how many passes white needs, S/(I·Δt), and what a pass costs. Turns are rounded up to whole ones, so that every angle
+//! **Equation** [`ExposureBudget`] says how many passes white needs, S/(I·Δt), and what a pass costs. Turns are rounded up to whole ones, so that every angle
 //! gets the same; the light is then on for duty = passes/whole passes of each frame's time.
 //!
 //! ```text
@@ -10,23 +10,23 @@
 //! The window is that of the run: the exposures over which the print stays nearly as good, in % of the best one, here also in s.
 //!
 //! ```
-//! use tomolith_planning::plan::{Machine, Plan};
-//! use tomolith_planning::delivered::Shown;
+//! use tomolith_planning::plan::{Machine, ExposurePlan};
+//! use tomolith_planning::delivered::ShownFrames;
 //! // 10 frames of 100 pixels of 0.01 mm², half of them white; white is 2.4, and the resin gels at 0.8 = 2 mJ/mm³: 6 mJ/mm²
-//! let shown = Shown { sums: vec![50.0; 10], pixels: 100, pixel_mm2: 0.01, white: Some(2.4) };
+//! let shown = ShownFrames { sums: vec![50.0; 10], pixels: 100, pixel_mm2: 0.01, white: Some(2.4) };
 //! let machine = Machine { irradiance: 95.0, rpm: 10.0, turns: None, refresh_hz: 60.0, within_s: None };
-//! let plan = Plan::new(&shown, &machine, 2.4, std::f64::consts::TAU / 10.0, 2.0, 0.8, None).unwrap();
+//! let plan = ExposurePlan::new(&shown, &machine, 2.4, std::f64::consts::TAU / 10.0, 2.0, 0.8, None).unwrap();
 //! // 0.95 mW/mm² for 0.6 s in each turn: 10.53 turns, so 11 with the light on for 95.7 % of the time
 //! assert_eq!(plan.turns, 11.0);
 //! assert!((plan.duty - 6.0 / 0.57 / 11.0).abs() < 1e-12 && (plan.time_s - 66.0).abs() < 1e-9);
 //! assert!((plan.energy_mj - 6.0 * 0.01 * 500.0).abs() < 1e-9); // 6 mJ/mm² on all that is lit
 //! ```
 
-use crate::delivered::Shown;
+use crate::delivered::ShownFrames;
 use serde::Serialize;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::concise;
-use tomolith_optics::exposure::Exposure;
+use tomolith_optics::exposure::ExposureBudget;
 
 /// A machine, as far as a plan needs it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub struct Window {
 
 /// How a print is exposed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Plan {
+pub struct ExposurePlan {
     /// White, over the whole print, mJ/mm².
     pub white_mj_per_mm2: f64,
     /// Time with the light always on, s.
@@ -83,14 +83,14 @@ pub struct Plan {
     pub window_s: Option<Window>,
 }
 
-impl Plan {
+impl ExposurePlan {
     /// For frames whose white has a value in units of the job and whose arcs are `frame_arc` (rad), of a resin that gels at `gel_dose` in these units and at
     /// `critical` mJ/mm³ in fact.
     ///
     /// # Errors
     /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives), and frames faster than the device.
     pub fn new(
-        shown: &Shown,
+        shown: &ShownFrames,
         machine: &Machine,
         white: f64,
         frame_arc: f64,
@@ -106,7 +106,7 @@ impl Plan {
             ));
         }
         let frames = shown.sums.len();
-        let at_speed = |rpm: f64| Exposure {
+        let at_speed = |rpm: f64| ExposureBudget {
             peak_mw_per_cm2: Some(machine.irradiance),
             rpm,
             frames,
@@ -172,7 +172,7 @@ impl Plan {
         let lit = machine.irradiance / 100.0 * frame_s * duty * shown.pixel_mm2;
         let largest = shown.sums.iter().copied().fold(0.0, f64::max);
         let scale = |value: Option<f64>| value.map(|percent| time_s * percent / 100.0);
-        Ok(Plan {
+        Ok(ExposurePlan {
             white_mj_per_mm2,
             continuous_s,
             time_s,

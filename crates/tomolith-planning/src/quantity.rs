@@ -14,7 +14,7 @@ use tomolith_core::error::{Error, Result};
 
 /// What a number can be, and the units it may have.
 #[derive(Debug)]
-pub struct Quantity {
+pub struct UnitFamily {
     name: &'static str,
     /// Units and their size in that of plain numbers, which is the first.
     units: &'static [(&'static str, f64)],
@@ -23,7 +23,7 @@ pub struct Quantity {
 }
 
 /// Energy per volume, mJ/mm³.
-pub const VOLUMETRIC_DOSE: Quantity = Quantity {
+pub const VOLUMETRIC_DOSE: UnitFamily = UnitFamily {
     name: "a dose per volume",
     units: &[
         ("mJ/mm3", 1.0),
@@ -37,7 +37,7 @@ pub const VOLUMETRIC_DOSE: Quantity = Quantity {
 };
 
 /// Energy per area, mJ/cm².
-pub const AREAL_DOSE: Quantity = Quantity {
+pub const AREAL_DOSE: UnitFamily = UnitFamily {
     name: "a dose per area",
     units: &[
         ("mJ/cm2", 1.0),
@@ -49,7 +49,7 @@ pub const AREAL_DOSE: Quantity = Quantity {
 };
 
 /// Power per area, mW/cm².
-pub const IRRADIANCE: Quantity = Quantity {
+pub const IRRADIANCE: UnitFamily = UnitFamily {
     name: "an irradiance",
     units: &[
         ("mW/cm2", 1.0),
@@ -61,15 +61,15 @@ pub const IRRADIANCE: Quantity = Quantity {
 };
 
 /// Power, mW.
-pub const POWER: Quantity = Quantity {
+pub const POWER: UnitFamily = UnitFamily {
     name: "a power",
     units: &[("mW", 1.0), ("W", 1e3), ("uW", 1e-3)],
     advice: "a power has no area: an irradiance goes to --irradiance",
 };
 
-const ALL: [&Quantity; 4] = [&VOLUMETRIC_DOSE, &AREAL_DOSE, &IRRADIANCE, &POWER];
+const ALL: [&UnitFamily; 4] = [&VOLUMETRIC_DOSE, &AREAL_DOSE, &IRRADIANCE, &POWER];
 
-impl Quantity {
+impl UnitFamily {
     /// The number of a text in the first unit; `key` names it in errors.
     ///
     /// # Errors
@@ -111,7 +111,7 @@ impl Quantity {
         if let Some((_, size)) = self.units.iter().find(|(name, _)| *name == unit) {
             return Ok(value * size);
         }
-        let is_other = |other: &&&Quantity| other.units.iter().any(|(name, _)| *name == unit);
+        let is_other = |other: &&&UnitFamily| other.units.iter().any(|(name, _)| *name == unit);
         match ALL.iter().find(is_other) {
             Some(other) => refuse(
                 format!("`{text}` is {}, and {} is meant", other.name, self.name),

@@ -1,4 +1,4 @@
-//! Published measurements of a dual-colour printer and its resin.
+//! Published measurements of a dual-color printer and its resin.
 //!
 //! **Source** Wang et al., Nat. Commun. 13 (2022) 367, supplement (open access, CC BY): Notes 1, Tables 1 and 2.
 

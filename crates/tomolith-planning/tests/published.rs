@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 use tomolith_core::Error;
 use tomolith_core::response::curve::Curve;
-use tomolith_planning::buildup::{Vial, bessel_less_struve, wall_rate};
+use tomolith_planning::buildup::{TurningVial, bessel_less_struve, wall_rate};
 use tomolith_planning::delivered::{area_cm2, delivered_j};
-use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
+use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::kinetics::{self, Kinetics};
 use tomolith_planning::measured::curve;
@@ -59,10 +59,10 @@ fn printed_gray_fits_are_the_least_squares_of_the_table() {
 #[test]
 fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
     let table = curve(&GRAY_VISIBLE).unwrap();
-    let found = GrayCurve::new(&table, 255.0, Form::Monotone).unwrap();
-    for [grey, irradiance] in GRAY_VISIBLE {
-        near(found.at(grey), irradiance, 1e-6);
-        near(found.gray_of(irradiance), grey, 1e-3);
+    let found = GrayCurve::new(&table, 255.0, CurveForm::Monotone).unwrap();
+    for [gray, irradiance] in GRAY_VISIBLE {
+        near(found.at(gray), irradiance, 1e-6);
+        near(found.gray_of(irradiance), gray, 1e-3);
     }
     let points = found.points();
     assert_eq!(
@@ -71,12 +71,12 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
     );
     assert!(points.windows(2).all(|w| w[1][1] > w[0][1]));
     assert_eq!(found.notes.len(), 1, "below gray 102 nothing was measured");
-    let Err(error) = GrayCurve::new(&table, 255.0, Form::Quadratic) else {
+    let Err(error) = GrayCurve::new(&table, 255.0, CurveForm::Quadratic) else {
         panic!("a curve that falls was taken")
     };
     let said = error.to_string();
     assert!(said.contains("usable from gray 86.15 to 239.06"), "{said}");
-    assert!(GrayCurve::new(&curve(&GRAY_UV).unwrap(), 255.0, Form::Line).is_ok());
+    assert!(GrayCurve::new(&curve(&GRAY_UV).unwrap(), 255.0, CurveForm::Line).is_ok());
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
             ["gray values from 0 to 230", "--top"],
         ),
     ] {
-        let Err(error) = GrayCurve::new(&curve(pairs).unwrap(), 255.0, Form::Monotone) else {
+        let Err(error) = GrayCurve::new(&curve(pairs).unwrap(), 255.0, CurveForm::Monotone) else {
             panic!("{pairs:?} was taken")
         };
         let said = error.to_string();
@@ -120,15 +120,15 @@ fn delivered_light_of_both_examples() {
     let seconds = 30_600.0 * 0.04;
     near(seconds, 1224.0, 1e-9);
     let table = curve(&GRAY_UV).unwrap();
-    for (form, area, grey) in [
-        (Form::Line, 2.26, 147.6),
-        (Form::Line, 2.3, 145.1),
-        (Form::Monotone, 2.26, 148.6),
-        (Form::Monotone, 2.3, 145.7),
+    for (form, area, gray) in [
+        (CurveForm::Line, 2.26, 147.6),
+        (CurveForm::Line, 2.3, 145.1),
+        (CurveForm::Monotone, 2.26, 148.6),
+        (CurveForm::Monotone, 2.3, 145.7),
     ] {
         let fit = GrayCurve::new(&table, 255.0, form).unwrap();
         let irradiance = 52.0 / (1e-3 * area * seconds);
-        near(fit.gray_of(irradiance), grey, 0.8);
+        near(fit.gray_of(irradiance), gray, 0.8);
         near(
             delivered_j(&[(irradiance, 0.4), (irradiance, 0.6)], area, seconds),
             52.0,
@@ -139,8 +139,8 @@ fn delivered_light_of_both_examples() {
     near(delivered_j(&[(32.53, 1.0)], 2.26, seconds), 90.0, 0.05);
 }
 
-fn irradiance(table: &[[f64; 2]], grey: f64) -> f64 {
-    table.iter().find(|row| row[0] == grey).unwrap()[1]
+fn irradiance(table: &[[f64; 2]], gray: f64) -> f64 {
+    table.iter().find(|row| row[0] == gray).unwrap()[1]
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn balls_have_one_area() {
     let areas = |balls: &[[f64; 3]], table: &[[f64; 2]]| -> Vec<f64> {
         balls
             .iter()
-            .map(|[grey, seconds, dose]| area_cm2(*dose, irradiance(table, *grey), *seconds))
+            .map(|[gray, seconds, dose]| area_cm2(*dose, irradiance(table, *gray), *seconds))
             .collect()
     };
     let uv = areas(&BALLS_UV, &GRAY_UV);
@@ -167,7 +167,7 @@ fn balls_have_one_area() {
 fn balls(series: &[[f64; 3]], table: &[[f64; 2]]) -> Curve {
     let pairs = series
         .iter()
-        .map(|[grey, seconds, _]| [irradiance(table, *grey), *seconds]);
+        .map(|[gray, seconds, _]| [irradiance(table, *gray), *seconds]);
     curve(&pairs.collect::<Vec<_>>()).unwrap()
 }
 
@@ -271,7 +271,7 @@ fn rates_of_a_turn() {
         (2.0, [0.6065, 0.6367, 0.77791], 1.28),
         (5.0, [0.8187, 0.8317, 0.89060], 1.09),
     ] {
-        let vial = Vial {
+        let vial = TurningVial {
             radius_mm: 7.0,
             penetration_mm: 7.0 * depth,
             turn_deg_per_s: 5.0,
@@ -311,7 +311,7 @@ fn bessel_less_struve_is_its_integral() {
 
 #[test]
 fn the_wall_has_a_plateau_from_20_to_50_s() {
-    let vial = Vial {
+    let vial = TurningVial {
         radius_mm: 1.0,
         penetration_mm: 0.1,
         turn_deg_per_s: 5.0,
@@ -340,7 +340,7 @@ fn the_wall_has_a_plateau_from_20_to_50_s() {
         1e-3 * 10f64.exp(),
         1e-6,
     );
-    let rest = Vial {
+    let rest = TurningVial {
         turn_deg_per_s: 0.0,
         ..vial
     };

@@ -493,7 +493,7 @@ fn rows() -> Vec<Row> {
             }),
         },
         Row {
-            key: "optimisation_s",
+            key: "optimization_s",
             name: "Time of the optimization".to_owned(),
             unit: "s",
             better: Better::Lower,
@@ -848,7 +848,7 @@ mod tests {
         let keys = json["numbers"].as_array().unwrap().iter();
         let keys: Vec<&str> = keys.map(|row| row["key"].as_str().unwrap()).collect();
         assert!(
-            keys.contains(&"iou") && keys.contains(&"optimisation_s"),
+            keys.contains(&"iou") && keys.contains(&"optimization_s"),
             "{keys:?}"
         );
         let is_snake = |key: &&str| {

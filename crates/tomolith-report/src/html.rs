@@ -764,7 +764,7 @@ fn table(data: &ReportData<'_>) -> String {
     let columns: Vec<(&str, String, &Evaluation)> = [
         ("Turning", Some(data.evaluation)),
         ("Standing still", data.standing),
-        ("Optimisation", data.optimisation),
+        ("Optimization", data.optimization),
     ]
     .into_iter()
     .filter_map(|(name, e)| {
@@ -818,14 +818,14 @@ fn table(data: &ReportData<'_>) -> String {
         }
         rows.push_str("</tr>");
     }
-    let grey = if is_gray(data) {
+    let gray = if is_gray(data) {
         " For a gray target, “part” is where its value is at least ½."
     } else {
         ""
     };
     format!(
         "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
-         the last one is of the patterns before they are written, on the job's own voxels, the vial standing still.{grey}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
+         the last one is of the patterns before they are written, on the job's own voxels, the vial standing still.{gray}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
     )
 }
 

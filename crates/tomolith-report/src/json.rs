@@ -5,19 +5,19 @@
 //! part          name of the part
 //! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
 //!               with gel_threshold, farthest (the place of hausdorff_mm, and whether print or target is without the other there),
-//!               band_half_width (grey targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
+//!               band_half_width (gray targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
 //!               and standing_still: the same without turning
-//! optimisation  the same on the optimisation's grid
-//! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of grey targets), best (its value
+//! optimization  the same on the optimization's grid
+//! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of gray targets), best (its value
 //!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
-//!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for grey targets; the
+//!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for gray targets; the
 //!               highest belongs to the shortest exposure); reported_percent (the exposure of all other numbers: 100, unless the job sets a
-//!               threshold or is grey). An end without limit is null; all of it is null where it cannot be said
+//!               threshold or is gray). An end without limit is null; all of it is null where it cannot be said
 //! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
 //!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
 //! published     numbers with other authors' signs or normalizations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
-//!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimisation's and on independent ones, noise per voxel);
+//!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimization's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns
 //! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
@@ -125,7 +125,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "schema": "tomolith.report/1",
         "part": data.part,
         "evaluation": evaluation,
-        "optimisation": data.optimisation.map(evaluation_json),
+        "optimization": data.optimization.map(evaluation_json),
         "exposure": data.exposure,
         "limits": data.limits.causes,
         "published": data.published,

@@ -19,7 +19,7 @@ pub mod scenarios;
 pub mod time;
 
 pub use latitude::ExposureWindow;
-pub use limits::{Cause, Limit, Limits};
+pub use limits::{Cause, Limit, PrintLimits};
 pub use scenarios::{ScenarioRow, ScenarioTable};
 use std::io::Write;
 use std::path::Path;
@@ -133,12 +133,12 @@ pub struct ReportData<'a> {
     pub created: &'a str,
     /// Short facts for the head of the page: `("Vial", "cylinder, 7.6 mm")`.
     pub facts: Vec<(String, String)>,
-    /// What gave the doses: `("optimisation", "parallel (…): …")`.
+    /// What gave the doses: `("optimization", "parallel (…): …")`.
     pub models: Vec<(&'static str, String)>,
     /// Over which exposures the print is nearly as good as at the best one, where that can be said.
     pub exposure: Option<&'a ExposureWindow>,
     /// What limits the print.
-    pub limits: &'a Limits,
+    pub limits: &'a PrintLimits,
     /// The patterns of each light.
     pub lights: Vec<LightReport<'a>>,
     /// Labels of the evaluation's voxels ([`tomolith_core::target::label`]).
@@ -156,7 +156,7 @@ pub struct ReportData<'a> {
     /// The same with the vial standing still during each frame.
     pub standing: Option<&'a Evaluation>,
     /// On the optimization's grid.
-    pub optimisation: Option<&'a Evaluation>,
+    pub optimization: Option<&'a Evaluation>,
     /// Numbers with other authors' signs or normalizations.
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
@@ -213,7 +213,7 @@ impl<'a> ReportData<'a> {
             window: species.window,
             evaluation: species.evaluation,
             standing: None,
-            optimisation: None,
+            optimization: None,
             published: serde_json::Map::new(),
             species: Vec::new(),
             maps: Vec::new(),
@@ -301,7 +301,7 @@ mod tests {
         response: Volume<f32>,
         patterns: Patterns,
         history: Vec<HistoryRow>,
-        limits: Limits,
+        limits: PrintLimits,
     }
 
     impl Sample {
@@ -343,7 +343,7 @@ mod tests {
                 },
                 patterns,
                 history: (0..5).map(row).collect(),
-                limits: Limits {
+                limits: PrintLimits {
                     sentence: "Predicted IoU 1.".to_owned(),
                     causes: vec![Limit {
                         cause: Cause::Turning,
@@ -397,7 +397,7 @@ mod tests {
                 window: Some([0.7, 0.9]),
                 evaluation,
                 standing: Some(evaluation),
-                optimisation: None,
+                optimization: None,
                 published: serde_json::Map::new(),
                 species: Vec::new(),
                 maps: Vec::new(),
@@ -439,7 +439,7 @@ mod tests {
             );
         }
         assert!((json["evaluation"]["iou"].as_f64().unwrap() - 1.0).abs() < 1e-12);
-        assert_eq!(json["optimisation"], serde_json::Value::Null);
+        assert_eq!(json["optimization"], serde_json::Value::Null);
         assert_eq!(json["published"], serde_json::json!({}));
         let farthest = evaluation.farthest.unwrap();
         let place = &json["evaluation"]["farthest"];

@@ -53,7 +53,7 @@ impl Serialize for Limit {
 
 /// All causes that were measured.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
-pub struct Limits {
+pub struct PrintLimits {
     /// All of it in one line.
     pub sentence: String,
     /// The largest loss first.
@@ -61,7 +61,7 @@ pub struct Limits {
 }
 
 /// The section of the page; empty where nothing was measured.
-pub(super) fn section(limits: &Limits) -> String {
+pub(super) fn section(limits: &PrintLimits) -> String {
     if limits.causes.is_empty() {
         return String::new();
     }
@@ -104,11 +104,11 @@ mod tests {
             json,
             serde_json::json!({ "cause": "grid", "loss_in_iou": 0.026, "key": "grid.pitch_mm", "advice": "A < B. Lower `grid.pitch_mm`." })
         );
-        let limits = Limits {
+        let limits = PrintLimits {
             sentence: "All.".to_owned(),
             causes: vec![limit],
         };
         assert!(section(&limits).contains("<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>"));
-        assert_eq!(section(&Limits::default()), "");
+        assert_eq!(section(&PrintLimits::default()), "");
     }
 }

@@ -5,8 +5,8 @@
 //! than three decades, with 0 at the lowest color, and the picture says so. The paper is white: the files are for articles, too.
 //!
 //! ```
-//! use tomolith_report::maps::{Cell, Panel, Scale, heat_maps};
-//! let axis = |name: &str| Scale { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
+//! use tomolith_report::maps::{Cell, Panel, ColorScale, heat_maps};
+//! let axis = |name: &str| ColorScale { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
 //! let cell = |value| Some(Cell { value: Some(value), is_feasible: value > 1.5, is_best: value == 3.0, has_failed: false });
 //! let panel = Panel { title: String::new(), cells: vec![cell(1.0), cell(2.0), None, cell(3.0)] };
 //! let svg = heat_maps("PW", &axis("lower"), &axis("upper"), &[panel], "");
@@ -49,7 +49,7 @@ const STYLE: &str = "<style>text{font:13px Inter,'Segoe UI',Roboto,'Helvetica Ne
 
 /// One axis of a heat map: its name, and the values of its cells.
 #[derive(Clone, Debug)]
-pub struct Scale {
+pub struct ColorScale {
     /// What it is.
     pub name: String,
     /// The values, from left to right or from below.
@@ -80,7 +80,7 @@ pub struct Panel {
 
 /// Values along a curve.
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub struct PlotCurve {
     /// What the values stand over.
     pub name: String,
     /// Labels of the places 0, 1, 2, … where these are no numbers.
@@ -147,7 +147,13 @@ impl Values {
 
 /// Heat maps side by side, as one SVG file; `caption` stands below them.
 #[must_use]
-pub fn heat_maps(title: &str, x: &Scale, y: &Scale, panels: &[Panel], caption: &str) -> String {
+pub fn heat_maps(
+    title: &str,
+    x: &ColorScale,
+    y: &ColorScale,
+    panels: &[Panel],
+    caption: &str,
+) -> String {
     let cells = || panels.iter().flat_map(|p| p.cells.iter().flatten());
     let values = Values::of(cells().filter_map(|cell| cell.value));
     let mut sheet = Sheet::new(panels.len(), 1.0, BAR);
@@ -174,7 +180,7 @@ pub fn heat_maps(title: &str, x: &Scale, y: &Scale, panels: &[Panel], caption: &
 
 /// Curves or dots side by side over one scale of values, as one SVG file; `caption` stands below them.
 #[must_use]
-pub fn curves(title: &str, curves: &[Curve], caption: &str) -> String {
+pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
     let points = || {
         curves
             .iter()
@@ -310,7 +316,13 @@ fn fitting(labels: &[String], width: f64) -> usize {
     ((width / (7.0 * longest as f64 + 10.0)) as usize).clamp(1, LABELS)
 }
 
-fn map(body: &mut String, frame: &Frame, (x, y): (&Scale, &Scale), panel: &Panel, values: &Values) {
+fn map(
+    body: &mut String,
+    frame: &Frame,
+    (x, y): (&ColorScale, &ColorScale),
+    panel: &Panel,
+    values: &Values,
+) {
     let [columns, rows] = [x, y].map(|scale| scale.labels.len());
     let [width, height] = [
         frame.width / columns.max(1) as f64,
@@ -476,7 +488,7 @@ fn outline(
     path
 }
 
-fn draw_curve(body: &mut String, frame: &Frame, curve: &Curve, values: &Axis) {
+fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis) {
     let places = || curve.points.iter().map(|(place, _)| *place);
     let (low, high) = (
         places().fold(f64::INFINITY, f64::min),
@@ -686,8 +698,8 @@ impl Sheet {
 mod tests {
     use super::*;
 
-    fn scale(name: &str, count: usize) -> Scale {
-        Scale {
+    fn scale(name: &str, count: usize) -> ColorScale {
+        ColorScale {
             name: name.to_owned(),
             labels: (0..count).map(|i| i.to_string()).collect(),
         }
@@ -771,7 +783,7 @@ mod tests {
             (1.0, cell(None, false).unwrap()),
             (1.0, cell(Some(4.0), true).unwrap()),
         ];
-        let curve = Curve {
+        let curve = PlotCurve {
             name: "x".to_owned(),
             labels: None,
             is_log: true,

@@ -9,7 +9,7 @@ use super::picture::{Color, Picture};
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_io::ply::{PlyCorners, write_ply};
-use tomolith_metrics::isosurface::Surface;
+use tomolith_metrics::isosurface::Isosurface;
 use tomolith_metrics::surface::Deviation;
 
 /// Colors of the deviation, and shades of each.
@@ -164,7 +164,7 @@ impl Camera {
 }
 
 /// Directions out of the surface at its corners, along the view's axes: sums over triangles, each by its area.
-fn normals(surface: &Surface, seen: &[[f64; 3]]) -> Vec<[f64; 3]> {
+fn normals(surface: &Isosurface, seen: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mut normals = vec![[0.0; 3]; seen.len()];
     for triangle in &surface.triangles {
         let [a, b, c] = triangle.map(|i| seen[i as usize]);
@@ -200,7 +200,7 @@ fn brightness(normal: [f64; 3]) -> f64 {
     }
 }
 
-/// A corner in a view: column and row in pixels, towards the viewer in mm; place on the colors' scale; brightness.
+/// A corner in a view: column and row in pixels, toward the viewer in mm; place on the colors' scale; brightness.
 type Dot = [f64; 5];
 
 /// A picture, and mm of its width.
@@ -397,9 +397,9 @@ mod tests {
 
     #[test]
     fn colors_run_from_blue_over_gray_to_red() {
-        let [blue, grey, red] = [-1.0, 0.0, 1.0].map(|off| color(place(off * 50.0, 50.0)));
+        let [blue, gray, red] = [-1.0, 0.0, 1.0].map(|off| color(place(off * 50.0, 50.0)));
         assert_eq!((blue, red), (FATES[3].0, FATES[4].0));
-        assert!(grey[..3].iter().all(|c| (200..230).contains(c)));
+        assert!(gray[..3].iter().all(|c| (200..230).contains(c)));
         assert_eq!(palette().len(), 256);
         assert_eq!(index(1.0, 1.0), 254);
     }
@@ -407,7 +407,7 @@ mod tests {
     #[test]
     fn nothing_to_see_is_no_trouble() {
         let empty = Deviation {
-            surface: Surface::default(),
+            surface: Isosurface::default(),
             off_um: Vec::new(),
             coarsened: 1,
         };

@@ -38,7 +38,7 @@ enum AxisKind {
 
 /// One point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct SweepPoint {
     /// A value per axis.
     pub values: Vec<Value>,
     /// Where it lies on each axis, 0 to 1.
@@ -162,7 +162,7 @@ fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result
                         "found {step}, which does not lead from {} to {}",
                         range.from, range.to
                     ),
-                    "a step towards `to`",
+                    "a step toward `to`",
                 );
             }
             (steps + 1e-9).floor() + 1.0
@@ -231,8 +231,8 @@ pub(crate) fn points(
     axes: &[Axis],
     when: &[Condition],
     sample: Option<SampleSpec>,
-) -> Result<Vec<Point>> {
-    let meets = |point: &Point| {
+) -> Result<Vec<SweepPoint>> {
+    let meets = |point: &SweepPoint| {
         let of = |name: &str| named(axes, point, name);
         when.iter().all(|condition| condition.is_met(&of))
     };
@@ -287,13 +287,13 @@ fn too_many(count: f64) -> Error {
 }
 
 /// The number of an axis at a point.
-pub(crate) fn named(axes: &[Axis], point: &Point, name: &str) -> Option<f64> {
+pub(crate) fn named(axes: &[Axis], point: &SweepPoint, name: &str) -> Option<f64> {
     let i = axes.iter().position(|axis| axis.name == name)?;
     point.values[i].as_f64()
 }
 
 /// All combinations, the last axis fastest.
-fn grid(axes: &[Axis], meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
+fn grid(axes: &[Axis], meets: &dyn Fn(&SweepPoint) -> bool) -> Result<Vec<SweepPoint>> {
     let counts: Vec<usize> = axes.iter().map(|axis| axis.values().len()).collect();
     let mut index = vec![0; axes.len()];
     let mut points = Vec::new();
@@ -302,7 +302,7 @@ fn grid(axes: &[Axis], meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
             .iter()
             .zip(&counts)
             .map(|(&i, &n)| i as f64 / (n as f64 - 1.0).max(1.0));
-        let point = Point {
+        let point = SweepPoint {
             values: axes
                 .iter()
                 .zip(&index)
@@ -325,8 +325,8 @@ fn grid(axes: &[Axis], meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
     }
 }
 
-fn drawn(axes: &[Axis], place: Vec<f64>) -> Point {
-    Point {
+fn drawn(axes: &[Axis], place: Vec<f64>) -> SweepPoint {
+    SweepPoint {
         values: axes
             .iter()
             .zip(&place)
@@ -337,7 +337,11 @@ fn drawn(axes: &[Axis], place: Vec<f64>) -> Point {
     }
 }
 
-fn random(axes: &[Axis], draw: DrawSpec, meets: &dyn Fn(&Point) -> bool) -> Result<Vec<Point>> {
+fn random(
+    axes: &[Axis],
+    draw: DrawSpec,
+    meets: &dyn Fn(&SweepPoint) -> bool,
+) -> Result<Vec<SweepPoint>> {
     let mut source = SplitMix(draw.seed);
     let mut points = Vec::with_capacity(draw.count);
     for _ in 0..draw.count.saturating_mul(TRIES) {
@@ -367,7 +371,7 @@ fn random(axes: &[Axis], draw: DrawSpec, meets: &dyn Fn(&Point) -> bool) -> Resu
 
 /// One point in each of `count` equal parts of every axis, at a random place in it, the parts of each axis in an order of their own
 /// (McKay, Beckman and Conover 1979).
-fn hypercube(axes: &[Axis], draw: DrawSpec) -> Vec<Point> {
+fn hypercube(axes: &[Axis], draw: DrawSpec) -> Vec<SweepPoint> {
     let mut source = SplitMix(draw.seed);
     let columns: Vec<Vec<f64>> = axes
         .iter()
@@ -399,7 +403,7 @@ impl SplitMix {
     }
 }
 
-/// The finaliser of SplitMix64.
+/// The finalizer of SplitMix64.
 pub(crate) fn mixed(state: u64) -> u64 {
     let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -4,7 +4,7 @@
 //! depends on which slot takes it or when. A request to stop is passed on to every run at work.
 
 use crate::pictures;
-use crate::plan::{Plan, firsts};
+use crate::plan::{SweepPlan, firsts};
 use crate::table::{State, Table, failure, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -31,7 +31,7 @@ const BUSY: Duration = Duration::from_secs(1);
 /// Something worth telling.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "event", rename_all = "snake_case")]
-pub enum Event {
+pub enum SweepEvent {
     /// Every job was checked.
     Sweep {
         /// Runs of this process.
@@ -67,7 +67,7 @@ pub enum Event {
 /// Where events go.
 pub trait Watch {
     /// Called for each event, from the calling thread.
-    fn event(&mut self, event: &Event);
+    fn event(&mut self, event: &SweepEvent);
 }
 
 /// A share of the runs, for one of several machines.
@@ -95,7 +95,7 @@ impl std::str::FromStr for Shard {
 
 /// What a sweep came to.
 #[derive(Clone, Debug, Serialize)]
-pub struct Outcome {
+pub struct SweepOutcome {
     /// Where results are.
     pub folder: PathBuf,
     /// All runs of the sweep.
@@ -126,7 +126,7 @@ pub struct BestRun {
     pub metrics: Map<String, Value>,
 }
 
-impl Outcome {
+impl SweepOutcome {
     /// Whether nothing failed, and something meets what is asked.
     #[must_use]
     pub fn is_met(&self) -> bool {
@@ -134,7 +134,7 @@ impl Outcome {
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for SweepOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} of {} done", self.done, counted(self.runs, "run"))?;
         for (count, word) in [(self.failed, "failed"), (self.missing, "missing")] {
@@ -194,14 +194,14 @@ enum Told {
 /// Runs a sweep, or a share of it; what was finished before stays. Without a share all is collected at the end.
 ///
 /// # Errors
-/// [`Error::Cancelled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Format`] for a metric that no report has. A run that
+/// [`Error::Canceled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Format`] for a metric that no report has. A run that
 /// fails is noted, and the others go on.
 pub fn run(
-    plan: &Plan,
+    plan: &SweepPlan,
     shard: Option<Shard>,
     watch: &mut dyn Watch,
     cancel: &Run,
-) -> Result<Outcome> {
+) -> Result<SweepOutcome> {
     let folder = plan
         .run_folder(0)
         .parent()
@@ -224,7 +224,7 @@ pub fn run(
         runs: finished + waiting,
         before: finished,
     };
-    watch.event(&Event::Sweep {
+    watch.event(&SweepEvent::Sweep {
         runs: clock.runs,
         finished,
         side_by_side: plan.side_by_side.min(waiting.max(1)),
@@ -236,7 +236,7 @@ pub fn run(
     ended?;
     match shard {
         None => collect(plan),
-        Some(_) => Ok(Outcome {
+        Some(_) => Ok(SweepOutcome {
             is_share: true,
             ..counted_up(plan, &Table::collect(plan)?)
         }),
@@ -247,7 +247,7 @@ pub fn run(
 ///
 /// # Errors
 /// [`Error::Io`]; [`Error::Config`] for a folder without runs.
-pub fn merge(plan: &Plan, others: &[PathBuf]) -> Result<Outcome> {
+pub fn merge(plan: &SweepPlan, others: &[PathBuf]) -> Result<SweepOutcome> {
     for other in others {
         let runs = other.join(crate::plan::RUNS);
         if !runs.is_dir() {
@@ -296,7 +296,7 @@ fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
 }
 
 /// Table, pictures and best job of what is there.
-fn collect(plan: &Plan) -> Result<Outcome> {
+fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     let table = Table::collect(plan)?;
     let folder = plan.folder();
     fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
@@ -318,7 +318,7 @@ fn collect(plan: &Plan) -> Result<Outcome> {
     Ok(outcome)
 }
 
-fn counted_up(plan: &Plan, table: &Table<'_>) -> Outcome {
+fn counted_up(plan: &SweepPlan, table: &Table<'_>) -> SweepOutcome {
     let [done, failed, missing] = table.counts();
     let best = |i: usize| BestRun {
         run: i + 1,
@@ -330,7 +330,7 @@ fn counted_up(plan: &Plan, table: &Table<'_>) -> Outcome {
             .map(|m| (m.clone(), json!(table.metric(i, m))))
             .collect(),
     };
-    Outcome {
+    SweepOutcome {
         folder: plan.folder(),
         runs: plan.runs.len(),
         done,
@@ -343,7 +343,7 @@ fn counted_up(plan: &Plan, table: &Table<'_>) -> Outcome {
 }
 
 /// The job of a run with every default, as a file that stands alone.
-fn best_job(plan: &Plan, table: &Table<'_>, i: usize) -> Result<String> {
+fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
     let job = plan
         .job(i)?
         .with_folder(&plan.folder().join("best"), "sweep");
@@ -372,7 +372,7 @@ fn best_job(plan: &Plan, table: &Table<'_>, i: usize) -> Result<String> {
 }
 
 /// The runs of a share, with those that they start from; of runs with one job the first.
-fn own_runs(plan: &Plan, shard: Option<Shard>) -> BTreeSet<usize> {
+fn own_runs(plan: &SweepPlan, shard: Option<Shard>) -> BTreeSet<usize> {
     let Shard { number, of } = shard.unwrap_or(Shard { number: 1, of: 1 });
     let count = plan.runs.len();
     let firsts = firsts(&plan.runs);
@@ -389,7 +389,7 @@ fn own_runs(plan: &Plan, shard: Option<Shard>) -> BTreeSet<usize> {
 }
 
 /// Whether a run is finished, with what others need of it.
-fn is_ready(plan: &Plan, i: usize) -> bool {
+fn is_ready(plan: &SweepPlan, i: usize) -> bool {
     let folder = plan.run_folder(i);
     let has_patterns = plan.sweep.spec.warm_start.is_none() || folder.join(PATTERNS).is_file();
     has_patterns && RunFolder::finished(&folder).is_some()
@@ -414,7 +414,7 @@ impl Clock {
 
 /// Lets the slots work, tells what they tell, and passes requests to stop on to them.
 fn work(
-    plan: &Plan,
+    plan: &SweepPlan,
     turns: Vec<RunState>,
     watch: &mut dyn Watch,
     clock: &mut Clock,
@@ -460,7 +460,7 @@ fn work(
         drop(tell);
         let mut passed = 0;
         loop {
-            let wanted = if cancel.is_cancelled() {
+            let wanted = if cancel.is_canceled() {
                 2
             } else {
                 u32::from(cancel.is_stop_asked())
@@ -486,12 +486,18 @@ fn work(
     });
     match broken {
         Some(error) => Err(error),
-        None if cancel.is_stop_asked() => Err(Error::Cancelled),
+        None if cancel.is_stop_asked() => Err(Error::Canceled),
         None => Ok(()),
     }
 }
 
-fn ended(plan: &Plan, clock: &mut Clock, run: usize, state: &State, seconds: f64) -> Event {
+fn ended(
+    plan: &SweepPlan,
+    clock: &mut Clock,
+    run: usize,
+    state: &State,
+    seconds: f64,
+) -> SweepEvent {
     clock.ended += 1;
     let (word, result) = match state {
         State::Done(values) => {
@@ -506,7 +512,7 @@ fn ended(plan: &Plan, clock: &mut Clock, run: usize, state: &State, seconds: f64
         State::Failed(message) => ("failed", json!(message)),
         State::Missing => ("missing", Value::Null),
     };
-    Event::Run {
+    SweepEvent::Run {
         run: run + 1,
         values: plan.words(run),
         state: word,
@@ -525,7 +531,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// One of the places at which runs work.
 struct Slot<'a> {
-    plan: &'a Plan,
+    plan: &'a SweepPlan,
     board: &'a Mutex<Board>,
     news: &'a Condvar,
     run: &'a Mutex<Arc<Run>>,
@@ -627,7 +633,7 @@ impl Slot<'_> {
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
                     thread::sleep(BUSY);
                     if cancel.is_stop_asked() {
-                        return Err(Error::Cancelled);
+                        return Err(Error::Canceled);
                     }
                 }
                 Err(error) => return Err(error),
@@ -666,7 +672,7 @@ impl Slot<'_> {
                     seconds,
                 })
             }
-            Err(Error::Cancelled) => None,
+            Err(Error::Canceled) => None,
             // What is wrong with its report is wrong with all
             Err(error @ Error::Format { .. })
                 if RunFolder::finished(&self.plan.run_folder(run)).is_some() =>
@@ -690,7 +696,7 @@ impl Slot<'_> {
 }
 
 /// What a plan is about, for people.
-impl fmt::Display for Plan {
+impl fmt::Display for SweepPlan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let memory = self
             .share_mb

@@ -15,7 +15,7 @@
 //!
 //! ```no_run
 //! use tomolith::models::Run;
-//! use tomolith_sweep::{Event, Sweep, Watch, run};
+//! use tomolith_sweep::{SweepEvent, Sweep, Watch, run};
 //! struct Quiet;
 //! impl Watch for Quiet {
 //!     fn event(&mut self, _: &Event) {}
@@ -38,8 +38,8 @@ mod spec;
 mod study;
 mod table;
 
-pub use axes::{MOST_RUNS, Point};
-pub use engine::{BestRun, Event, Outcome, Shard, Watch, merge, run};
-pub use plan::{Plan, Planned, Sweep, duration};
-pub use reproduce::{Cost, Host, Reproduction, Row, Verdict, reproduce};
+pub use axes::{MOST_RUNS, SweepPoint};
+pub use engine::{BestRun, Shard, SweepEvent, SweepOutcome, Watch, merge, run};
+pub use plan::{Planned, Sweep, SweepPlan, duration};
+pub use reproduce::{Host, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;

@@ -8,7 +8,7 @@ use tomolith::{Error, Result};
 /// Tables of a report, and numbers of an evaluation beside its metrics.
 const TABLES: [&str; 11] = [
     "evaluation",
-    "optimisation",
+    "optimization",
     "exposure",
     "limits",
     "published",
@@ -30,7 +30,7 @@ pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
     if !TABLES.contains(&steps[0]) {
         return Err(unknown(path, key, steps[0], TABLES.iter().copied(), ""));
     }
-    if ["evaluation", "optimisation"].contains(&steps[0]) && steps.len() == 2 {
+    if ["evaluation", "optimization"].contains(&steps[0]) && steps.len() == 2 {
         let names = || METRICS.iter().map(|metric| metric.name).chain(MORE);
         if !names().any(|name| name == steps[1]) {
             return Err(unknown(
@@ -119,7 +119,7 @@ mod tests {
     fn numbers_are_found_by_their_paths() {
         let report = serde_json::json!({
             "evaluation": { "pw": 0.25, "iou": null, "notes": ["a"] },
-            "optimisation": null,
+            "optimization": null,
             "limits": [{ "loss_in_iou": 0.5 }],
             "published": { "bclp.pw": 1, "ver": { "value": 0.125, "unit": "" } },
             "met": true,
@@ -127,7 +127,7 @@ mod tests {
         for (path, found) in [
             ("evaluation.pw", Ok(Some(0.25))),
             ("evaluation.iou", Ok(None)),
-            ("optimisation.iou", Ok(None)),
+            ("optimization.iou", Ok(None)),
             ("limits[0].loss_in_iou", Ok(Some(0.5))),
             ("limits[3].loss_in_iou", Ok(None)),
             ("published.ver", Ok(Some(0.125))),

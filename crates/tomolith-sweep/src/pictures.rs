@@ -2,14 +2,14 @@
 //! points that were drawn.
 
 use crate::axes::{Axis, label};
-use crate::plan::Plan;
+use crate::plan::SweepPlan;
 use crate::table::{State, Table};
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
 use tomolith::io::write_whole;
-use tomolith::report::maps::{Cell, Curve, Panel, Scale, curves, heat_maps};
+use tomolith::report::maps::{Cell, ColorScale, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
 /// Small multiples in a picture, at most.
@@ -19,7 +19,7 @@ const PANELS: usize = 24;
 ///
 /// # Errors
 /// [`Error::Io`](tomolith::Error::Io).
-pub(crate) fn write(plan: &Plan, table: &Table<'_>, folder: &Path) -> Result<Vec<PathBuf>> {
+pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Result<Vec<PathBuf>> {
     let file = |path: &String| {
         let name: String = path
             .chars()
@@ -43,7 +43,7 @@ pub(crate) fn write(plan: &Plan, table: &Table<'_>, folder: &Path) -> Result<Vec
 }
 
 /// The picture of a metric.
-fn picture(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
+fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let axes = &plan.sweep.axes;
     let caption = caption(plan, table, metric);
     let cell = |i: usize| Cell {
@@ -53,7 +53,7 @@ fn picture(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
         has_failed: matches!(table.states[i], State::Failed(_)),
     };
     if plan.sweep.spec.sample.is_some() {
-        let curves_of: Vec<Curve> = (0..axes.len())
+        let curves_of: Vec<PlotCurve> = (0..axes.len())
             .map(|a| curve(plan, a, false, &cell))
             .collect();
         return curves(metric, &curves_of, &caption);
@@ -61,7 +61,7 @@ fn picture(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
     if axes.len() == 1 {
         return curves(metric, &[curve(plan, 0, true, &cell)], &caption);
     }
-    let scale = |axis: &Axis| Scale {
+    let scale = |axis: &Axis| ColorScale {
         name: axis.name.clone(),
         labels: axis.values().iter().map(label).collect(),
     };
@@ -79,7 +79,7 @@ fn picture(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
     )
 }
 
-fn caption(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
+fn caption(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let best = &plan.sweep.best;
     let Some(i) = table.best else {
         return "No run meets what is asked.".to_owned();
@@ -100,7 +100,7 @@ fn caption(plan: &Plan, table: &Table<'_>, metric: &str) -> String {
 }
 
 /// One metric over one axis.
-fn curve(plan: &Plan, a: usize, is_joined: bool, cell: &dyn Fn(usize) -> Cell) -> Curve {
+fn curve(plan: &SweepPlan, a: usize, is_joined: bool, cell: &dyn Fn(usize) -> Cell) -> PlotCurve {
     let axis = &plan.sweep.axes[a];
     let values = || plan.runs.iter().map(|run| &run.point.values[a]);
     let are_numbers = values().all(Value::is_number);
@@ -115,7 +115,7 @@ fn curve(plan: &Plan, a: usize, is_joined: bool, cell: &dyn Fn(usize) -> Cell) -
     if are_numbers {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
     }
-    Curve {
+    PlotCurve {
         name: axis.name.clone(),
         labels: (!are_numbers).then(|| axis.values().iter().map(label).collect()),
         is_log: axis.is_log && are_numbers,
@@ -125,7 +125,7 @@ fn curve(plan: &Plan, a: usize, is_joined: bool, cell: &dyn Fn(usize) -> Cell) -
 }
 
 /// A map over the first two axes for each combination of the others, and how many are left out.
-fn panels(plan: &Plan, cell: &dyn Fn(usize) -> Cell) -> (Vec<Panel>, usize) {
+fn panels(plan: &SweepPlan, cell: &dyn Fn(usize) -> Cell) -> (Vec<Panel>, usize) {
     let axes = &plan.sweep.axes;
     let [columns, rows] = [0, 1].map(|a| axes[a].values().len());
     let mut panels: Vec<(Vec<usize>, Panel)> = Vec::new();

@@ -1,6 +1,6 @@
 //! From a sweep file to its runs: every job read and checked, its identity, its share of the memory, where it starts.
 
-use crate::axes::{self, Axis, Point, label, mixed, named};
+use crate::axes::{self, Axis, SweepPoint, label, mixed, named};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::spec::{KeepSpec, SweepSpec};
@@ -43,7 +43,7 @@ pub(crate) struct Best {
 #[derive(Clone, Debug)]
 pub struct Planned {
     /// Where it lies.
-    pub point: Point,
+    pub point: SweepPoint,
     /// Its identity, the name of its folder.
     pub id: String,
     /// The run whose patterns it starts from.
@@ -52,7 +52,7 @@ pub struct Planned {
 
 /// All runs of a sweep, checked.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct SweepPlan {
     pub(crate) sweep: Sweep,
     /// The runs, in the order of the table.
     pub runs: Vec<Planned>,
@@ -200,7 +200,7 @@ impl Sweep {
 
     /// The job file, and what is changed in it at a point: `KEY=VALUE`.
     #[must_use]
-    pub fn changes(&self, point: &Point) -> (&Path, Vec<String>) {
+    pub fn changes(&self, point: &SweepPoint) -> (&Path, Vec<String>) {
         let set = self
             .spec
             .set
@@ -236,7 +236,7 @@ impl Sweep {
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub fn job(&self, point: &Point) -> Result<Job> {
+    pub fn job(&self, point: &SweepPoint) -> Result<Job> {
         let mut document = self.base.clone();
         for assignment in self.changes(point).1 {
             document.set(&assignment)?;
@@ -246,7 +246,7 @@ impl Sweep {
 
     /// The values of a point, for people.
     #[must_use]
-    pub fn words(&self, point: &Point) -> String {
+    pub fn words(&self, point: &SweepPoint) -> String {
         let words = self.axes.iter().zip(&point.values);
         words
             .map(|(axis, value)| format!("{} = {}", axis.name, label(value)))
@@ -258,8 +258,8 @@ impl Sweep {
     ///
     /// # Errors
     /// [`Error::Config`] for conditions that leave nothing, for more runs than can be, and for jobs that cannot run, before any does;
-    /// [`Error::Cancelled`].
-    pub fn plan(self, threads: usize, cancel: &Run) -> Result<Plan> {
+    /// [`Error::Canceled`].
+    pub fn plan(self, threads: usize, cancel: &Run) -> Result<SweepPlan> {
         let points = self.points(cancel).map_err(|e| self.document.locate(e))?;
         let given = self.spec.resources.memory_gb;
         let of_job = self
@@ -276,9 +276,9 @@ impl Sweep {
             .collect();
         if checked
             .iter()
-            .any(|one| matches!(one, Err(Error::Cancelled)))
+            .any(|one| matches!(one, Err(Error::Canceled)))
         {
-            return Err(Error::Cancelled);
+            return Err(Error::Canceled);
         }
         let mut sound = Vec::with_capacity(points.len());
         let mut refused = Vec::new();
@@ -289,7 +289,7 @@ impl Sweep {
             }
         }
         if let Some((first, error)) = refused.first_mut() {
-            let error = std::mem::replace(error, Error::Cancelled);
+            let error = std::mem::replace(error, Error::Canceled);
             let (first, count) = (*first, refused.len());
             return Err(self
                 .document
@@ -299,7 +299,7 @@ impl Sweep {
         let holds = budget_mb.map_or(usize::MAX, |mb| (mb / largest_mb) as usize);
         let side_by_side = wanted.unwrap_or(threads.min(holds)).clamp(1, points.len());
         let runs = self.settle(points, sound.into_iter().map(|(id, _)| id).collect());
-        Ok(Plan {
+        Ok(SweepPlan {
             sweep: self,
             runs,
             side_by_side,
@@ -309,7 +309,7 @@ impl Sweep {
     }
 
     /// The points; where they are too many, with the time they would take.
-    fn points(&self, cancel: &Run) -> Result<Vec<Point>> {
+    fn points(&self, cancel: &Run) -> Result<Vec<SweepPoint>> {
         let counted = axes::combinations(&self.axes, self.spec.sample);
         let points = counted.and_then(|_| axes::points(&self.axes, &self.when, self.spec.sample));
         points.map_err(|error| match error {
@@ -349,7 +349,7 @@ impl Sweep {
     fn seconds(&self, cancel: &Run) -> Option<f64> {
         let first = |axis: &Axis| axis.values().first().cloned();
         let values = self.axes.iter().map(first).collect::<Option<Vec<_>>>()?;
-        let point = Point {
+        let point = SweepPoint {
             place: vec![0.0; values.len()],
             values,
             index: None,
@@ -359,9 +359,14 @@ impl Sweep {
     }
 
     /// Identity and memory of a job that can run.
-    fn check(&self, point: &Point, memory_mb: Option<u64>, cancel: &Run) -> Result<(String, u64)> {
+    fn check(
+        &self,
+        point: &SweepPoint,
+        memory_mb: Option<u64>,
+        cancel: &Run,
+    ) -> Result<(String, u64)> {
         if cancel.is_stop_asked() {
-            return Err(Error::Cancelled);
+            return Err(Error::Canceled);
         }
         let mut job = self.job(point)?;
         job.spec.resources.memory_gb = memory_mb.map(gigabytes);
@@ -372,7 +377,7 @@ impl Sweep {
     }
 
     /// Says which jobs cannot run, and why the first cannot; at the key of the sweep that is at fault.
-    fn refused(&self, points: &[Point], first: usize, error: Error, count: usize) -> Error {
+    fn refused(&self, points: &[SweepPoint], first: usize, error: Error, count: usize) -> Error {
         let text = error.to_string();
         let (key, detail) = match &error {
             Error::Config { key, found, .. } => (
@@ -464,7 +469,7 @@ impl Sweep {
     }
 
     /// The runs, each with the one that it starts from.
-    fn settle(&self, points: Vec<Point>, ids: Vec<String>) -> Vec<Planned> {
+    fn settle(&self, points: Vec<SweepPoint>, ids: Vec<String>) -> Vec<Planned> {
         let parents = match self.spec.warm_start {
             Some(_) => parents(&points),
             None => vec![None; points.len()],
@@ -495,7 +500,7 @@ impl Sweep {
     }
 }
 
-impl Plan {
+impl SweepPlan {
     /// Seconds that the runs take which are not finished, on all cores: the mean of a few that are spread over the table, times their number.
     ///
     /// # Errors
@@ -696,8 +701,8 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
 }
 
 /// For each point the nearest one before it; of equally near ones the first.
-fn parents(points: &[Point]) -> Vec<Option<usize>> {
-    let apart = |a: &Point, b: &Point| {
+fn parents(points: &[SweepPoint]) -> Vec<Option<usize>> {
+    let apart = |a: &SweepPoint, b: &SweepPoint| {
         a.place
             .iter()
             .zip(&b.place)
@@ -770,8 +775,8 @@ pub fn duration(seconds: f64) -> String {
 mod tests {
     use super::*;
 
-    fn at(place: &[f64]) -> Point {
-        Point {
+    fn at(place: &[f64]) -> SweepPoint {
+        SweepPoint {
             values: Vec::new(),
             place: place.to_vec(),
             index: None,

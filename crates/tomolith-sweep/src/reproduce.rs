@@ -7,7 +7,7 @@ use crate::axes::label;
 use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::plan::{Plan, duration};
+use crate::plan::{SweepPlan, duration};
 use crate::study::{RowSpec, RunSpec, Study, Take};
 use crate::table::{State, Table, field};
 use serde::Serialize;
@@ -25,9 +25,9 @@ use tomolith::{Error, Result};
 /// Whoever has a study run: shows it, and runs commands.
 pub trait Host {
     /// Called once, when every job was checked and before any work.
-    fn begins(&mut self, costs: &[Cost]);
+    fn begins(&mut self, costs: &[StudyCost]);
     /// Who watches a sweep.
-    fn watch(&mut self, name: &str, plan: &Plan) -> Box<dyn Watch>;
+    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch>;
     /// Runs what would be typed after `tomolith` in a folder; its answer as JSON.
     ///
     /// # Errors
@@ -37,7 +37,7 @@ pub trait Host {
 
 /// What a thing that is run will cost.
 #[derive(Clone, Debug, Serialize)]
-pub struct Cost {
+pub struct StudyCost {
     /// Its name in the study.
     pub name: String,
     /// Its runs; none for a command.
@@ -48,7 +48,7 @@ pub struct Cost {
     pub left_out: Option<String>,
 }
 
-impl fmt::Display for Cost {
+impl fmt::Display for StudyCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.left_out, self.runs) {
             (Some(why), _) => write!(f, "{}: left out, {why}", self.name),
@@ -107,7 +107,7 @@ impl fmt::Display for Verdict {
 
 /// A row of the table.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub struct StudyRow {
     /// What it is.
     pub quantity: String,
     /// What is published, for people.
@@ -128,7 +128,7 @@ pub struct Row {
     is_truth: bool,
 }
 
-impl Row {
+impl StudyRow {
     fn ours_text(&self) -> String {
         match self.ours {
             None => "–".to_owned(),
@@ -155,7 +155,7 @@ pub struct Reproduction {
     /// Where results are.
     pub folder: PathBuf,
     /// Rows in the order of the study.
-    pub rows: Vec<Row>,
+    pub rows: Vec<StudyRow>,
     /// Pictures of its sweeps and commands.
     pub figures: Vec<PathBuf>,
     /// The table, as Markdown and CSV.
@@ -166,7 +166,8 @@ impl Reproduction {
     /// Whether every number is there and every difference explained.
     #[must_use]
     pub fn is_met(&self) -> bool {
-        let is_open = |row: &Row| matches!(row.verdict, Verdict::Unexplained | Verdict::Missing(_));
+        let is_open =
+            |row: &StudyRow| matches!(row.verdict, Verdict::Unexplained | Verdict::Missing(_));
         !self.rows.iter().any(is_open)
     }
 
@@ -216,7 +217,7 @@ impl fmt::Display for Reproduction {
 
 /// What a thing that was run came to.
 enum Found {
-    Sweep(Box<Plan>),
+    Sweep(Box<SweepPlan>),
     Answer(Value),
     /// Left out by choice, or not able to.
     Nothing(Verdict),
@@ -225,7 +226,7 @@ enum Found {
 /// Runs a study and writes `table.md` and `table.csv` into the folder of its results, beside a folder for each thing that is run.
 ///
 /// # Errors
-/// [`Error::Config`] for sweeps and jobs that cannot run, before any does; [`Error::Cancelled`]; [`Error::Io`]. A run or a command that fails
+/// [`Error::Config`] for sweeps and jobs that cannot run, before any does; [`Error::Canceled`]; [`Error::Io`]. A run or a command that fails
 /// leaves rows without a number.
 pub fn reproduce(
     study: &Study,
@@ -309,18 +310,18 @@ impl Study {
     ///
     /// # Errors
     /// As [`reproduce`], before any work.
-    pub fn costs(&self, output: &Path, threads: usize, cancel: &Run) -> Result<Vec<Cost>> {
+    pub fn costs(&self, output: &Path, threads: usize, cancel: &Run) -> Result<Vec<StudyCost>> {
         costs(self, &plans(self, output, threads, cancel)?, cancel)
     }
 }
 
-fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result<Vec<Cost>> {
+fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result<Vec<StudyCost>> {
     let cost = |(name, found): (&String, &Found)| {
         let (runs, seconds) = match found {
             Found::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(cancel)?),
             _ => (None, 0.0),
         };
-        Ok(Cost {
+        Ok(StudyCost {
             name: name.clone(),
             runs,
             seconds,
@@ -373,7 +374,7 @@ fn command(
     }
     let answer = match host.command(&words, &study.folder) {
         Ok(answer) => answer,
-        Err(Error::Cancelled) => return Err(Error::Cancelled),
+        Err(Error::Canceled) => return Err(Error::Canceled),
         Err(error) => {
             return Ok((
                 Found::Nothing(Verdict::Missing(error.to_string())),
@@ -397,7 +398,7 @@ fn command(
     Ok((Found::Answer(report.unwrap_or(answer)), files))
 }
 
-fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<Row>> {
+fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>> {
     let mut tables = BTreeMap::new();
     for (name, found) in found {
         if let Found::Sweep(plan) = found {
@@ -454,7 +455,12 @@ fn ours(
     }
 }
 
-fn of_sweep(row: &RowSpec, plan: &Plan, table: &Table<'_>, metric: &str) -> Result<f64, Verdict> {
+fn of_sweep(
+    row: &RowSpec,
+    plan: &SweepPlan,
+    table: &Table<'_>,
+    metric: &str,
+) -> Result<f64, Verdict> {
     let missing = |why: &str| Err(Verdict::Missing(why.to_owned()));
     let number = |i: usize, name: &str| {
         crate::axes::named(&plan.sweep.axes, &plan.runs[i].point, name)
@@ -521,7 +527,7 @@ fn of_many(
 }
 
 /// Whether a run has these values, numbers to 9 digits.
-fn is_at(plan: &Plan, i: usize, at: &Map<String, Value>) -> bool {
+fn is_at(plan: &SweepPlan, i: usize, at: &Map<String, Value>) -> bool {
     let axes = &plan.sweep.axes;
     at.iter().all(|(name, wanted)| {
         let place = axes.iter().position(|axis| axis.name == *name);
@@ -537,14 +543,14 @@ fn is_at(plan: &Plan, i: usize, at: &Map<String, Value>) -> bool {
     })
 }
 
-fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> Row {
+fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> StudyRow {
     let ours_number = ours.as_ref().ok().copied();
     let pair = ours_number.zip(row.published);
     let text = row
         .published
         .map(|p| significant(p, 4))
         .or_else(|| row.says.clone());
-    Row {
+    StudyRow {
         quantity: row.quantity.clone(),
         published: text.unwrap_or_else(|| "–".to_owned()),
         ours: ours_number,
@@ -657,7 +663,7 @@ fn markdown(study: &Study, all: &Reproduction) -> String {
     text
 }
 
-fn csv(rows: &[Row]) -> String {
+fn csv(rows: &[StudyRow]) -> String {
     let mut text = "quantity,published,ours,ratio,difference,verdict,because,where\n".to_owned();
     let number = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
     for row in rows {

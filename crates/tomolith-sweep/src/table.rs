@@ -5,7 +5,7 @@
 
 use crate::axes::named;
 use crate::metric;
-use crate::plan::{Plan, RUNS};
+use crate::plan::{RUNS, SweepPlan};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
@@ -35,7 +35,7 @@ pub(crate) enum State {
 /// The rows of a sweep.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'p> {
-    plan: &'p Plan,
+    plan: &'p SweepPlan,
     /// One per run.
     pub(crate) states: Vec<State>,
     /// The best run: of those that are done and meet all conditions.
@@ -55,7 +55,7 @@ impl<'p> Table<'p> {
     ///
     /// # Errors
     /// [`Error::Format`] for a report that cannot be read, or has no such number.
-    pub(crate) fn collect(plan: &'p Plan) -> Result<Self> {
+    pub(crate) fn collect(plan: &'p SweepPlan) -> Result<Self> {
         let states = (0..plan.runs.len())
             .map(|i| state(plan, i))
             .collect::<Result<Vec<_>>>()?;
@@ -175,14 +175,14 @@ impl<'p> Table<'p> {
 }
 
 /// Where it is noted that a run failed.
-pub(crate) fn failure(plan: &Plan, i: usize) -> PathBuf {
+pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
     let mut path = plan.run_folder(i).into_os_string();
     path.push(".failed.json");
     path.into()
 }
 
 /// What a run's folder holds.
-pub(crate) fn state(plan: &Plan, i: usize) -> Result<State> {
+pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
     let folder = plan.run_folder(i);
     if RunFolder::finished(&folder).is_none() {
         let noted = std::fs::read(failure(plan, i)).ok();

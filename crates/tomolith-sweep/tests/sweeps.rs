@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use tomolith::Error;
 use tomolith::job::{self, Silent};
 use tomolith::models::Run;
-use tomolith_sweep::{Event, Outcome, Plan, Shard, Sweep, Watch, merge, run};
+use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
 /// A disc of 24 × 24 voxels, 24 frames.
 const JOB: &str = r#"
@@ -24,10 +24,10 @@ evaluate = { refine = 1, sub_angles = 1 }
 /// Six pairs.
 const SWEEP: &str = r#"
 job = "job.toml"
-metrics = ["evaluation.pw", "optimisation.pw", "history.loss", "history.iterations"]
+metrics = ["evaluation.pw", "optimization.pw", "history.loss", "history.iterations"]
 when = ["lower < upper"]
 [best]
-highest = "optimisation.pw"
+highest = "optimization.pw"
 [[axes]]
 key = "objective.ospw.lower"
 values = [0.3, 0.5, 0.7]
@@ -50,7 +50,7 @@ impl Bench {
         self.0.path().join(name)
     }
 
-    fn plan(&self, folder: &str) -> Plan {
+    fn plan(&self, folder: &str) -> SweepPlan {
         let sweep = Sweep::read(&self.path("sweep.toml")).unwrap();
         sweep
             .with_folder(&self.path(folder))
@@ -59,7 +59,7 @@ impl Bench {
     }
 
     /// A sweep from its begin to its end.
-    fn whole(&self, folder: &str, side_by_side: usize) -> Outcome {
+    fn whole(&self, folder: &str, side_by_side: usize) -> SweepOutcome {
         let mut plan = self.plan(folder);
         plan.side_by_side = side_by_side;
         run(&plan, None, &mut Told::default(), &Run::new()).unwrap()
@@ -95,12 +95,12 @@ impl Bench {
 /// What was told; asks to stop after so many runs.
 #[derive(Default)]
 struct Told<'r> {
-    events: Vec<Event>,
+    events: Vec<SweepEvent>,
     stop_after: Option<(usize, Option<&'r Run>)>,
 }
 
 impl Watch for Told<'_> {
-    fn event(&mut self, event: &Event) {
+    fn event(&mut self, event: &SweepEvent) {
         self.events.push(event.clone());
         if let Some((count, Some(run))) = self.stop_after
             && self.events.len() > count
@@ -156,7 +156,7 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
             "evaluation.pw.svg",
             "history.iterations.svg",
             "history.loss.svg",
-            "optimisation.pw.svg",
+            "optimization.pw.svg",
             "runs",
             "table.csv",
             "table.parquet"
@@ -173,7 +173,7 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
     let column = |line: &str| line.split(',').nth(5).unwrap().parse::<f64>().unwrap();
     let all: Vec<f64> = table.lines().skip(1).map(column).collect();
     let highest = all.iter().copied().fold(f64::MIN, f64::max);
-    assert_eq!(best.metrics["optimisation.pw"].as_f64(), Some(highest));
+    assert_eq!(best.metrics["optimization.pw"].as_f64(), Some(highest));
     assert_eq!(all[best.run - 1], highest);
     let job = job::Job::read(&bench.path("out/best.toml"), &[]).unwrap();
     assert_eq!(
@@ -181,7 +181,7 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
         bench.plan("out").runs[best.run - 1].id
     );
     let summary = job::run(&job, false, &mut Silent, &Run::new()).unwrap();
-    assert_eq!(summary.optimisation.unwrap().pw, Some(highest));
+    assert_eq!(summary.optimization.unwrap().pw, Some(highest));
     assert!(outcome.is_met() && outcome.to_string().contains(&best.values));
 }
 
@@ -195,7 +195,7 @@ fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
         ..Told::default()
     };
     let stopped = run(&bench.plan("stopped"), None, &mut told, &cancel);
-    assert!(matches!(stopped, Err(Error::Cancelled)), "{stopped:?}");
+    assert!(matches!(stopped, Err(Error::Canceled)), "{stopped:?}");
     let before = bench.reports("stopped");
     assert!((2..6).contains(&before.len()), "{}", before.len());
     let mut told = Told::default();

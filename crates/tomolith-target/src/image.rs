@@ -208,7 +208,7 @@ impl Shape for GrayImage {
                 .par_chunks_mut(nx * ny)
                 .enumerate()
                 .for_each(|(iz, layer)| {
-                    if layers.is_cancelled() {
+                    if layers.is_canceled() {
                         return;
                     }
                     layers.add(1);
@@ -217,7 +217,7 @@ impl Shape for GrayImage {
                             Some(single) => layer
                                 .iter_mut()
                                 .zip(single)
-                                .for_each(|(value, grey)| *value += grey * share as f32),
+                                .for_each(|(value, gray)| *value += gray * share as f32),
                             None => add_layer(&self.slices[slice], &in_x, &in_y, share, layer),
                         }
                     }

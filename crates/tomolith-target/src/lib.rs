@@ -59,7 +59,7 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     /// Fraction of each voxel that is inside, 0…1 (for gray images: the gray value).
     ///
     /// # Errors
-    /// When the shape cannot be sampled; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+    /// When the shape cannot be sampled; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>>;
     /// The same where nobody stops it or wants to know how far it is.
     ///

@@ -102,7 +102,7 @@ mod tests {
             .unwrap()
     }
 
-    /// A ball with an off-centre cavity, in coordinates that f32 can hold.
+    /// A ball with an off-center cavity, in coordinates that f32 can hold.
     fn part() -> Mesh {
         let cavity = inverted(cuboid([-0.25, -0.5, 0.125], [0.5, 0.375, 0.625]));
         let mut mesh = together(&[ball([0.0; 3], 1.25, 3), cavity]);

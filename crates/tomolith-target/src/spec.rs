@@ -48,7 +48,7 @@ pub struct TargetSpec {
     /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is
     /// neither black nor white)
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub grey: Option<bool>,
+    pub gray: Option<bool>,
     /// Name of the part, for files and titles (default: the file's name, or the phantom's)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
@@ -164,7 +164,7 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
     }
     for (key, given) in [
         ("height_mm", spec.height_mm.is_some()),
-        ("grey", spec.grey.is_some()),
+        ("gray", spec.gray.is_some()),
     ] {
         if given && !pixels {
             return Err(Error::config(
@@ -206,18 +206,18 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
                 .under(section_path));
             }
             let slices = vec![read_gray(base_folder.join(file))?];
-            grey(spec, slices, true, &placement, section_path)
+            gray(spec, slices, true, &placement, section_path)
         }
         Source::Stack(file) => {
             let slices = read_stack(base_folder.join(file))?;
             let shades = |slice: &GrayPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
             let shaded = slices.par_iter().any(shades);
-            grey(spec, slices, shaded, &placement, section_path)
+            gray(spec, slices, shaded, &placement, section_path)
         }
     }
 }
 
-fn grey(
+fn gray(
     spec: &TargetSpec,
     slices: Vec<GrayPixels>,
     is_gray: bool,
@@ -227,7 +227,7 @@ fn grey(
     let [size, height] = [spec.size_mm, spec.height_mm].map(|mm| mm.map(|mm| mm.0));
     let shape =
         GrayImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
-    Ok(Box::new(shape.as_gray(spec.grey.unwrap_or(is_gray))))
+    Ok(Box::new(shape.as_gray(spec.gray.unwrap_or(is_gray))))
 }
 
 /// Where a target comes from.
@@ -280,7 +280,7 @@ pub fn voxelize(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Targ
 /// The same as a part of a run.
 ///
 /// # Errors
-/// As [`voxelize`]; [`Error::Cancelled`].
+/// As [`voxelize`]; [`Error::Canceled`].
 pub fn voxelize_under(
     shape: &dyn Shape,
     name: &str,
@@ -290,7 +290,7 @@ pub fn voxelize_under(
     Ok(Target {
         name: name.to_owned(),
         inside: sampled(shape, grid, run)?,
-        grey: shape.is_gray(),
+        gray: shape.is_gray(),
     })
 }
 

@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 1e-3;
 /// Inside fraction of every voxel of `grid`, for a closed mesh in mm.
 ///
 /// # Errors
-/// [`Error::Resources`] when the memory for the grid cannot be had; [`Error::Cancelled`].
+/// [`Error::Resources`] when the memory for the grid cannot be had; [`Error::Canceled`].
 pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     let [nz, ny, nx] = grid.shape;
@@ -43,7 +43,7 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Res
             .zip(overlapped.par_chunks_mut(ny * SLICES))
             .enumerate()
             .for_each(|(block, (values, overlapped))| {
-                if blocks.is_cancelled() {
+                if blocks.is_canceled() {
                     return;
                 }
                 let first = block * SLICES;
@@ -58,7 +58,7 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Res
                 .zip(rows.par_chunks(ny))
                 .enumerate()
                 .for_each(|(iz, (slice, rows))| {
-                    if rows.contains(&true) && !run.is_cancelled() {
+                    if rows.contains(&true) && !run.is_canceled() {
                         sample_rows(&scaled, iz, nx, rows, slice);
                     }
                 });

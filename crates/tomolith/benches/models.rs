@@ -142,11 +142,11 @@ fn rows(
     let share = if case.resin.pure_radon { 0.5 } else { 1.0 };
     let streamed = (1.0 + 2.0 * share) * x.len() as f64 + 2.0 * dose.len() as f64;
     let bytes = 8.0 * share + 4.0 * streamed / updates;
-    let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never cancelled"));
+    let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never canceled"));
     let adjoint = best_of_three(|| {
         model
             .pullback(&x, &dose, &mut grad, &run)
-            .expect("never cancelled")
+            .expect("never canceled")
     });
     for (call, seconds) in [("dose", forward), ("adjoint", adjoint)] {
         println!(
@@ -209,7 +209,7 @@ fn one_frame() -> Result<(), tomolith::Error> {
             };
             (0..3).map(timed).fold(f64::MAX, f64::min)
         };
-        let never = "never cancelled";
+        let never = "never canceled";
         let all = least(&mut || model.pullback(&x, &dose, &mut grad, &run).expect(never));
         let own = least(&mut || {
             let done = model.pullback_of(45..46, &x, &dose, &mut grad, &run);

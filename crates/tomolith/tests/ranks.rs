@@ -203,8 +203,8 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     let job = job(folder.path(), &["checkpoint.every_s=1e-3"]);
     let checkpoint: PathBuf = job.folder().join("checkpoint/state.safetensors");
     let stopped = on_ranks(2, |_| job.clone(), false, 3);
-    let cancelled = |found: &Result<_>| matches!(found, Err(Error::Cancelled));
-    assert!(stopped.iter().all(cancelled), "{stopped:?}");
+    let canceled = |found: &Result<_>| matches!(found, Err(Error::Canceled));
+    assert!(stopped.iter().all(canceled), "{stopped:?}");
     let kept = std::fs::read(&checkpoint).unwrap();
     assert!(job.folder().join("checkpoint/patterns.npz").exists());
     // A whole run from it, on one process and on three; each begins at the loss that the stopped one had reached

@@ -52,7 +52,7 @@ fn a_run_goes_on_with_the_same_bits_from_every_level() {
     for stop_after in [2, 4, 6] {
         let cut = folder.path().join(format!("cut-{stop_after}"));
         let stopped = run(&cut, false, stop_after);
-        assert!(matches!(stopped, Err(Error::Cancelled)), "{stopped:?}");
+        assert!(matches!(stopped, Err(Error::Canceled)), "{stopped:?}");
         assert!(cut.join("checkpoint/state.safetensors").exists());
         assert_eq!(run(&cut, true, usize::MAX).unwrap(), 8);
         let found = read_patterns(&cut.join("patterns.npz")).unwrap();

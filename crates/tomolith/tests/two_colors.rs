@@ -7,7 +7,7 @@ use tomolith::job::{Document, Job, Silent, run};
 use tomolith::models::Run;
 
 const JOB: &str = r#"
-    target = { size_mm = 1.2, height_mm = 0.1, grey = true }
+    target = { size_mm = 1.2, height_mm = 0.1, gray = true }
     grid = { pitch_mm = 0.05 }
     resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
     vial = { index_matched = { radius_mm = 1.0 } }

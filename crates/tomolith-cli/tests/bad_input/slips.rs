@@ -658,9 +658,9 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
-        "[printer]\ngrey_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
-        "grey_curve",
-        &["printer.grey_curve", "not monotone"],
+        "[printer]\ngray_curve = [[0.0, 0.0], [0.5, 0.7], [1.0, 0.6]]\n[stop]",
+        "gray_curve",
+        &["printer.gray_curve", "not monotone"],
     ),
     (
         "[stop]",

@@ -175,14 +175,14 @@ fn a_gray_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
     let bench = Bench::new();
     let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
     let phantom = "phantom = \"gear\"";
-    let grey = JOB.replace(
+    let gray = JOB.replace(
         phantom,
         &format!("image = \"{}\"\nheight_mm = 0.5", image.display()),
     );
-    let line = 1 + grey[..grey.find("[objective").unwrap()]
+    let line = 1 + gray[..gray.find("[objective").unwrap()]
         .matches('\n')
         .count();
-    let output = bench.tomolith(&grey, &[]);
+    let output = bench.tomolith(&gray, &[]);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     for part in [
@@ -193,7 +193,7 @@ fn a_gray_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
     ] {
         assert!(flat(&message).contains(part), "{part}: {message}");
     }
-    let default = grey.replace("[objective.threshold]\nlower = 0.85\nupper = 0.95\n", "");
+    let default = gray.replace("[objective.threshold]\nlower = 0.85\nupper = 0.95\n", "");
     let output = bench.tomolith(&default, &["--quiet"]);
     assert_eq!(output.status.code(), Some(0));
     let resolved = fs::read_to_string(bench.run_folder().join("job.toml")).unwrap();
@@ -216,7 +216,7 @@ fn gray_job() -> String {
 #[test]
 fn goals_of_part_and_void_are_refused_for_gray_values() {
     let bench = Bench::new();
-    let grey = gray_job();
+    let gray = gray_job();
     for (from, to, mark, parts) in [
         (
             "iterations = 2",
@@ -234,13 +234,13 @@ fn goals_of_part_and_void_are_refused_for_gray_values() {
             ],
         ),
     ] {
-        let job = grey.replace(from, to);
+        let job = gray.replace(from, to);
         let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
         let place = format!("job.toml, line {line})");
         refused(&bench, &job, &[parts[0], parts[1], &place]);
     }
     // What the start asks for is known with the voxels only: the brightest rings are above 0.7
-    let job = grey.replace(
+    let job = gray.replace(
         "epsilon = 0.05",
         "epsilon = 0.35\n[response.logistic]\nupper = 0.7",
     );
@@ -258,7 +258,7 @@ fn goals_of_part_and_void_are_refused_for_gray_values() {
     assert_eq!(report, "{\"earlier\": true}");
     for (asked, code) in [("1.0", 1), ("0.0", 0)] {
         let option = format!("evaluate.require_in_band={asked}");
-        let output = bench.tomolith(&grey, &["--set", &option]);
+        let output = bench.tomolith(&gray, &["--set", &option]);
         assert_eq!(output.status.code(), Some(code), "{asked}");
     }
 }

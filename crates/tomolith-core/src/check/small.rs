@@ -91,7 +91,7 @@ impl SmallModel {
         let target = Target {
             name: "ring".to_owned(),
             inside,
-            grey: false,
+            gray: false,
         };
         let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < n / 2.0);
         debug_assert!(labels.values.contains(&label::PART));

@@ -50,12 +50,12 @@ pub trait DoseModel: Send + Sync {
     /// F(x); overwrites `dose`.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()>;
     /// F′(x)ᵀ c; overwrites `grad`.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn pullback(
         &self,
         x: &Self::Field,
@@ -66,7 +66,7 @@ pub trait DoseModel: Send + Sync {
     /// Dose of some frames only, *added* to `dose`: printing in time, streaming, sharding by angle.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn dose_of(
         &self,
         frames: Range<usize>,
@@ -95,7 +95,7 @@ pub trait DoseModel: Send + Sync {
     /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial. Searches know F(x).
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled), or not enough memory.
+    /// [`Error::Canceled`](crate::Error::Canceled), or not enough memory.
     fn along(
         &self,
         x: &Self::Field,
@@ -155,7 +155,7 @@ pub trait LinearOperator: Send + Sync {
     /// dose += A x, of these frames only.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn add_forward(
         &self,
         frames: Range<usize>,
@@ -166,12 +166,12 @@ pub trait LinearOperator: Send + Sync {
     /// grad = Aᵀ c
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()>;
     /// The elements of Aᵀ c that belong to some frames, as [`DoseModel::pullback_of`].
     ///
     /// # Errors
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::Canceled`](crate::Error::Canceled).
     fn adjoint_of(
         &self,
         frames: Range<usize>,

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! [`BandLoss`] is all of it as plain data: bands and weights of the voxels, p and q, and the response
-//! ([`Form`](crate::response::Form)). A [`BandKernel`] is what a backend makes of the data, and its passes; [`HostBands`] is that of
+//! ([`ResponseForm`](crate::response::ResponseForm)). A [`BandKernel`] is what a backend makes of the data, and its passes; [`HostBands`] is that of
 //! host memory. Sources and presets are in the crate of objectives.
 //!
 //! **Where the formula has no derivative.** At L = 0 the gradient is 0, also for q < p, where the factor S^(q/p − 1) is

@@ -11,7 +11,7 @@
 //! A [`CostKernel`] is what a backend makes of the data, and its passes; [`HostCosts`] is that of host memory. Sources and
 //! parameters are in the crate of objectives.
 //!
-//! **Limits** patterns are not negative, so the slope of |x|^M at 0 is that towards lit pixels; for M < 1 it would be infinite, and
+//! **Limits** patterns are not negative, so the slope of |x|^M at 0 is that toward lit pixels; for M < 1 it would be infinite, and
 //! below [`CHORD`] |x|^M is replaced by its chord. **Order of sums** of the host: terms in f64, one after the other within a block of
 //! [`BLOCK`] elements (of a frame for differences), then the blocks (frames).
 

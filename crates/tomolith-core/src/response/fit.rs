@@ -31,7 +31,7 @@ use std::path::PathBuf;
 /// What is laid through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Form {
+pub enum FitForm {
     /// The generalized logistic of least squares.
     #[default]
     Logistic,
@@ -51,7 +51,7 @@ pub struct Params {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// What is laid through them: "logistic" (default) or "table"
-    pub form: Form,
+    pub form: FitForm,
     /// Whether the logistic's asymmetry ν is fitted too (default: ν = 1)
     pub asymmetry: bool,
 }
@@ -191,10 +191,10 @@ fn model(dose: f64, [a, k, ln_b, m, ln_v]: &Theta) -> (f64, Theta) {
 
 fn build(params: &Params, curve: &Curve) -> Result<Box<dyn Response>> {
     match params.form {
-        Form::Logistic => Ok(Box::new(Logistic::new(
+        FitForm::Logistic => Ok(Box::new(Logistic::new(
             logistic(curve, params.asymmetry)?.params,
         )?)),
-        Form::Table => {
+        FitForm::Table => {
             let level = curve.monotone();
             if level.responses[0] == level.responses[level.doses.len() - 1] {
                 return Err(falls(curve));

@@ -8,7 +8,7 @@
 //! assert!(Identity.is_identity());
 //! ```
 
-use super::{BuildResponse, Form, Response};
+use super::{BuildResponse, Response, ResponseForm};
 use crate::kind::Kind;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -47,7 +47,7 @@ impl Response for Identity {
         response
     }
 
-    fn form(&self) -> Form<'_> {
-        Form::Identity
+    fn form(&self) -> ResponseForm<'_> {
+        ResponseForm::Identity
     }
 }

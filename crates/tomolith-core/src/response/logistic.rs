@@ -24,7 +24,7 @@
 //! assert!((response.value_and_slope(0.5).1 - 2.5).abs() < 1e-5);
 //! ```
 
-use super::{BuildResponse, Form, Response};
+use super::{BuildResponse, Response, ResponseForm};
 use crate::error::{Error, Result};
 use crate::field::Lanes;
 use crate::field::group::Group;
@@ -46,7 +46,7 @@ pub struct Params {
     pub steepness: f64,
     /// M: dose of the steepest slope when `asymmetry` is 1 (default 0.5)
     pub midpoint: f64,
-    /// ν: moves the steepest slope towards either end, above 0 (default 1)
+    /// ν: moves the steepest slope toward either end, above 0 (default 1)
     pub asymmetry: f64,
 }
 
@@ -180,8 +180,8 @@ impl Response for Logistic {
         (p.midpoint - (height.powf(-p.asymmetry) - 1.0).ln() / p.steepness) as f32
     }
 
-    fn form(&self) -> Form<'_> {
-        Form::Logistic(&self.params)
+    fn form(&self) -> ResponseForm<'_> {
+        ResponseForm::Logistic(&self.params)
     }
 
     fn range(&self) -> [f64; 2] {

@@ -18,7 +18,7 @@ pub use table::Table;
 
 /// What a response is as data, for a backend that computes it where its fields live.
 #[derive(Clone, Copy, Debug)]
-pub enum Form<'a> {
+pub enum ResponseForm<'a> {
     /// M(d) = d
     Identity,
     /// The formula of [`logistic`] with these parameters.
@@ -42,12 +42,12 @@ pub trait Response: std::fmt::Debug + Send + Sync {
         [f64::NEG_INFINITY, f64::INFINITY]
     }
     /// What it is as data.
-    fn form(&self) -> Form<'_> {
-        Form::Code
+    fn form(&self) -> ResponseForm<'_> {
+        ResponseForm::Code
     }
     /// Whether M(d) = d, so that kernels may skip it.
     fn is_identity(&self) -> bool {
-        matches!(self.form(), Form::Identity)
+        matches!(self.form(), ResponseForm::Identity)
     }
     /// Sixteen voxels at once: replaces doses by responses and writes the slopes. Overridden where a loop without calls
     /// is faster; the numbers are those of [`value_and_slope`](Self::value_and_slope).

@@ -27,7 +27,7 @@
 //! ```
 
 use super::curve::Curve;
-use super::{BuildResponse, Form, Response};
+use super::{BuildResponse, Response, ResponseForm};
 use crate::error::{Error, Result};
 use crate::kind::{Kind, Section};
 use crate::units::exact;
@@ -289,8 +289,8 @@ impl Response for Table {
         narrow(self.solve(k, wanted))
     }
 
-    fn form(&self) -> Form<'_> {
-        Form::Table(self)
+    fn form(&self) -> ResponseForm<'_> {
+        ResponseForm::Table(self)
     }
 
     fn range(&self) -> [f64; 2] {

@@ -72,7 +72,7 @@ pub(super) fn luma(
     stream: &Stream,
     [rows, columns]: [usize; 2],
 ) -> Result<(Vec<u16>, Option<usize>), String> {
-    let grey: Vec<u16> = (0..=u8::MAX).map(|luma| stream.grey(luma)).collect();
+    let gray: Vec<u16> = (0..=u8::MAX).map(|luma| stream.gray(luma)).collect();
     let decode = |group: Range<usize>| {
         let mut levels = Vec::with_capacity(group.len() * rows * columns);
         let mut colored = None;
@@ -82,7 +82,7 @@ pub(super) fn luma(
                 return Err(format!("frame {frame} has {width} × {height} pixels"));
             }
             for row in image.y().chunks(image.strides().0).take(rows) {
-                levels.extend(row[..columns].iter().map(|&luma| grey[usize::from(luma)]));
+                levels.extend(row[..columns].iter().map(|&luma| gray[usize::from(luma)]));
             }
             let (_, of_u, of_v) = image.strides();
             let is_colored = |(plane, stride): (&[u8], usize)| {
@@ -213,7 +213,7 @@ impl Stream {
             244 => "High 4:4:4 Predictive",
             _ => "of an unusual profile",
         };
-        let chroma = ["grey", "4:2:0", "4:2:2", "4:4:4"].get(self.chroma as usize);
+        let chroma = ["gray", "4:2:0", "4:2:2", "4:4:4"].get(self.chroma as usize);
         let what = if !matches!(self.profile, 66 | 77 | 100) || self.chroma > 1 || self.bits != 8 {
             format!(
                 "{} of {} bits",
@@ -231,7 +231,7 @@ impl Stream {
     }
 
     /// The gray value of a luma: black 16 and white 235 in the limited range.
-    fn grey(&self, luma: u8) -> u16 {
+    fn gray(&self, luma: u8) -> u16 {
         if self.is_full_range {
             return u16::from(luma);
         }

@@ -95,12 +95,12 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
 
 #[test]
 fn a_colored_movie_is_refused() {
-    let text = refused(&sample("coloured.mp4"), SHAPE);
+    let text = refused(&sample("colored.mp4"), SHAPE);
     assert!(
         text.contains("a colored picture in frame 0, where patterns are gray"),
         "{text}"
     );
-    let text = refused(&sample("coloured.avi"), SHAPE);
+    let text = refused(&sample("colored.avi"), SHAPE);
     let said = [
         "a colored picture in frame 0",
         "which the program ffmpeg can read",

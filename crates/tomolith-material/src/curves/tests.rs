@@ -3,7 +3,7 @@ use crate::domain::Domain;
 use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
-use crate::print::{LightSource, Print};
+use crate::print::{LightSource, PrintRun};
 use crate::schedule::{Power, Schedule, Turns};
 use std::ops::ControlFlow;
 use tomolith_core::check::small::SmallModel;
@@ -50,7 +50,7 @@ fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
     x
 }
 
-fn watch(print: &mut Print, curves: &mut Curves) {
+fn watch(print: &mut PrintRun, curves: &mut Curves) {
     let mut observer = |moment: &Moment| {
         curves.watch(moment);
         ControlFlow::Continue(())
@@ -88,7 +88,7 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         .unwrap()
         .with_cure_times(&material)
         .with_snapshots(&[60.0, 0.0]);
-    let mut print = Print::new(&material, &schedule, vec![light]).unwrap();
+    let mut print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     watch(&mut print, &mut curves);
     let points = curves.points();
     assert_eq!(points.len(), 721);
@@ -102,8 +102,8 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         first > 20.0 && best > first + 10.0 && best < 150.0,
         "{phases:?}"
     );
-    let slope = |p: &Point| p.imbued_mj / p.seconds;
-    let induction: Vec<&Point> = points
+    let slope = |p: &CurvePoint| p.imbued_mj / p.seconds;
+    let induction: Vec<&CurvePoint> = points
         .iter()
         .filter(|p| p.seconds > 0.0 && p.seconds < first)
         .collect();
@@ -184,10 +184,10 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
         model: &model,
         patterns: &x,
     };
-    let mut print = Print::new(&material, &schedule, vec![light]).unwrap();
+    let mut print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     watch(&mut print, &mut curves);
     let at = |seconds: f64| {
-        let near = |p: &&Point| (p.seconds - seconds).abs() < 1e-6;
+        let near = |p: &&CurvePoint| (p.seconds - seconds).abs() < 1e-6;
         curves.points().iter().find(near).unwrap().contrast
     };
     // Whole turns have the same contrast; within a turn it is another
@@ -239,7 +239,7 @@ fn cure_times_are_interpolated_within_a_block() {
             model: &model,
             patterns: &x,
         };
-        let mut print = Print::new(&material, &schedule, vec![light])
+        let mut print = PrintRun::new(&material, &schedule, vec![light])
             .unwrap()
             .with_step_s(step)
             .unwrap();
@@ -270,7 +270,7 @@ fn antagonists_do_not_count_as_imbued() {
     let schedule = Schedule::of_turns(&[Turns::new(4, 8.0, 1.0), late]).unwrap();
     let labels = Volume::filled(model.layout().grid.clone(), label::PART);
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    let mut print = Print::new(&material, &schedule, vec![light, light]).unwrap();
+    let mut print = PrintRun::new(&material, &schedule, vec![light, light]).unwrap();
     watch(&mut print, &mut curves);
     let middle = curves.points().iter().find(|p| p.seconds >= 4.0).unwrap();
     let end = curves.points().last().unwrap();

@@ -139,7 +139,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
         model: &model,
         patterns: &x,
     };
-    let mut printing = print::Print::new(&material, &schedule, vec![light]).unwrap();
+    let mut printing = print::PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let state = printing
         .run(&Run::new(), &mut |_| ControlFlow::Continue(()))
         .unwrap();

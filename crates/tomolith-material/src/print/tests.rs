@@ -172,7 +172,7 @@ fn along_a_row(cured: f64, irradiance: f64) -> (Vec<f32>, Vec<f64>, usize) {
         model: &first,
         patterns: &x,
     };
-    let print = Print::new(&material, &schedule, vec![light]).unwrap();
+    let print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let mut print = print
         .with_step_s(2.0)
         .unwrap()
@@ -219,7 +219,7 @@ fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
         model: &model,
         patterns: &x,
     };
-    let print = || Print::new(&material, &schedule, vec![light]).unwrap();
+    let print = || PrintRun::new(&material, &schedule, vec![light]).unwrap();
     // Four faces in a plane: h²/(4D) = 1.5625 s
     let Err(Error::Config { key, accepted, .. }) = print().with_step_s(1.6) else {
         panic!("it was accepted")
@@ -243,7 +243,7 @@ fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
     let run = Run::new();
     run.cancel();
     let stopped = print.run(&run, &mut |_| ControlFlow::Continue(()));
-    assert!(matches!(stopped, Err(Error::Cancelled)));
+    assert!(matches!(stopped, Err(Error::Canceled)));
 }
 
 #[test]
@@ -259,7 +259,7 @@ fn a_renewed_model_of_other_voxels_is_refused() {
             N, 4, 1,
         )))
     };
-    let print = Print::new(&material, &schedule, vec![light]).unwrap();
+    let print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let mut print = print.with_renewal(1.0, &mut renew);
     let refused = print.run(&Run::new(), &mut |_| ControlFlow::Continue(()));
     assert!(matches!(refused, Err(Error::Unsupported { .. })));

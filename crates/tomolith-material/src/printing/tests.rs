@@ -75,7 +75,8 @@ fn without_memory_it_is_the_dose_model_to_the_bit() {
         model: &model,
         patterns: &x,
     };
-    let mut print = crate::print::Print::new(printing.material(), schedule, vec![light]).unwrap();
+    let mut print =
+        crate::print::PrintRun::new(printing.material(), schedule, vec![light]).unwrap();
     let state = print
         .run(&run, &mut |_| std::ops::ControlFlow::Continue(()))
         .unwrap();

@@ -63,7 +63,7 @@ pub use order::percentiles;
 use super::Measure;
 use super::print::{PatternStats, Print};
 use super::scan::Scan;
-use norms::Band;
+use norms::TargetBand;
 use rayon::prelude::*;
 use serde::Serialize;
 use slices::Slice;
@@ -99,7 +99,7 @@ pub struct Options<'a> {
     /// M of the one equation, for the band error.
     pub response: &'a dyn Response,
     /// Whether the target's values are gray and to be reproduced; else part is 1 and void is 0.
-    pub grey: bool,
+    pub gray: bool,
     /// ε of the band error, in units of the response, 0 or above.
     pub epsilon: f64,
     /// α of trimmed numbers: per cent taken from each end of each region, 0 to below 50.
@@ -113,7 +113,7 @@ impl Default for Options<'_> {
     fn default() -> Self {
         Options {
             response: &Identity,
-            grey: false,
+            gray: false,
             epsilon: 0.05,
             trim_percent: 0.025,
             patterns: &[],
@@ -536,7 +536,7 @@ fn band_errors(
     options: &Options<'_>,
 ) {
     let tolerances = [options.epsilon, 0.0];
-    let band = Band::around(target, labels, options.grey, 0.0);
+    let band = TargetBand::around(target, labels, options.gray, 0.0);
     let errors = norms::band_errors(dose, &band, tolerances, options.response);
     for ((suffix, epsilon), errors) in ["", "_eps0"].into_iter().zip(tolerances).zip(errors) {
         for (title, error) in ["", "_part", "_void"].into_iter().zip(errors) {

@@ -20,7 +20,7 @@ use tomolith_core::target::label;
 
 /// Over which voxels a norm is taken: the indicator function w of S.8.
 #[derive(Clone, Copy, Debug)]
-pub enum Region<'a> {
+pub enum NormRegion<'a> {
     /// Part and void.
     All,
     /// The part.
@@ -33,10 +33,10 @@ pub enum Region<'a> {
 
 /// What the response should be: f_T ± ε per voxel.
 #[derive(Clone, Copy, Debug)]
-pub struct Band<'a> {
+pub struct TargetBand<'a> {
     target: &'a Volume<f32>,
     labels: &'a Volume<u8>,
-    grey: bool,
+    gray: bool,
     tolerance: Tolerance<'a>,
 }
 
@@ -46,19 +46,19 @@ enum Tolerance<'a> {
     Field(&'a [f32]),
 }
 
-impl<'a> Band<'a> {
-    /// ± `epsilon` around 1 in the part and 0 in the void, or around the target's own values when it is `grey`.
+impl<'a> TargetBand<'a> {
+    /// ± `epsilon` around 1 in the part and 0 in the void, or around the target's own values when it is `gray`.
     #[must_use]
     pub fn around(
         target: &'a Volume<f32>,
         labels: &'a Volume<u8>,
-        grey: bool,
+        gray: bool,
         epsilon: f64,
     ) -> Self {
-        Band {
+        TargetBand {
             target,
             labels,
-            grey,
+            gray,
             tolerance: Tolerance::Uniform(epsilon),
         }
     }
@@ -71,7 +71,7 @@ impl<'a> Band<'a> {
     }
 
     fn value(&self, i: usize) -> f64 {
-        if self.grey {
+        if self.gray {
             f64::from(self.target.values[i])
         } else {
             f64::from(u8::from(self.labels.values[i] == label::PART))
@@ -135,16 +135,16 @@ impl BandError {
 #[must_use]
 pub fn band_error(
     dose: &Volume<f32>,
-    band: &Band<'_>,
-    region: Region<'_>,
+    band: &TargetBand<'_>,
+    region: NormRegion<'_>,
     response: &dyn Response,
 ) -> BandError {
     let labels = &band.labels.values;
     let counts = |i: usize| match region {
-        Region::All => labels[i] == label::PART || labels[i] == label::VOID,
-        Region::Part => labels[i] == label::PART,
-        Region::Void => labels[i] == label::VOID,
-        Region::Mask(mask) => mask[i] && (labels[i] == label::PART || labels[i] == label::VOID),
+        NormRegion::All => labels[i] == label::PART || labels[i] == label::VOID,
+        NormRegion::Part => labels[i] == label::PART,
+        NormRegion::Void => labels[i] == label::VOID,
+        NormRegion::Mask(mask) => mask[i] && (labels[i] == label::PART || labels[i] == label::VOID),
     };
     let blocks: Vec<BandError> = dose
         .values
@@ -169,7 +169,7 @@ pub fn band_error(
 /// not count.
 pub(super) fn band_errors(
     dose: &Volume<f32>,
-    band: &Band<'_>,
+    band: &TargetBand<'_>,
     tolerances: [f64; 2],
     response: &dyn Response,
 ) -> [[BandError; 3]; 2] {
@@ -302,25 +302,30 @@ mod tests {
         let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
         let target = volume(&[1.0, 1.0, 0.0, 0.0, 1.0]);
         let dose = volume(&[0.5, 1.25, 0.25, 0.0, 9.0]);
-        let band = Band::around(&target, &labels, false, 0.125);
-        let error = band_error(&dose, &band, Region::All, &Identity);
+        let band = TargetBand::around(&target, &labels, false, 0.125);
+        let error = band_error(&dose, &band, NormRegion::All, &Identity);
         // 0.375, 0.125, 0.125 out of their bands
         assert_eq!((error.voxels, error.violated), (4, 3));
         assert!((error.l1 - 0.625).abs() < 1e-12);
         assert!((error.l2 - (0.375f64.powi(2) + 2.0 * 0.125f64.powi(2)).sqrt()).abs() < 1e-12);
         assert_eq!(error.largest, 0.375);
-        let part = band_error(&dose, &band, Region::Part, &Identity);
-        let void = band_error(&dose, &band, Region::Void, &Identity);
+        let part = band_error(&dose, &band, NormRegion::Part, &Identity);
+        let void = band_error(&dose, &band, NormRegion::Void, &Identity);
         assert_eq!((part.violated, void.violated), (2, 1));
         assert!((part.l1 + void.l1 - error.l1).abs() < 1e-12);
         let mask = [false, true, false, true, true];
         assert_eq!(
-            band_error(&dose, &band, Region::Mask(&mask), &Identity).l1,
+            band_error(&dose, &band, NormRegion::Mask(&mask), &Identity).l1,
             0.125
         );
         // A field of tolerances: only the first voxel is out of its band
         let field = [0.25f32, 0.25, 0.25, 0.0, 0.0];
-        let error = band_error(&dose, &band.with_tolerance(&field), Region::All, &Identity);
+        let error = band_error(
+            &dose,
+            &band.with_tolerance(&field),
+            NormRegion::All,
+            &Identity,
+        );
         assert_eq!((error.violated, error.l1), (1, 0.25));
     }
 
@@ -330,8 +335,8 @@ mod tests {
         let target = volume(&[0.7, 0.3]);
         let response = Logistic::new(Default::default()).unwrap();
         let dose = volume(&[response.inverse(0.7), 0.5]);
-        let band = Band::around(&target, &labels, true, 0.0);
-        let error = band_error(&dose, &band, Region::All, &response);
+        let band = TargetBand::around(&target, &labels, true, 0.0);
+        let error = band_error(&dose, &band, NormRegion::All, &response);
         // The first is where it should be, the second responds with 0.5
         assert!(
             (error.l1 - 0.2).abs() < 1e-6 && (error.largest - 0.2).abs() < 1e-6,
@@ -347,11 +352,11 @@ mod tests {
         let (labels, dose) = (volume(&labels), volume(&values));
         let response = Logistic::new(Default::default()).unwrap();
         for response in [&Identity as &dyn Response, &response] {
-            let band = Band::around(&dose, &labels, false, 0.0);
+            let band = TargetBand::around(&dose, &labels, false, 0.0);
             let found = band_errors(&dose, &band, [0.125, 0.0], response);
             for (found, epsilon) in found.iter().zip([0.125, 0.0]) {
-                let band = Band::around(&dose, &labels, false, epsilon);
-                let alone = [Region::All, Region::Part, Region::Void]
+                let band = TargetBand::around(&dose, &labels, false, epsilon);
+                let alone = [NormRegion::All, NormRegion::Part, NormRegion::Void]
                     .map(|region| band_error(&dose, &band, region, response));
                 assert!(alone.iter().all(|e| e.violated > 1000));
                 assert_eq!(*found, alone);

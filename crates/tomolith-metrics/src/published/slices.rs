@@ -37,7 +37,7 @@ pub fn slices(dose: &Volume<f32>, labels: &Volume<u8>, trim_percent: f64) -> Vec
     slices_under(dose, labels, trim_percent, &Run::new())
 }
 
-/// The same; without the slices that a run was cancelled before.
+/// The same; without the slices that a run was canceled before.
 pub(super) fn slices_under(
     dose: &Volume<f32>,
     labels: &Volume<u8>,
@@ -61,7 +61,7 @@ pub(super) fn slices_under(
         .enumerate()
         .filter(|_| {
             steps.add(1);
-            !steps.is_cancelled()
+            !steps.is_canceled()
         })
         .map(each)
         .collect()

@@ -37,7 +37,7 @@ pub enum UnitSystem {
 }
 
 /// A number and its unit.
-pub type Quantity = (f64, &'static str);
+pub type ValueAndUnit = (f64, &'static str);
 
 /// A pattern value, a dose and what leads from one to the other, in the units of a system.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -45,11 +45,11 @@ pub struct Converted {
     /// The system.
     pub system: UnitSystem,
     /// g
-    pub pattern: Quantity,
+    pub pattern: ValueAndUnit,
     /// The factor in P and P*.
-    pub operator: Quantity,
+    pub operator: ValueAndUnit,
     /// f
-    pub dose: Quantity,
+    pub dose: ValueAndUnit,
 }
 
 impl UnitSystem {

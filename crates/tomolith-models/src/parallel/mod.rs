@@ -185,7 +185,7 @@ impl Parallel {
     /// The same with a kernel, which shares a column's light among voxels, as a part of a run.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::Cancelled`].
+    /// As [`new`](Self::new); [`Error::Canceled`].
     pub fn under(
         vial: &dyn Vial,
         lights: Vec<Light>,
@@ -297,8 +297,8 @@ impl Parallel {
             });
         drop(lit);
         self.return_scratch(lanes);
-        if run.is_cancelled() {
-            Err(Error::Cancelled)
+        if run.is_canceled() {
+            Err(Error::Canceled)
         } else {
             Ok(())
         }
@@ -316,7 +316,7 @@ impl Parallel {
         let row = lit.plan.levels.row / LANES;
         for group in lit.plan.groups(lit.views.clone()) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
-                if steps.is_cancelled() {
+                if steps.is_canceled() {
                     return;
                 }
                 steps.add(1);
@@ -408,7 +408,7 @@ impl Parallel {
                             let own = &mut lanes
                                 [(group.start - first) * per_view..(group.end - first) * per_view];
                             for (index, tile) in (i * neighbors..).zip(tiles) {
-                                if run.is_cancelled() {
+                                if run.is_canceled() {
                                     return;
                                 }
                                 plan.collect_tile(
@@ -430,8 +430,8 @@ impl Parallel {
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
         }
-        if run.is_cancelled() {
-            Err(Error::Cancelled)
+        if run.is_canceled() {
+            Err(Error::Canceled)
         } else {
             Ok(())
         }

@@ -76,7 +76,7 @@ impl LightPlan {
             vial,
             light.resin,
             light.surrounding_index,
-            light.polarisation,
+            light.polarization,
         )
         .in_bath(light.bath);
         let resin = light.resin;
@@ -145,7 +145,7 @@ impl LightPlan {
             .par_iter()
             .filter(|_| {
                 steps.add(1);
-                !steps.is_cancelled()
+                !steps.is_canceled()
             })
             .flat_map_iter(|tile| {
                 beams

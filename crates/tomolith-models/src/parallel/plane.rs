@@ -84,7 +84,7 @@ impl Parallel {
                 // Dose of the tile: lanes along x, and along y
                 let mut along: [Square; 2] = [[0.0; TILE * TILE]; 2];
                 for beam in beams.clone() {
-                    if run.is_cancelled() {
+                    if run.is_canceled() {
                         return;
                     }
                     let meeting = plan.meeting(index, beam);
@@ -118,8 +118,8 @@ impl Parallel {
             });
         self.return_scratch(sources);
         self.return_scratch(pixels);
-        if run.is_cancelled() {
-            Err(Error::Cancelled)
+        if run.is_canceled() {
+            Err(Error::Canceled)
         } else {
             Ok(())
         }
@@ -149,7 +149,7 @@ impl Parallel {
                 let first = views.start + i * chunk;
                 gathering.begin(plan, first..(first + chunk).min(views.end));
                 for (index, tile) in self.tiles.iter().enumerate() {
-                    if run.is_cancelled() {
+                    if run.is_canceled() {
                         return;
                     }
                     gathering.add_tile(self, plan, (index, tile), cotangent, pixels);
@@ -160,8 +160,8 @@ impl Parallel {
         let layout = &self.patterns[light];
         plan.collect((layout, frames), pixels.as_slice(), grad, 1);
         self.return_scratch(pixels);
-        if run.is_cancelled() {
-            Err(Error::Cancelled)
+        if run.is_canceled() {
+            Err(Error::Canceled)
         } else {
             Ok(())
         }

@@ -10,7 +10,7 @@ use super::tiles::Deposit;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_optics::trace::{Path, Tracer};
+use tomolith_optics::trace::{PlanarPath, Tracer};
 
 /// A straight line in the resin frame, mm.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ pub(super) enum Major {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strip {
     pub(super) column: u32,
-    /// Whether light travels towards larger rows.
+    /// Whether light travels toward larger rows.
     pub(super) upward: bool,
     /// Edges: offset and slope of the minor coordinate as a function of the major one.
     pub(super) edges: [[f32; 2]; 2],
@@ -223,7 +223,7 @@ fn push(
     azimuth: f64,
     column: u32,
     [low, high]: [f64; 2],
-    [a, middle, b]: [&Path; 3],
+    [a, middle, b]: [&PlanarPath; 3],
     out: &mut Vec<Bundle>,
 ) {
     let half = (high - low) / 2.0;

@@ -53,7 +53,7 @@ fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
 fn every_vial_on_every_path_passes_the_model_check() {
     for vial in vials() {
         for isa in Isa::available() {
-            // Odd sizes, an off-centre grid, pixels finer and coarser than voxels, standing and turning
+            // Odd sizes, an off-center grid, pixels finer and coarser than voxels, standing and turning
             for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
                 let mut light = Light::new(
                     PatternGrid::full_turn(7, 0.2, 19, columns, pitch),
@@ -213,7 +213,7 @@ fn absorbed(vial: &dyn Vial, light: &Light, azimuth: f64, column: usize) -> f64 
         vial,
         light.resin,
         light.surrounding_index,
-        light.polarisation,
+        light.polarization,
     );
     let (u, p) = (light.pixels.column_u(column), light.pixels.pitch_mm[0]);
     let n = 400;
@@ -290,7 +290,7 @@ fn a_grid_that_ends_with_the_resin_holds_all_that_is_absorbed() {
                     Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
                 let dose = dose_of(&model, &vec![1.0; model.patterns[0].len()]);
                 let all: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 0.01;
-                let tracer = Tracer::new(vial.as_ref(), light.resin, 1.0, light.polarisation);
+                let tracer = Tracer::new(vial.as_ref(), light.resin, 1.0, light.polarization);
                 let (rays, width) = (4000, (columns + 2) as f64 * 0.1);
                 let absorbed: f64 = (light.pixels.azimuths.iter())
                     .map(|&azimuth| {
@@ -339,7 +339,7 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
         .collect();
     let dose = dose_of(&model, &values);
     let mut reference = vec![0.0f64; grid.len()];
-    let tracer = Tracer::new(vial, light.resin, 1.0, light.polarisation);
+    let tracer = Tracer::new(vial, light.resin, 1.0, light.polarization);
     let (rays, mu) = (100, 0.3);
     for &azimuth in &light.pixels.azimuths {
         for ray in 0..columns * rays {
@@ -547,7 +547,7 @@ fn a_single_pixel_lights_the_voxel_it_should() {
         // row 2 from the top of 10 is slice 7; column 15 of 20 is x = −0.55 mm, voxel 4
         assert_eq!(value > 0.0, iz == 7 && ix == 4, "voxel {iz} {ix}: {value}");
     }
-    // Light enters at +y and weakens towards −y
+    // Light enters at +y and weakens toward −y
     assert!(dose.at(7, 19, 4) > dose.at(7, 0, 4));
 }
 

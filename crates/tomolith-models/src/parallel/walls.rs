@@ -8,7 +8,7 @@
 use super::strips::Major;
 use super::tiles::{Local, TILE};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_optics::vial::{Curve, Medium, Vial};
+use tomolith_optics::vial::{CrossSection, Medium, Vial};
 
 /// The resin in one row of voxels: minor coordinates, in voxels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,8 +61,8 @@ impl Room {
 /// Walls that hold the resin, on a grid.
 #[derive(Clone, Debug)]
 pub(super) struct Walls {
-    outer: Curve,
-    core: Option<Curve>,
+    outer: CrossSection,
+    core: Option<CrossSection>,
     /// Lowest corner of the grid `[x, y]`, mm, and the edge of a voxel.
     low: [f64; 2],
     pitch_mm: f64,
@@ -123,10 +123,10 @@ impl Walls {
 }
 
 /// Half the chord of a curve at a distance from the axis, mm; None beyond it.
-fn half_width(curve: Curve, distance: f64) -> Option<f64> {
+fn half_width(curve: CrossSection, distance: f64) -> Option<f64> {
     match curve {
-        Curve::Circle(r) => (distance < r).then(|| ((r - distance) * (r + distance)).sqrt()),
-        Curve::Square(half) => (distance < half).then_some(half),
+        CrossSection::Circle(r) => (distance < r).then(|| ((r - distance) * (r + distance)).sqrt()),
+        CrossSection::Square(half) => (distance < half).then_some(half),
     }
 }
 

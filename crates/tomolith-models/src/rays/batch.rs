@@ -62,8 +62,8 @@ impl Rays {
         mut visit: impl FnMut(&RayBatch),
     ) -> Result<()> {
         for pairs in self.chunks(light, frames) {
-            if run.is_cancelled() {
-                return Err(Error::Cancelled);
+            if run.is_canceled() {
+                return Err(Error::Canceled);
             }
             visit(&self.bundles(light, pairs, &wants));
         }
@@ -84,8 +84,8 @@ impl Rays {
             return Ok(());
         }
         for pairs in self.chunks(light, frames) {
-            if run.is_cancelled() {
-                return Err(Error::Cancelled);
+            if run.is_canceled() {
+                return Err(Error::Canceled);
             }
             visit(&self.column_rays(light, pairs, &wants));
         }

@@ -68,8 +68,8 @@ impl ColumnRaysCache {
         let (mut all, mut numbers) = (Vec::new(), 0);
         for (light, layout) in model.patterns.iter().enumerate() {
             for pairs in model.chunks(light, 0..layout.grid.frames()) {
-                if run.is_cancelled() {
-                    return Err(Error::Cancelled);
+                if run.is_canceled() {
+                    return Err(Error::Canceled);
                 }
                 let column_rays = model.column_rays(light, pairs, |_| true);
                 let of_column_ray =

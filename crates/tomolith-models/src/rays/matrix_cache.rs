@@ -72,8 +72,8 @@ impl RayMatrixCache {
             let chunks = model.chunks(light, 0..layout.grid.frames());
             let count = chunks.len();
             for (i, pairs) in chunks.into_iter().enumerate() {
-                if run.is_cancelled() {
-                    return Err(Error::Cancelled);
+                if run.is_canceled() {
+                    return Err(Error::Canceled);
                 }
                 let lit = model.bundles(light, pairs.clone(), |_| true);
                 // A chunk has all rays of its pixels, and later ones have later pixels

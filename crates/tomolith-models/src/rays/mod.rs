@@ -89,12 +89,12 @@ use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
-use tomolith_optics::obstacle::{Material, Obstacle};
+use tomolith_optics::obstacle::{BodyMaterial, Obstacle};
 use tomolith_optics::phase::Scattering;
 use tomolith_optics::power_balance::PowerBalance;
 use tomolith_optics::projector::Projector;
 use tomolith_optics::projector::collimated::Collimated;
-use tomolith_optics::space::{Limits, PathSegment, SpaceTracer};
+use tomolith_optics::space::{PathSegment, SpaceTracer, TraceLimits};
 use tomolith_optics::vial::Vial;
 use traversal::Gait;
 
@@ -118,7 +118,7 @@ impl Default for Params {
             rays_per_pixel: 4,
             accumulation: Accumulation::Integral,
             reflections: false,
-            least_power: Limits::default().least_power,
+            least_power: TraceLimits::default().least_power,
         }
     }
 }
@@ -261,7 +261,7 @@ impl Optics {
     /// Whether light goes on in random directions anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {
-        let diffuse = |body: &Obstacle| matches!(body.material, Material::Diffuse { .. });
+        let diffuse = |body: &Obstacle| matches!(body.material, BodyMaterial::Diffuse { .. });
         self.scattering.is_some() || self.obstacles.iter().any(diffuse)
     }
 }
@@ -277,7 +277,7 @@ fn are_level(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bool {
 pub(super) struct Emission {
     pub(super) rays_per_pixel: usize,
     pub(super) accumulation: Accumulation,
-    pub(super) limits: Limits,
+    pub(super) limits: TraceLimits,
     /// None: unscattered light only.
     pub(super) scattered: Option<Scattered>,
 }
@@ -343,10 +343,10 @@ impl Rays {
         let emission = Emission {
             rays_per_pixel: params.rays_per_pixel,
             accumulation: params.accumulation,
-            limits: Limits {
+            limits: TraceLimits {
                 reflections: params.reflections,
                 least_power: params.least_power,
-                ..Limits::default()
+                ..TraceLimits::default()
             },
             scattered: None,
         };
@@ -387,7 +387,7 @@ impl Rays {
                 vial,
                 light.resin,
                 light.surrounding_index,
-                light.polarisation,
+                light.polarization,
                 emission.limits,
             )
             .in_bath(light.bath)

@@ -30,7 +30,7 @@ pub(super) struct Segment {
     pub(super) high: f32,
     /// Where the light enters the resin: what it has left there is `energy` per voxel of way.
     pub(super) enter: f32,
-    /// Attenuation per cell of a; negative where light travels towards lower a.
+    /// Attenuation per cell of a; negative where light travels toward lower a.
     pub(super) rate: f32,
     /// Deposit per cell of a right behind `enter`, for a pixel of value 1.
     pub(super) energy: f32,

@@ -16,7 +16,7 @@ impl Rays {
     /// doses[i] += the unscattered light of these frames, every ray times weights[i]; without cells of a solid.
     ///
     /// # Errors
-    /// [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
     pub(crate) fn add_weighted(
         &self,
         frames: Range<usize>,
@@ -41,7 +41,7 @@ impl Rays {
     /// grad = transpose of [`add_weighted`](Self::add_weighted), in the elements of these frames
     ///
     /// # Errors
-    /// [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
     pub(crate) fn collect_weighted(
         &self,
         frames: Range<usize>,

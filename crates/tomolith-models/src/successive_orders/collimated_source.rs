@@ -136,7 +136,7 @@ fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
         vial,
         light.resin,
         light.surrounding_index,
-        light.polarisation,
+        light.polarization,
     )
     .in_bath(light.bath);
     let pixels = &light.pixels;

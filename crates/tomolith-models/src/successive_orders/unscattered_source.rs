@@ -27,7 +27,7 @@ pub(super) trait UnscatteredSource: Send + Sync {
     /// The fields of some of this light's frames, for the values of its pixels.
     ///
     /// # Errors
-    /// When there is not enough memory; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+    /// When there is not enough memory; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>>;
 
     /// grad += transpose of [`fields`](Self::fields); `grad` has the pixels of all frames

@@ -1,7 +1,7 @@
 //! How light spreads behind a plane of pixels, as far as its sampling must know.
 //!
 //! # Equations
-//! Lateral frequencies f lie within the pixels' Nyquist limit and, with a numerical aperture, within NA/λ₀. The band fades towards its end ([`fade`]):
+//! Lateral frequencies f lie within the pixels' Nyquist limit and, with a numerical aperture, within NA/λ₀. The band fades toward its end ([`fade`]):
 //! with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of twice the pattern (docs/measured/wave.md). Along the depth a
 //! component runs with w = √(λ⁻² − f²), and sideways by f/w.
 

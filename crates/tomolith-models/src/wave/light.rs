@@ -172,8 +172,8 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         let together = frames_together(bytes, rayon::current_num_threads());
         let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
         for frames in frames.chunks(together) {
-            if run.is_cancelled() {
-                return Err(Error::Cancelled);
+            if run.is_canceled() {
+                return Err(Error::Canceled);
             }
             samples
                 .par_chunks_mut(N * size)
@@ -278,7 +278,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         frames.into_par_iter().for_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0
-            if run.is_cancelled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
+            if run.is_canceled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
                 return;
             }
             let runs = &layout.runs[frame * columns..][..columns];
@@ -299,8 +299,8 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
                 scratch.samples = samples;
             });
         });
-        if run.is_cancelled() {
-            return Err(Error::Cancelled);
+        if run.is_canceled() {
+            return Err(Error::Canceled);
         }
         Ok(())
     }

@@ -16,7 +16,7 @@ use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::units::concise;
 use tomolith_optics::light::Light;
-use tomolith_optics::vial::{Curve, Vial};
+use tomolith_optics::vial::{CrossSection, Vial};
 
 /// The reason why the model does not support a vial and its lights; None when it does.
 #[must_use]
@@ -289,7 +289,7 @@ pub(super) fn turning<T: Number, W: Way<T>>(
     let windows = windows_of((light, beam), &lit, (focus_mm, settings), grid)?;
     let resin = light.resin.uptake();
     let wall = match vial.resin_wall() {
-        Curve::Circle(radius) if entrance == Entrance::Wall => Some(radius),
+        CrossSection::Circle(radius) if entrance == Entrance::Wall => Some(radius),
         _ => None,
     };
     let uptake = Uptake {

@@ -6,7 +6,7 @@
 //! **Source** the sparsity term of Dr.TVAM (Nicolet et al. 2024), w_sp·Σ|x|^M with M = 4. There it is evaluated on the search
 //! direction during line searches; here on the patterns themselves.
 //!
-//! **Parameters** see [`Params`]. **Limits** patterns are not negative, so the slope at 0 is that towards lit pixels; for M < 1
+//! **Parameters** see [`Params`]. **Limits** patterns are not negative, so the slope at 0 is that toward lit pixels; for M < 1
 //! it would be infinite, and close to 0 |x|^M is [replaced by its chord](tomolith_core::field::costs). A sum over
 //! pixels: its size follows the number of frames and pixels. **Cost** one pass over the patterns.
 //!

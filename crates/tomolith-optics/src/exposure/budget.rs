@@ -12,12 +12,12 @@
 //! energy per pass (a turn)   I·t·A·E mJ                 light used   E/(n·N)
 //! ```
 //!
-//! The other way round, the longest pattern value that fits into a time T is s = (I·T/n)·d₀/D_c ([`Exposure::white_in`]).
+//! The other way round, the longest pattern value that fits into a time T is s = (I·T/n)·d₀/D_c ([`ExposureBudget::white_in`]).
 //!
 //! ```
-//! use tomolith_optics::exposure::{Budget, Exposure};
+//! use tomolith_optics::exposure::{Budget, ExposureBudget};
 //! // 100 mW/cm² = 1 mW/mm²; 10 frames a turn of 6 s: 0.6 s each, 0.6 mJ/mm² a pass
-//! let exposure = Exposure { peak_mw_per_cm2: Some(100.0), rpm: 10.0, frames: 10, frame_arc: std::f64::consts::TAU / 10.0,
+//! let exposure = ExposureBudget { peak_mw_per_cm2: Some(100.0), rpm: 10.0, frames: 10, frame_arc: std::f64::consts::TAU / 10.0,
 //!     critical_mj_per_mm3: Some(2.0), gel_dose: Some(0.8) };
 //! // White is 2.4·2/0.8 = 6 mJ/mm²: ten passes of 6 s. Half of 1000 pixels of 0.01 mm² are white
 //! let budget = exposure.budget(2.4, 5000.0, 1000, 0.01);
@@ -31,7 +31,7 @@ use serde::Serialize;
 
 /// What is known of an exposure before it is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exposure {
+pub struct ExposureBudget {
     /// Irradiance of the brightest pixel at white, mW/cm².
     pub peak_mw_per_cm2: Option<f64>,
     /// Turns a minute.
@@ -63,7 +63,7 @@ pub struct Budget {
     pub energy_mj: Option<f64>,
 }
 
-impl Exposure {
+impl ExposureBudget {
     /// Time for which a frame is shown in each pass, s.
     fn frame_s(&self) -> Option<f64> {
         let seconds = self.frame_arc.to_degrees() / (6.0 * self.rpm);
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_not_invented() {
-        let exposure = Exposure {
+        let exposure = ExposureBudget {
             peak_mw_per_cm2: Some(10.0),
             rpm: 6.0,
             frames: 4,
@@ -137,7 +137,7 @@ mod tests {
             ),
             (None, None, None)
         );
-        let turning = Exposure {
+        let turning = ExposureBudget {
             frame_arc: 0.1,
             ..exposure
         };

@@ -10,7 +10,7 @@
 //! | `border` | the outermost pixels: is the whole canvas in view? |
 //! | `checkerboard` | black and white squares, eight along the shorter edge: pixel pitch, straightness, evenness |
 //! | `crosshair` | lines through the middle of the patterns: where the middle is |
-//! | `grey_steps` | 16 equal steps of the level from black to white: the gray curve |
+//! | `gray_steps` | 16 equal steps of the level from black to white: the gray curve |
 //! | `siemens_star` | 36 spokes: focus, the same in all directions |
 //! | `axis_lines` | the axis of rotation (u = 0), the edges of the patterns and marks every tenth of their width: does the axis stand where it should? |
 //! | `orientation` | a letter F in the field of the patterns: is it upright and not mirrored? |
@@ -49,7 +49,7 @@ pub const CALIBRATIONS: &[(&str, &str)] = &[
         "crosshair",
         "Lines through the middle of the patterns: where the middle is",
     ),
-    ("grey_steps", "16 equal steps of the level: the gray curve"),
+    ("gray_steps", "16 equal steps of the level: the gray curve"),
     (
         "siemens_star",
         "36 spokes: focus, the same in all directions",
@@ -140,7 +140,7 @@ impl Calibration {
                 let field = |v: f64| (v / edge).floor() as i64;
                 f64::from(u8::from((field(x) + field(y)) % 2 == 0))
             }),
-            "grey_steps" => on_device(&|x, _| {
+            "gray_steps" => on_device(&|x, _| {
                 let step = ((x / columns as f64 + 0.5) * STEPS as f64).floor();
                 step.clamp(0.0, (STEPS - 1) as f64) / (STEPS - 1) as f64
             }),
@@ -242,7 +242,7 @@ mod tests {
             assert_eq!(frame.values.iter().max(), Some(&1023), "{name}");
         }
         let steps = calibration("canvas = [128, 96]", 8)
-            .draw("grey_steps")
+            .draw("gray_steps")
             .unwrap()
             .values;
         let row: Vec<u16> = (0..16).map(|i| steps[i * 8 + 4]).collect();

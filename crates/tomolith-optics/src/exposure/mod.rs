@@ -14,7 +14,7 @@ pub mod printer;
 pub mod quantize;
 mod tone;
 
-pub use budget::{Budget, Exposure};
+pub use budget::{Budget, ExposureBudget};
 pub use calibration::{CALIBRATIONS, Calibration};
 pub use maps::read_map;
 pub use movie::{frame_rate, movie_name, shown_rate};

@@ -33,7 +33,7 @@
 //! use tomolith_optics::exposure::{Printer, PrinterSpec, Rotation};
 //! use tomolith_core::grid::{PatternGrid, Patterns};
 //! let spec: PrinterSpec = toml::from_str(
-//!     "canvas = [6, 4]\nquarter_turns = 1\ngrey_curve = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]",
+//!     "canvas = [6, 4]\nquarter_turns = 1\ngray_curve = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]",
 //! ).unwrap();
 //! let grid = PatternGrid::full_turn(1, 0.0, 2, 4, 0.1); // 2 rows of 4 columns
 //! let printer = Printer::new(&spec, ".".as_ref(), &grid, Rotation::Clockwise).unwrap();
@@ -48,7 +48,7 @@
 use super::maps::read_map;
 use super::placing::{Overlaps, Placing, size_of, turn};
 use super::quantize::Quantized;
-use super::tone::{Curve, Tone};
+use super::tone::{Tone, ToneCurve};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -113,10 +113,10 @@ pub struct PrinterSpec {
     pub start_deg: Option<f64>,
     /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub grey_curve: Option<Vec<[f64; 2]>>,
+    pub gray_curve: Option<Vec<[f64; 2]>>,
     /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub grey_curve_file: Option<PathBuf>,
+    pub gray_curve_file: Option<PathBuf>,
     /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flat_field: Option<PathBuf>,
@@ -152,8 +152,8 @@ impl Default for PrinterSpec {
             copies_px: vec![[0.0; 2]],
             rotation: None,
             start_deg: None,
-            grey_curve: None,
-            grey_curve_file: None,
+            gray_curve: None,
+            gray_curve_file: None,
             flat_field: None,
             dead_pixels: None,
             refresh_hz: 60.0,
@@ -285,22 +285,22 @@ impl PrinterSpec {
                 ));
             }
         }
-        if self.grey_curve.is_some() && self.grey_curve_file.is_some() {
+        if self.gray_curve.is_some() && self.gray_curve_file.is_some() {
             return Err(Error::config(
-                "printer.grey_curve",
-                "both `grey_curve` and `grey_curve_file`",
+                "printer.gray_curve",
+                "both `gray_curve` and `gray_curve_file`",
                 "one of the two",
             ));
         }
-        match &self.grey_curve {
-            Some(points) => Curve::new(points, "printer.grey_curve").map(drop),
+        match &self.gray_curve {
+            Some(points) => ToneCurve::new(points, "printer.gray_curve").map(drop),
             None => Ok(()),
         }
     }
 
     /// Files that the table names, to be made absolute.
     pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
-        self.grey_curve_file
+        self.gray_curve_file
             .iter_mut()
             .chain(&mut self.flat_field)
             .chain(&mut self.dead_pixels)
@@ -337,7 +337,7 @@ pub struct Printer {
     overlaps: Option<Vec<Overlaps>>,
     /// Frame of the patterns that is shown as number j.
     order: Vec<usize>,
-    curve: Option<Curve>,
+    curve: Option<ToneCurve>,
     /// Brightness of device pixels, 0 where they are dead.
     brightness: Option<Vec<f32>>,
     pattern: PatternGrid,
@@ -696,16 +696,16 @@ fn order(
         .collect())
 }
 
-fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<Curve>> {
-    if let Some(points) = &spec.grey_curve {
-        return Curve::new(points, "printer.grey_curve").map(Some);
+fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<ToneCurve>> {
+    if let Some(points) = &spec.gray_curve {
+        return ToneCurve::new(points, "printer.gray_curve").map(Some);
     }
-    let Some(file) = &spec.grey_curve_file else {
+    let Some(file) = &spec.gray_curve_file else {
         return Ok(None);
     };
     let points =
-        super::maps::read_table(&base.join(file)).map_err(|e| at_key("grey_curve_file", e))?;
-    Curve::new(&points, "printer.grey_curve_file").map(Some)
+        super::maps::read_table(&base.join(file)).map_err(|e| at_key("gray_curve_file", e))?;
+    ToneCurve::new(&points, "printer.gray_curve_file").map(Some)
 }
 
 /// Flat field and dead pixels as one map.

@@ -14,11 +14,11 @@ const ACCEPTED: &str = "at least two points [value, intensity], values rising fr
 
 /// A gray curve.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Curve {
+pub(super) struct ToneCurve {
     points: Vec<[f64; 2]>,
 }
 
-impl Curve {
+impl ToneCurve {
     /// A curve from its table; `key` names it in errors.
     pub(super) fn new(points: &[[f64; 2]], key: &str) -> Result<Self> {
         let refuse = |found: String| Err(Error::config(key, found, ACCEPTED));
@@ -53,7 +53,7 @@ impl Curve {
             }
         }
         let white = last[1];
-        Ok(Curve {
+        Ok(ToneCurve {
             points: points.iter().map(|p| [p[0], p[1] / white]).collect(),
         })
     }
@@ -78,7 +78,7 @@ pub(super) struct Tone {
 }
 
 impl Tone {
-    pub(super) fn new(curve: Option<&Curve>, bits: u32) -> Self {
+    pub(super) fn new(curve: Option<&ToneCurve>, bits: u32) -> Self {
         let top = top_level(bits);
         let table = curve.map(|curve| {
             (0..=top)
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn a_curve_is_followed_and_its_nearest_levels_are_found() {
-        let curve = Curve::new(&[[0.0, 4.0], [0.5, 8.0], [1.0, 40.0]], "c").unwrap();
+        let curve = ToneCurve::new(&[[0.0, 4.0], [0.5, 8.0], [1.0, 40.0]], "c").unwrap();
         let tone = Tone::new(Some(&curve), 8);
         assert_eq!((tone.intensity(0), tone.intensity(255)), (0.1, 1.0));
         // Half way up the first line: 127.5/255 is the knee at 0.2
@@ -162,11 +162,11 @@ mod tests {
             (&[[0.0, 0.0], [1.0, f64::NAN]], "point 2"),
             (&[[0.0, 0.0], [1.0, 0.0]], "not monotone"),
         ] {
-            let message = Curve::new(points, "printer.grey_curve")
+            let message = ToneCurve::new(points, "printer.gray_curve")
                 .unwrap_err()
                 .to_string();
             assert!(
-                message.contains(word) && message.starts_with("printer.grey_curve"),
+                message.contains(word) && message.starts_with("printer.gray_curve"),
                 "{message}"
             );
         }

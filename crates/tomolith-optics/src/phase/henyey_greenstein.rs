@@ -6,7 +6,7 @@
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
-//! | `g` | −0.999 to 0.999 | – | mean cosine: 0 isotropic, towards 1 ever more forward |
+//! | `g` | −0.999 to 0.999 | – | mean cosine: 0 isotropic, toward 1 ever more forward |
 //!
 //! # Source
 //! Henyey & Greenstein, Astrophys. J. 93, 70 (1941).

@@ -2,14 +2,14 @@
 //!
 //! # Model
 //! Values at given angles (degrees, growing from 0 to 180), linear in the cosine between them, scaled to an integral of 1.
-//! With `normalised = true` the values are densities per unit of solid angle that must integrate to 1 within 1 %: a check.
+//! With `normalized = true` the values are densities per unit of solid angle that must integrate to 1 within 1 %: a check.
 //!
 //! # Parameters
 //! | key | range | default | meaning |
 //! |---|---|---|---|
 //! | `angles_deg` | 0 … 180, growing | – | angles of scattering; first 0, last 180 |
 //! | `values` | ≥ 0, not all 0 | – | one per angle |
-//! | `normalised` | bool | false | whether the values must integrate to 1 over the sphere |
+//! | `normalized` | bool | false | whether the values must integrate to 1 over the sphere |
 
 use super::{BuildPhase, Phase};
 use crate::random::Stream;
@@ -21,7 +21,7 @@ use tomolith_core::kind::{Kind, Section};
 
 /// See the [module page](self).
 #[derive(Clone, Debug)]
-pub struct Table {
+pub struct PhaseTable {
     /// Cosines, growing from −1 to 1.
     cosines: Vec<f64>,
     /// Densities there.
@@ -30,7 +30,7 @@ pub struct Table {
     below: Vec<f64>,
 }
 
-impl Table {
+impl PhaseTable {
     /// A table of values over cosines that grow from −1 to 1; returns it with the integral that the values had.
     fn new(cosines: Vec<f64>, values: Vec<f64>) -> (Self, f64) {
         let mut below = vec![0.0];
@@ -40,7 +40,7 @@ impl Table {
         }
         let total = below[below.len() - 1];
         let scaled = |v: Vec<f64>| v.into_iter().map(|v| v / total).collect();
-        let table = Table {
+        let table = PhaseTable {
             cosines,
             densities: scaled(values),
             below: scaled(below),
@@ -49,7 +49,7 @@ impl Table {
     }
 }
 
-impl Phase for Table {
+impl Phase for PhaseTable {
     fn density(&self, cosine: f64) -> f64 {
         let i = self
             .cosines
@@ -89,7 +89,7 @@ pub struct Params {
     pub values: Vec<f64>,
     /// Whether the values must integrate to 1 over the sphere.
     #[serde(default)]
-    pub normalised: bool,
+    pub normalized: bool,
 }
 
 /// Row of [`PHASES`](super::PHASES).
@@ -125,8 +125,8 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
         return refuse("values", format!("found {:?}", params.values), &accepted);
     }
     let cosines = angles.iter().rev().map(|a| a.to_radians().cos()).collect();
-    let (table, integral) = Table::new(cosines, params.values.iter().rev().copied().collect());
-    if params.normalised && (TAU * integral - 1.0).abs() > 0.01 {
+    let (table, integral) = PhaseTable::new(cosines, params.values.iter().rev().copied().collect());
+    if params.normalized && (TAU * integral - 1.0).abs() > 0.01 {
         let found = format!(
             "the values integrate to {:.4} over the sphere",
             TAU * integral
@@ -134,7 +134,7 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
         return refuse(
             "values",
             found,
-            "an integral of 1 within 1 %, or normalised = false",
+            "an integral of 1 within 1 %, or normalized = false",
         );
     }
     Ok(Box::new(table))
@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn a_normalized_table_must_integrate_to_one_over_the_sphere() {
         let built = |value: f64| {
-            let table = serde_json::json!({ "angles_deg": [0.0, 180.0], "values": [value, value], "normalised": true });
+            let table = serde_json::json!({ "angles_deg": [0.0, 180.0], "values": [value, value], "normalized": true });
             build(&Section::new("resin.phase.table", table))
         };
         let isotropic = 1.0 / (2.0 * TAU); // 1/4π

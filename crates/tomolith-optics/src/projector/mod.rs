@@ -25,7 +25,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The ray from a point towards another.
+    /// The ray from a point toward another.
     #[must_use]
     pub fn through(from: [f64; 3], to: [f64; 3]) -> Self {
         let way: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);

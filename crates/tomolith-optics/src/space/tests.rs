@@ -1,4 +1,4 @@
-use super::super::gradient::Gradient;
+use super::super::gradient::IndexGradient;
 use super::super::surface::Net;
 use super::super::trace::Tracer;
 use super::super::vial::cylinder::Cylinder;
@@ -19,8 +19,8 @@ fn resin() -> Resin {
     Resin::absorbing(1.49, 0.1)
 }
 
-fn tracer(vial: &dyn Vial, polarisation: Polarisation, limits: Limits) -> SpaceTracer {
-    SpaceTracer::new(vial, resin(), 1.0, polarisation, limits)
+fn tracer(vial: &dyn Vial, polarization: Polarization, limits: TraceLimits) -> SpaceTracer {
+    SpaceTracer::new(vial, resin(), 1.0, polarization, limits)
 }
 
 fn level(u: f64, azimuth: f64) -> Ray {
@@ -45,9 +45,9 @@ fn level_rays_do_what_the_tracer_of_the_plane_says() {
         core_refractive_index: 1.0,
     };
     for vial in [&GLASS as &dyn Vial, &square, &double] {
-        for polarisation in [Polarisation::Unpolarised, Polarisation::S, Polarisation::P] {
-            let plane = Tracer::new(vial, resin(), 1.0, polarisation);
-            let space = tracer(vial, polarisation, Limits::default());
+        for polarization in [Polarization::Unpolarized, Polarization::S, Polarization::P] {
+            let plane = Tracer::new(vial, resin(), 1.0, polarization);
+            let space = tracer(vial, polarization, TraceLimits::default());
             for i in 0..60 {
                 let (u, azimuth) = (0.13 * f64::from(i) - 3.9, 0.21 * f64::from(i));
                 let (a, b) = (plane.trace(u, azimuth), space.trace(level(u, azimuth)));
@@ -68,7 +68,7 @@ fn level_rays_do_what_the_tracer_of_the_plane_says() {
 #[test]
 fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_the_axis() {
     // n·(component along z) and n·(moment about z) are invariants of a round vial
-    let space = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    let space = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     let direction = unit([-1.0, 0.1, -0.25]);
     let ray = Ray {
         from: [0.0, 3.1, 0.2],
@@ -82,17 +82,17 @@ fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_t
 
 #[test]
 fn with_reflections_all_light_is_found_again() {
-    let limits = Limits {
+    let limits = TraceLimits {
         reflections: true,
         least_power: 1e-7,
         interfaces: 200,
-        ..Limits::default()
+        ..TraceLimits::default()
     };
     let mut clear = resin();
     clear.absorption_per_mm = 0.0;
     clear.attenuation_per_mm = 0.0;
     // Through the axis of a clear vial all interfaces are plain: their incoherent sum has a closed form
-    let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarisation::S, limits);
+    let space = SpaceTracer::new(&GLASS, clear, 1.0, Polarization::S, limits);
     let path = space.trace(level(0.0, 0.3));
     assert!((path.balance.total() - 1.0).abs() < 1e-12);
     assert!(path.balance.dropped < 1e-4, "{:?}", path.balance);
@@ -123,12 +123,12 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
     };
     let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
     let run = |orders: usize| {
-        let limits = Limits {
+        let limits = TraceLimits {
             orders,
             least_power: 0.0,
-            ..Limits::default()
+            ..TraceLimits::default()
         };
-        SpaceTracer::new(&vial, dull, 1.0, Polarisation::Unpolarised, limits)
+        SpaceTracer::new(&vial, dull, 1.0, Polarization::Unpolarized, limits)
             .in_scattering(Some(scattering.clone()))
     };
     // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
@@ -158,28 +158,28 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
         Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
     ));
     let with = |material| {
-        tracer(&GLASS, Polarisation::Unpolarised, Limits::default()).with_obstacles(vec![
+        tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default()).with_obstacles(vec![
             Obstacle {
                 surface: body.clone(),
                 material,
             },
         ])
     };
-    let plain = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    let plain = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     let ray = level(0.3, 0.0);
     let whole = plain.trace(ray);
-    let shadow = with(Material::Black).trace(ray);
+    let shadow = with(BodyMaterial::Black).trace(ray);
     assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
     assert!((shadow.balance.total() - 1.0).abs() < 1e-12);
     assert!(shadow.balance.blocked > 0.1 && shadow.legs.len() == 1);
-    let matched = with(Material::Dielectric {
+    let matched = with(BodyMaterial::Dielectric {
         refractive_index: 1.49,
     })
     .trace(ray);
     let gap = 2.0 / -matched.legs[0].ray.direction[0];
     let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
     assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);
-    let mirror = with(Material::Mirror).trace(ray);
+    let mirror = with(BodyMaterial::Mirror).trace(ray);
     assert_eq!(mirror.legs.len(), 2);
     assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
     assert!((mirror.balance.total() - 1.0).abs() < 1e-12);
@@ -194,12 +194,12 @@ fn lens(radius: f64, step_mm: f64) -> SpaceTracer {
     };
     let mut resin = resin();
     resin.refractive_index = 2.0f64.sqrt();
-    resin.gradient = Some(Gradient {
+    resin.gradient = Some(IndexGradient {
         quadratic_per_mm2: -0.5 / radius.powi(2),
         quartic_per_mm4: 0.0,
         step_mm,
     });
-    SpaceTracer::new(&tube, resin, 1.0, Polarisation::P, Limits::default())
+    SpaceTracer::new(&tube, resin, 1.0, Polarization::P, TraceLimits::default())
 }
 
 #[test]
@@ -234,12 +234,12 @@ fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
 fn the_error_of_a_curve_falls_with_the_square_of_its_chords() {
     let end = |step_mm: f64| {
         let mut resin = resin();
-        resin.gradient = Some(Gradient {
+        resin.gradient = Some(IndexGradient {
             quadratic_per_mm2: 0.004,
             quartic_per_mm4: -2e-4,
             step_mm,
         });
-        let tracer = SpaceTracer::new(&GLASS, resin, 1.0, Polarisation::P, Limits::default());
+        let tracer = SpaceTracer::new(&GLASS, resin, 1.0, Polarization::P, TraceLimits::default());
         let path = tracer.trace(level(3.0, 0.0));
         let last = path.legs[path.legs.len() - 1];
         last.ray.at(last.length)
@@ -269,14 +269,14 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
         assert!((moment - height).abs() < 1e-4, "{moment}");
     }
     let mut even = resin();
-    even.gradient = Some(Gradient {
+    even.gradient = Some(IndexGradient {
         quadratic_per_mm2: 0.0,
         quartic_per_mm4: 0.0,
         step_mm: 0.1,
     });
-    let bent = SpaceTracer::new(&GLASS, even, 1.0, Polarisation::S, Limits::default());
+    let bent = SpaceTracer::new(&GLASS, even, 1.0, Polarization::S, TraceLimits::default());
     let (bent, straight) = (bent.trace(level(3.0, 0.4)), {
-        tracer(&GLASS, Polarisation::S, Limits::default()).trace(level(3.0, 0.4))
+        tracer(&GLASS, Polarization::S, TraceLimits::default()).trace(level(3.0, 0.4))
     });
     assert!((bent.balance.absorbed - straight.balance.absorbed).abs() < 1e-12);
     assert!(bent.legs.len() > 100 && straight.legs.len() == 1);
@@ -286,8 +286,8 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
 fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_them() {
     let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
     let vial = Ended::new(Box::new(GLASS), end(-5.0, 1.0), end(6.0, 0.0)).unwrap();
-    let ended = tracer(&vial, Polarisation::Unpolarised, Limits::default());
-    let open = tracer(&GLASS, Polarisation::Unpolarised, Limits::default());
+    let ended = tracer(&vial, Polarization::Unpolarized, TraceLimits::default());
+    let open = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     assert_eq!(ended.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
     // From above through the free surface and out through the plate: 11 mm of resin between planes
     let down = Ray {
@@ -337,7 +337,7 @@ fn closed_tube(tube: DoubleTube, lid_mm: f64) -> Ended {
 #[test]
 fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
     let vial = closed_tube(TUBE, 0.0);
-    let closed = tracer(&vial, Polarisation::Unpolarised, Limits::default());
+    let closed = tracer(&vial, Polarization::Unpolarized, TraceLimits::default());
     let through = |media: &[f64]| {
         let passed = |pair: &[f64]| 1.0 - ((pair[0] - pair[1]) / (pair[0] + pair[1])).powi(2);
         media.windows(2).map(passed).product::<f64>()
@@ -375,7 +375,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
         assert!(path.legs.len() == 1 && (path.legs[0].length - 11.0).abs() < 1e-12);
     }
     // Level light does not see the ends
-    let open = tracer(&TUBE, Polarisation::Unpolarised, Limits::default());
+    let open = tracer(&TUBE, Polarization::Unpolarized, TraceLimits::default());
     assert_eq!(closed.trace(level(2.0, 0.3)), open.trace(level(2.0, 0.3)));
 }
 
@@ -402,8 +402,8 @@ fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() 
     let (mut random, mut through_core) = (Stream::new([4, 0, 0, 0]), 0);
     for lid_mm in [0.0, 0.5] {
         let vial = closed_tube(clear.clone(), lid_mm);
-        let limits = Limits::default();
-        let space = SpaceTracer::new(&vial, resin(), 1.49, Polarisation::Unpolarised, limits);
+        let limits = TraceLimits::default();
+        let space = SpaceTracer::new(&vial, resin(), 1.49, Polarization::Unpolarized, limits);
         for _ in 0..4000 {
             let mut point = |half: f64| [(); 3].map(|()| half * (2.0 * random.uniform() - 1.0));
             let ray = Ray {
@@ -484,8 +484,8 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
             .collect(),
     );
     let [cans, nets] = [&vial as &dyn Vial, &nets].map(|vial| {
-        let limits = Limits::default();
-        SpaceTracer::new(vial, resin(), 1.4, Polarisation::Unpolarised, limits)
+        let limits = TraceLimits::default();
+        SpaceTracer::new(vial, resin(), 1.4, Polarization::Unpolarized, limits)
     });
     let mut through = 0;
     for i in 0..40 {
@@ -513,18 +513,19 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
 fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
     let values: Vec<f32> = (0..60).map(|i| 0.05 * (i * 7 % 13) as f32).collect();
     let map = AbsorptionMap::new([3, 4, 5], 1.3, values.clone(), values).unwrap();
-    let mapped = tracer(&GLASS, Polarisation::S, Limits::default()).in_map(Some(Arc::new(map)));
-    let open = tracer(&GLASS, Polarisation::S, Limits::default());
+    let mapped =
+        tracer(&GLASS, Polarization::S, TraceLimits::default()).in_map(Some(Arc::new(map)));
+    let open = tracer(&GLASS, Polarization::S, TraceLimits::default());
     for i in 0..20 {
         let mut ray = level(0.2 * f64::from(i) - 2.0, 0.31 * f64::from(i));
         ray.direction = unit([ray.direction[0], ray.direction[1], 0.02 * f64::from(i)]);
         let (a, b) = (mapped.trace(ray), open.trace(ray));
         assert!((a.balance.total() - 1.0).abs() < 1e-12);
-        let depth = |path: &Path| {
+        let depth = |path: &RayPath| {
             let of = |leg: &PathSegment| leg.length * leg.uptake.attenuation_per_mm;
             path.legs.iter().map(of).sum::<f64>()
         };
-        let length = |path: &Path| path.legs.iter().map(|leg| leg.length).sum::<f64>();
+        let length = |path: &RayPath| path.legs.iter().map(|leg| leg.length).sum::<f64>();
         assert!((length(&a) - length(&b)).abs() < 1e-9 && a.legs.len() > 3);
         let taken = b.legs[0].power * (1.0 - (-depth(&a)).exp());
         assert!((a.balance.absorbed - taken).abs() < 1e-12);
@@ -536,14 +537,14 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
     let wall = cuboid([-3.0, -3.0, -3.0], [0.0, 3.0, 3.0]);
     let body = Obstacle {
         surface: Surface::Net(Arc::new(Net::new(&wall, "mesh").unwrap())),
-        material: Material::Diffuse { reflectance: 0.7 },
+        material: BodyMaterial::Diffuse { reflectance: 0.7 },
     };
-    let limits = Limits {
+    let limits = TraceLimits {
         orders: 1,
-        ..Limits::default()
+        ..TraceLimits::default()
     };
     let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 5.0 };
-    let tracer = tracer(&vial, Polarisation::Unpolarised, limits).with_obstacles(vec![body]);
+    let tracer = tracer(&vial, Polarization::Unpolarized, limits).with_obstacles(vec![body]);
     let ray = level(0.3, 0.0);
     let straight = tracer.trace(ray);
     let met = straight.legs[0].power * (-0.1 * straight.legs[0].length).exp();
@@ -589,17 +590,17 @@ fn legs_alone_are_those_of_the_whole_path() {
         surface: Surface::Net(Arc::new(
             Net::new(&cuboid([3.2, -1.0, -1.0], [4.0, 1.0, 1.0]), "mesh").unwrap(),
         )),
-        material: Material::Mirror,
+        material: BodyMaterial::Mirror,
     };
     for reflections in [false, true] {
-        let limits = Limits {
+        let limits = TraceLimits {
             reflections,
             least_power: 0.02,
-            ..Limits::default()
+            ..TraceLimits::default()
         };
         for vial in [&GLASS as &dyn Vial, &tube] {
             for bodies in [vec![], vec![body.clone()]] {
-                let tracer = SpaceTracer::new(vial, milk, 1.0, Polarisation::Unpolarised, limits)
+                let tracer = SpaceTracer::new(vial, milk, 1.0, Polarization::Unpolarized, limits)
                     .in_scattering(Some(scattering.clone()))
                     .with_obstacles(bodies);
                 for i in 0..100 {
@@ -617,7 +618,7 @@ fn legs_alone_are_those_of_the_whole_path() {
 /// Resin that scatters isotropically, 0.5 per mm beside what it absorbs.
 const MILK_PER_MM: f64 = 0.5;
 
-fn milk(vial: &dyn Vial, resin: Resin, limits: Limits) -> SpaceTracer {
+fn milk(vial: &dyn Vial, resin: Resin, limits: TraceLimits) -> SpaceTracer {
     let scattering = Scattering {
         per_mm: MILK_PER_MM,
         phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
@@ -626,7 +627,7 @@ fn milk(vial: &dyn Vial, resin: Resin, limits: Limits) -> SpaceTracer {
         attenuation_per_mm: resin.absorption_per_mm + MILK_PER_MM,
         ..resin
     };
-    SpaceTracer::new(vial, resin, 1.0, Polarisation::Unpolarised, limits)
+    SpaceTracer::new(vial, resin, 1.0, Polarization::Unpolarized, limits)
         .in_scattering(Some(scattering))
 }
 
@@ -649,10 +650,10 @@ fn half(x: f64) -> f64 {
 #[test]
 fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
     let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
-    let limits = Limits {
+    let limits = TraceLimits {
         orders: 1,
         least_power: 0.0,
-        ..Limits::default()
+        ..TraceLimits::default()
     };
     let tracer = milk(&vial, resin(), limits).in_map(halves());
     // Along −x through the axis: 2 mm of the half that takes more, then 2 mm of the other
@@ -747,15 +748,15 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
 
 #[test]
 fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
-    let limits = Limits {
+    let limits = TraceLimits {
         least_power: 0.02,
-        ..Limits::default()
+        ..TraceLimits::default()
     };
     let plain = milk(&GLASS, resin(), limits);
     let even = AbsorptionMap::new([4, 4, 4], 3.0, vec![0.1; 64], vec![0.6; 64]).unwrap();
     let mapped = milk(&GLASS, resin(), limits).in_map(Some(Arc::new(even)));
     let straight = Resin {
-        gradient: Some(Gradient {
+        gradient: Some(IndexGradient {
             quadratic_per_mm2: 0.0,
             quartic_per_mm4: 0.0,
             step_mm: 0.4,
@@ -764,7 +765,7 @@ fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
     };
     let chords = milk(&GLASS, straight, limits);
     // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight leg at the wall
-    let turns = |path: &Path| {
+    let turns = |path: &RayPath| {
         let orders = 0..=path.legs.iter().map(|leg| leg.order).max().unwrap_or(0);
         let first = |order| path.legs.iter().find(|leg| leg.order == order);
         let first = orders.filter_map(first).map(|leg| leg.ray.from);
@@ -793,7 +794,7 @@ fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
 
 #[test]
 fn scattered_light_runs_along_the_curves_of_a_gradient() {
-    let profile = Gradient {
+    let profile = IndexGradient {
         quadratic_per_mm2: -0.01,
         quartic_per_mm4: 5e-5,
         step_mm: 0.05,
@@ -802,10 +803,10 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
         gradient: Some(profile),
         ..resin()
     };
-    let limits = Limits {
+    let limits = TraceLimits {
         orders: 1,
         least_power: 0.0,
-        ..Limits::default()
+        ..TraceLimits::default()
     };
     let tracer = milk(&GLASS, bent, limits);
     let index = |at: [f64; 3]| profile.index(1.49, at);

@@ -24,7 +24,7 @@
 //! assert!((vial.reach_mm(100.0, 1.0, 1.4849) - 5.859).abs() < 1e-3);
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -45,11 +45,11 @@ impl Vial for Cylinder {
     fn walls(&self) -> Vec<Wall> {
         vec![
             Wall {
-                curve: Curve::Circle(self.outer_radius_mm),
+                curve: CrossSection::Circle(self.outer_radius_mm),
                 inside: Medium::Clear(self.refractive_index),
             },
             Wall {
-                curve: Curve::Circle(self.inner_radius_mm),
+                curve: CrossSection::Circle(self.inner_radius_mm),
                 inside: Medium::Resin,
             },
         ]

@@ -32,7 +32,7 @@
 //! assert!(!vial.in_resin([3.0, 0.0, 0.0]) && !vial.in_resin([1.0, 0.0, 0.0])); // inner glass, core
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -63,7 +63,7 @@ impl Vial for DoubleTube {
             .iter()
             .zip(inside)
             .map(|(&r, inside)| Wall {
-                curve: Curve::Circle(r),
+                curve: CrossSection::Circle(r),
                 inside,
             })
             .collect()

@@ -25,7 +25,7 @@
 //! assert!(vial.in_resin([0.0, 0.0, -9.9]) && !vial.in_resin([0.0, 0.0, -10.1]));
 //! ```
 
-use super::{Curve, Medium, Vial, Wall};
+use super::{CrossSection, Medium, Vial, Wall};
 use crate::surface::Surface;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -161,7 +161,7 @@ impl Vial for Ended {
         point[2] > self.resin[0] && point[2] < self.resin[1] && self.vial.in_resin(point)
     }
 
-    fn resin_wall(&self) -> Curve {
+    fn resin_wall(&self) -> CrossSection {
         self.vial.resin_wall()
     }
 

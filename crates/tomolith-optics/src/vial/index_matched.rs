@@ -20,7 +20,7 @@
 //! assert_eq!(vial.reach_mm(5.0, 1.0, 1.0), 5.0); // a projector that covers ±5 mm lights 5 mm from all sides
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -36,7 +36,7 @@ pub struct IndexMatched {
 impl Vial for IndexMatched {
     fn walls(&self) -> Vec<Wall> {
         vec![Wall {
-            curve: Curve::Circle(self.radius_mm),
+            curve: CrossSection::Circle(self.radius_mm),
             inside: Medium::Resin,
         }]
     }

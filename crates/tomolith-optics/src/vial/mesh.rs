@@ -17,7 +17,7 @@
 //! Walls are closed, outward and do not cross: a mesh that is open or inverted is refused, and so is an inner wall with a
 //! vertex outside of the outer one. Light enters through whatever faces it, the bottom and the caps too.
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, index, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, positive};
 use crate::projector::Ray;
 use crate::surface::{Net, Surface, meeting};
 use schemars::JsonSchema;
@@ -147,11 +147,11 @@ impl Vial for MeshVial {
         let [outer, inner] = self.inscribed_mm;
         vec![
             Wall {
-                curve: Curve::Circle(outer),
+                curve: CrossSection::Circle(outer),
                 inside: Medium::Clear(self.refractive_index),
             },
             Wall {
-                curve: Curve::Circle(inner),
+                curve: CrossSection::Circle(inner),
                 inside: Medium::Resin,
             },
         ]

@@ -18,20 +18,20 @@ use tomolith_core::units::{Mm, exact};
 
 /// The curve of a wall in the plane z = const, centered on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Curve {
+pub enum CrossSection {
     /// A circle of this radius, mm.
     Circle(f64),
     /// A square of this half width, mm, faces normal to x and y of the resin frame.
     Square(f64),
 }
 
-impl Curve {
+impl CrossSection {
     /// Whether a point is inside.
     #[must_use]
     pub fn contains(self, x: f64, y: f64) -> bool {
         match self {
-            Curve::Circle(r) => x * x + y * y < r * r,
-            Curve::Square(w) => x.abs().max(y.abs()) < w,
+            CrossSection::Circle(r) => x * x + y * y < r * r,
+            CrossSection::Square(w) => x.abs().max(y.abs()) < w,
         }
     }
 
@@ -39,7 +39,7 @@ impl Curve {
     #[must_use]
     pub fn inscribed_radius(self) -> f64 {
         match self {
-            Curve::Circle(r) | Curve::Square(r) => r,
+            CrossSection::Circle(r) | CrossSection::Square(r) => r,
         }
     }
 }
@@ -57,7 +57,7 @@ pub enum Medium {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
     /// Its shape.
-    pub curve: Curve,
+    pub curve: CrossSection,
     /// What lies within.
     pub inside: Medium,
 }
@@ -76,8 +76,8 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
     /// No part of the vial is farther from the axis, mm.
     fn outer_radius_mm(&self) -> f64 {
         self.walls().first().map_or(0.0, |wall| match wall.curve {
-            Curve::Circle(r) => r,
-            Curve::Square(w) => w * std::f64::consts::SQRT_2,
+            CrossSection::Circle(r) => r,
+            CrossSection::Square(w) => w * std::f64::consts::SQRT_2,
         })
     }
 
@@ -95,7 +95,7 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
     fn is_round(&self) -> bool {
         self.walls()
             .iter()
-            .all(|wall| matches!(wall.curve, Curve::Circle(_)))
+            .all(|wall| matches!(wall.curve, CrossSection::Circle(_)))
     }
 
     /// Whether straight lines between points of the resin stay in it.
@@ -114,11 +114,11 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
     }
 
     /// The wall that holds the resin, mm.
-    fn resin_wall(&self) -> Curve {
+    fn resin_wall(&self) -> CrossSection {
         self.walls()
             .iter()
             .find(|w| w.inside == Medium::Resin)
-            .map_or(Curve::Circle(0.0), |w| w.curve)
+            .map_or(CrossSection::Circle(0.0), |w| w.curve)
     }
 
     /// Distance from the axis up to which light is tangent to circles, so that a part can be lit from all sides:

@@ -25,7 +25,7 @@
 //! assert!(!vial.is_round());
 //! ```
 
-use super::{BuildVial, Curve, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::Kind;
@@ -46,11 +46,11 @@ impl Vial for Square {
     fn walls(&self) -> Vec<Wall> {
         vec![
             Wall {
-                curve: Curve::Square(self.outer_width_mm / 2.0),
+                curve: CrossSection::Square(self.outer_width_mm / 2.0),
                 inside: Medium::Clear(self.refractive_index),
             },
             Wall {
-                curve: Curve::Square(self.inner_width_mm / 2.0),
+                curve: CrossSection::Square(self.inner_width_mm / 2.0),
                 inside: Medium::Resin,
             },
         ]

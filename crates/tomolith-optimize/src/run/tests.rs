@@ -126,7 +126,7 @@ fn every_reason_to_stop_stops() {
 }
 
 #[test]
-fn cancelling_keeps_the_best() {
+fn canceling_keeps_the_best() {
     let model = SmallModel::new(16, 24, 1);
     let objective = objective(&model, "l2");
     let flag = Run::new();
@@ -150,7 +150,7 @@ fn cancelling_keeps_the_best() {
     .unwrap();
     assert_eq!(
         (outcome.reason, outcome.history.len()),
-        (StopReason::Cancelled, 5)
+        (StopReason::Canceled, 5)
     );
     assert_eq!(
         loss_of(&model, &*objective, &x),
@@ -347,7 +347,7 @@ impl DoseModel for Twisted {
     }
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
-        Err(Error::Cancelled)
+        Err(Error::Canceled)
     }
 
     fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {

@@ -45,7 +45,7 @@ pub enum Negative {
 /// Where the factor c comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Scale {
+pub enum StartScale {
     /// Least squares between the dose of the part and the wanted one.
     #[default]
     Fit,
@@ -62,7 +62,7 @@ pub struct Params {
     /// What becomes of negative values: "clip" (default) or "offset"
     pub negative: Negative,
     /// Where the scale comes from: "fit" (default, the part's dose right) or "analytic" (the formula alone)
-    pub scale: Scale,
+    pub scale: StartScale,
 }
 
 /// Filtered back-projection.
@@ -95,8 +95,8 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         let voxel_mm3 = input.model.outputs()[0].grid.voxel_mm3();
         let projection =
             Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm3)?;
-        if projection.patterns.any(run.is_cancelled()) {
-            return Err(Error::Cancelled);
+        if projection.patterns.any(run.is_canceled()) {
+            return Err(Error::Canceled);
         }
         let inverse = projection.inverse() as f32;
         let mut x = projection.patterns;
@@ -107,8 +107,8 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         x.shift(-lowest);
         x.clamp(0.0, f32::INFINITY);
         match self.0.scale {
-            Scale::Fit => input.scaled(x, &wanted, run),
-            Scale::Analytic => {
+            StartScale::Fit => input.scaled(x, &wanted, run),
+            StartScale::Analytic => {
                 x.scale(inverse);
                 input.bounded(x)
             }
@@ -149,7 +149,7 @@ mod tests {
             ] {
                 let params = Params {
                     negative,
-                    scale: Scale::Analytic,
+                    scale: StartScale::Analytic,
                     ..Params::default()
                 };
                 let found = Fbp(params).patterns(&input, &Run::new()).unwrap();

@@ -8,7 +8,7 @@
 //! σ is ‖Fᵀd‖/‖d‖, so that `damping` has no unit; c makes the dose of the part right (least squares, one forward call). Few
 //! iterations are wanted: what fits the target better and better does so with negative light.
 //!
-//! **Source** Paige and Saunders, ACM Trans. Math. Softw. 8, 43 (1982), the bidiagonalisation and plane rotations of §4.
+//! **Source** Paige and Saunders, ACM Trans. Math. Softw. 8, 43 (1982), the bidiagonalization and plane rotations of §4.
 //!
 //! **Parameters** see [`Params`]. **Limits** linear models only. **Cost** one adjoint and one forward call an iteration, two
 //! fields of patterns and one of dose.
@@ -241,7 +241,7 @@ mod tests {
                 grid: grid.clone(),
                 values: wanted.map(|v| v as f32).to_vec(),
             },
-            grey: true,
+            gray: true,
         };
         let labels = Volume::filled(grid, label::PART);
         let input = StartInput {

@@ -38,7 +38,7 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     /// First patterns, within the bounds.
     ///
     /// # Errors
-    /// [`Error::Cancelled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
+    /// [`Error::Canceled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F>;
     /// Whether the patterns are given, and do not depend on the target.
     fn is_given(&self) -> bool {
@@ -97,7 +97,7 @@ impl<F: Field> StartInput<'_, F> {
         let layout = self.layout()?;
         // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
         let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
-        let (grey, part) = (self.target.grey, dose_of(1.0));
+        let (gray, part) = (self.target.gray, dose_of(1.0));
         let mut wanted = Volume::filled(layout.grid.clone(), 0.0f32);
         wanted
             .values
@@ -107,7 +107,7 @@ impl<F: Field> StartInput<'_, F> {
             .for_each(|((wanted, &inside), &label)| {
                 *wanted = match label {
                     label::OUTSIDE => 0.0,
-                    _ if grey => dose_of(inside),
+                    _ if gray => dose_of(inside),
                     label::PART => part,
                     _ => 0.0,
                 };
@@ -181,7 +181,7 @@ impl<F: Field> StartInput<'_, F> {
     /// As [`InitialPatterns::patterns`].
     pub fn target_field(&self) -> Result<F> {
         let layout = self.layout()?;
-        let grey = self.target.grey;
+        let gray = self.target.gray;
         let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
         target
             .values
@@ -191,7 +191,7 @@ impl<F: Field> StartInput<'_, F> {
             .for_each(|((target, &inside), &label)| {
                 *target = match label {
                     label::OUTSIDE => -1.0,
-                    _ if grey => inside,
+                    _ if gray => inside,
                     label::PART => 1.0,
                     _ => 0.0,
                 };

@@ -4,7 +4,7 @@ use super::field::SealedField;
 use std::sync::Arc;
 use tomolith_core::field::bands::CHORD;
 use tomolith_core::field::{BLOCK, Band, BandKernel, BandLoss, Bands, Field as _};
-use tomolith_core::response::Form;
+use tomolith_core::response::ResponseForm;
 
 const GROUP: usize = 16;
 const CHUNK: usize = 32 * GROUP;
@@ -35,21 +35,21 @@ enum Curve {
 }
 
 impl Curve {
-    fn of(form: Form<'_>) -> Self {
+    fn of(form: ResponseForm<'_>) -> Self {
         match form {
-            Form::Identity => Curve::Identity,
-            Form::Logistic(params) => Curve::Logistic {
+            ResponseForm::Identity => Curve::Identity,
+            ResponseForm::Logistic(params) => Curve::Logistic {
                 lower: params.lower as f32,
                 range: (params.upper - params.lower) as f32,
                 steepness: params.steepness as f32,
                 midpoint: params.midpoint as f32,
                 exponent: (1.0 / params.asymmetry) as f32,
             },
-            Form::Table(table) => Curve::Table {
+            ResponseForm::Table(table) => Curve::Table {
                 pieces: table.pieces().to_vec(),
                 lines: table.lines(),
             },
-            Form::Code => panic!("no test has a response that is code of the host"),
+            ResponseForm::Code => panic!("no test has a response that is code of the host"),
         }
     }
 

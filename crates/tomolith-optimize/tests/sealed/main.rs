@@ -181,7 +181,7 @@ fn a_job_on_the_parallel_model_has_the_same_bits() {
     let target = Target {
         name: "tube".to_owned(),
         inside,
-        grey: false,
+        gray: false,
     };
     let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 1.1);
     let part = Part { target, labels };

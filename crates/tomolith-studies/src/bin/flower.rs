@@ -77,7 +77,7 @@ struct Setting {
     iterations: usize,
     change: f64,
     /// Gray values of the picture → gray values of the target.
-    grey: fn(f32) -> f32,
+    gray: fn(f32) -> f32,
     /// How far the picture is sharpened: this times its difference from the mean with its neighbors is added.
     detail: f32,
 }
@@ -99,7 +99,7 @@ impl Setting {
             optimizer: ("bclp", json!({"step": STEP})),
             iterations: PATIENCE,
             change: 0.001,
-            grey: |value| value,
+            gray: |value| value,
             detail: 0.0,
         }
     }
@@ -223,7 +223,7 @@ fn picture(image: &str, setting: &Setting, edge: f64) -> Result<(Target, Volume<
     let shape = target::build(&spec, Path::new("."), "target")?;
     let mut target = target::voxelize(shape.as_ref(), "flower", &grid)?;
     for value in &mut target.inside.values {
-        *value = (setting.grey)(*value);
+        *value = (setting.gray)(*value);
     }
     sharpen(&mut target.inside.values, setting.voxels, setting.detail);
     // Voxels whose centers lie in the circle through the centers of the outermost ones
@@ -480,7 +480,7 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
     let brightness = |factor: f32| with(&|s| s.brightness = factor);
     let detail = |more: f32| with(&|s| s.detail = more);
     let columns = |apart: f64| with(&|s| s.columns = apart);
-    let grey = |map: fn(f32) -> f32| with(&|s| s.grey = map);
+    let gray = |map: fn(f32) -> f32| with(&|s| s.gray = map);
     vec![
         ("as published", base.clone()),
         ("kernel linear", operator(Operator::Kernel(Kernel::Linear))),
@@ -548,8 +548,8 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
                 s.change = 0.0;
             }),
         ),
-        ("grays 0.1 to 0.9", grey(|v| 0.1 + 0.8 * v)),
-        ("grays to the power 2.2", grey(|v| v.powf(2.2))),
+        ("grays 0.1 to 0.9", gray(|v| 0.1 + 0.8 * v)),
+        ("grays to the power 2.2", gray(|v| v.powf(2.2))),
         ("detail × 1.05", detail(0.05)),
         ("detail × 1.1", detail(0.1)),
         ("detail × 1.2", detail(0.2)),

@@ -2,7 +2,7 @@
 //!
 //! All patterns are judged by `simulate` as the job says (written, the vial turning, finer voxels). *Rounded* takes the nearest level of the
 //! brightest pixel; *diffused* carries the error of a pixel to the same pixel of the next frame, at the one of eight full scales that prints
-//! best; *optimized* is `evaluate.levels = "optimised"`.
+//! best; *optimized* is `evaluate.levels = "optimized"`.
 //!
 //! ```sh
 //! cargo run --release -p tomolith-studies --bin levels -- examples/01-gear.toml 1,2,3,4,5
@@ -50,7 +50,7 @@ fn main() -> Result<(), Error> {
         let plain = quantize(&wanted, bits)?.patterns();
         let rounded = cell(&case.judged(&keys("rounded"), &plain, "rounded")?);
         let diffused = case.diffused(&keys("rounded"), &wanted, bits)?;
-        let optimized = case.run(&keys("optimised"), &case.folder.join("optimised"))?;
+        let optimized = case.run(&keys("optimized"), &case.folder.join("optimized"))?;
         println!("| {bits} | {rounded} | {diffused} | {optimized} |");
     }
     println!("unrounded: {unrounded}");

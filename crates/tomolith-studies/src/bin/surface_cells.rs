@@ -37,7 +37,7 @@ fn main() -> Result<(), Error> {
             println!(
                 "| {count}² × {} | {surface} | {} | {} | {} | {:.0} |",
                 count / 4,
-                of(run.optimisation.and_then(|q| q.iou)),
+                of(run.optimization.and_then(|q| q.iou)),
                 of(print.standing.iou),
                 of(print.standing.pw),
                 run.seconds

@@ -61,7 +61,7 @@ fn build(section: &Section) -> Result<Form> {
     )?;
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     Ok(Form {
-        body: Body::Grey(GrayForm {
+        body: Body::GrayFunction(GrayForm {
             value: Box::new(move |p| picture(p.map(|v| v / radius))),
             z: [-half, half],
         }),

@@ -99,7 +99,7 @@ fn build(section: &Section) -> Result<Form> {
         (0.5 * (1.0 - cos) * levels).round() / levels
     };
     Ok(Form {
-        body: Body::Grey(GrayForm {
+        body: Body::GrayFunction(GrayForm {
             value: Box::new(value),
             z: [-half, half],
         }),

@@ -38,7 +38,7 @@ use tomolith_core::units::Mm;
 pub type Outline = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
 /// Signed distance to a surface, mm: negative inside, growing by at most 1 per mm.
-pub type Surface = Box<dyn Fn([f64; 3]) -> f64 + Send + Sync>;
+pub type ImplicitSurface = Box<dyn Fn([f64; 3]) -> f64 + Send + Sync>;
 
 /// An outline drawn from the height `z[0]` to `z[1]`.
 pub struct Prism {
@@ -49,12 +49,12 @@ pub struct Prism {
 }
 
 /// Gray value at a point of the plane, 0…1.
-pub type Grey = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
+pub type GrayFunction = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
 /// Gray values drawn from the height `z[0]` to `z[1]`.
 pub struct GrayForm {
     /// The values, 0 beyond the form.
-    pub value: Grey,
+    pub value: GrayFunction,
     /// Lower and upper end, mm.
     pub z: [f64; 2],
 }
@@ -64,9 +64,9 @@ pub enum Body {
     /// The union of prisms; where two share heights, one outline lies in the other.
     Prisms(Vec<Prism>),
     /// The inside of a surface.
-    Solid(Surface),
+    Solid(ImplicitSurface),
     /// Values to be reproduced.
-    Grey(GrayForm),
+    GrayFunction(GrayForm),
 }
 
 /// A part by formula, in a frame of its own.
@@ -134,7 +134,7 @@ impl Phantom {
         let (kind, parameters) = section.kind(PHANTOMS)?;
         let form = (kind.build)(&parameters)?;
         let map = placement.map(&form.hull, form.round, target)?;
-        if matches!(form.body, Body::Grey(_)) && map.rotation[2] != [0.0, 0.0, 1.0] {
+        if matches!(form.body, Body::GrayFunction(_)) && map.rotation[2] != [0.0, 0.0, 1.0] {
             return Err(Error::config(
                 format!("{target}.rotate_deg"),
                 format!("{:?} for gray values drawn along z", placement.rotate_deg),
@@ -170,7 +170,7 @@ impl Shape for Phantom {
     }
 
     fn is_gray(&self) -> bool {
-        matches!(self.form.body, Body::Grey(_))
+        matches!(self.form.body, Body::GrayFunction(_))
     }
 
     fn volume_mm3(&self) -> Option<f64> {

@@ -36,7 +36,7 @@ const GRAY_CELLS: usize = 4;
 /// Inside fraction (or gray value) of every voxel of `grid` for a body placed by `map`.
 ///
 /// # Errors
-/// [`Error::Resources`](tomolith_core::Error::Resources) when the memory cannot be had; [`Error::Cancelled`](tomolith_core::Error::Cancelled).
+/// [`Error::Resources`](tomolith_core::Error::Resources) when the memory cannot be had; [`Error::Canceled`](tomolith_core::Error::Canceled).
 pub fn inside_fractions(
     body: &Body,
     map: &Map,
@@ -53,7 +53,7 @@ pub fn inside_fractions(
                 fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, run))
             }
             Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, run)),
-            Body::Grey(form) => fill_gray(form, map, grid, &mut values),
+            Body::GrayFunction(form) => fill_gray(form, map, grid, &mut values),
         }
     }
     run.check()?;
@@ -69,7 +69,7 @@ impl Body {
         match self {
             Body::Prisms(prisms) => Some(nearest(prisms, p)),
             Body::Solid(surface) => Some(surface(p)),
-            Body::Grey(_) => None,
+            Body::GrayFunction(_) => None,
         }
     }
 }
@@ -149,8 +149,8 @@ fn fill_gray(form: &GrayForm, map: &Map, grid: &VolumeGrid, values: &mut [f32]) 
         .zip(height_shares(form.z, map, grid))
         .filter(|(_, height)| *height > 0.0)
         .for_each(|(slice, height)| {
-            for (value, grey) in slice.iter_mut().zip(&layer) {
-                *value = (grey * height) as f32;
+            for (value, gray) in slice.iter_mut().zip(&layer) {
+                *value = (gray * height) as f32;
             }
         });
 }
@@ -205,7 +205,7 @@ fn fill_solid(
         .enumerate()
         .for_each(|(slab, values)| {
             for iy in (0..ny).step_by(BLOCK) {
-                if rows.is_cancelled() {
+                if rows.is_canceled() {
                     return;
                 }
                 rows.add(1);
@@ -444,7 +444,7 @@ mod tests {
     fn errors(surface: impl Fn([f64; 3]) -> f64 + Send + Sync + 'static, n: usize) -> [f64; 2] {
         const POINTS: usize = 16;
         let grid = VolumeGrid::centered([n; 3], 2.3 / n as f64);
-        let surface: super::super::Surface = Box::new(surface);
+        let surface: super::super::ImplicitSurface = Box::new(surface);
         let body = Body::Solid(surface);
         let found = inside_fractions(&body, &Map::IDENTITY, &grid, &Run::new()).unwrap();
         let Body::Solid(surface) = body else {

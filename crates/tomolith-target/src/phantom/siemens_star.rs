@@ -1,4 +1,4 @@
-//! A Siemens star: spokes that narrow towards the middle, for the finest detail that still prints.
+//! A Siemens star: spokes that narrow toward the middle, for the finest detail that still prints.
 //!
 //! Spokes and gaps have equal angles, π/spokes each; at radius r a spoke is π·r/spokes wide. A disc in the middle holds
 //! them together. Volume: (area of the hub + half of the ring)·height.
@@ -24,7 +24,7 @@ use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "siemens_star",
-    summary: "Spokes that narrow towards the middle, for the finest detail that still prints",
+    summary: "Spokes that narrow toward the middle, for the finest detail that still prints",
     example: "[target]\nphantom.siemens_star = { size_mm = 6.0, height_mm = 1.5, spokes = 16, hub_mm = 1.0 }",
     schema: || schemars::schema_for!(Params),
     build,

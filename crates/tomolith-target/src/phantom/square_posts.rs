@@ -2,7 +2,7 @@
 //!
 //! In a circle of diameter `size`, posts of edge `post` whose upper left corners lie on the axis, at half the radius in
 //! the third quadrant (−x, −y), and at 0.5 and 0.9 of the radius in the second (−x, +y), on the diagonals: the impulse
-//! responses of the dual-colour paper's supplement (Wang 2022, Note 3). Volume 4·post²·height. The box is that of the
+//! responses of the dual-color paper's supplement (Wang 2022, Note 3). Volume 4·post²·height. The box is that of the
 //! circle, so that the first corner stays on the axis.
 //!
 //! ```

@@ -16,7 +16,7 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
-use crate::models::planner::{self, Plan};
+use crate::models::planner::{self, ModelPlan};
 use crate::models::rays::matrix_cache;
 use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::objective::Objective;
@@ -119,7 +119,7 @@ impl CallRate {
 /// the target's voxels took.
 ///
 /// # Errors
-/// As the planner; [`Error::Cancelled`](crate::Error::Cancelled).
+/// As the planner; [`Error::Canceled`](crate::Error::Canceled).
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
     let mut optics = scene.optimizing();
     let (mut trials, mut plan) = by_optimizer(scene, optics, voxels, run)?;
@@ -161,10 +161,10 @@ fn by_optimizer(
     optics: OpticalScene<'_>,
     voxels: &Voxels,
     run: &Run,
-) -> Result<([Calls; 2], Plan)> {
+) -> Result<([Calls; 2], ModelPlan)> {
     let asked = computed(scene);
     let joins_frames = joins_frames(scene)?;
-    let trial = |frames| -> Result<(Calls, Plan)> {
+    let trial = |frames| -> Result<(Calls, ModelPlan)> {
         let lights = &some_frames(scene, frames, joins_frames);
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
@@ -286,7 +286,7 @@ struct Calls {
 
 impl Calls {
     fn of(
-        plan: &Plan,
+        plan: &ModelPlan,
         asked: usize,
         making_s: f64,
         cotangent: Option<&HostField>,
@@ -377,7 +377,7 @@ fn passes(
 }
 
 /// What the objective says of a dose that is nearly the wanted one.
-fn cotangent_of_a_good_dose(plan: &Plan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
+fn cotangent_of_a_good_dose(plan: &ModelPlan, scene: &Scene, voxels: &Voxels) -> Result<HostField> {
     let outputs = plan.model.outputs();
     let layout = &outputs[0];
     let response = scene.response();

@@ -10,16 +10,16 @@ use crate::io::npy::read_levels;
 use crate::kind::Section;
 use crate::models::{Family, MODELS, OpticalScene, Purpose, planner, rays};
 use crate::optics::absorption_map::AbsorptionMap;
-use crate::optics::gradient::Gradient;
+use crate::optics::gradient::IndexGradient;
 use crate::optics::light::{Light, Selection};
 use crate::optics::motion::Motion;
-use crate::optics::obstacle::{Material, Obstacle};
+use crate::optics::obstacle::{BodyMaterial, Obstacle};
 use crate::optics::phase::{PHASES, Scattering};
 use crate::optics::resin::Resin;
 use crate::optics::surface::{Net, Surface, meeting};
 use crate::optics::trace::Bath;
 use crate::optics::vial::ended::{End, Ended};
-use crate::optics::vial::{Curve, VIALS, Vial};
+use crate::optics::vial::{CrossSection, VIALS, Vial};
 use crate::target::{MeshShape, Placement, Repair, Role, Shape};
 use crate::units::{concise, exact};
 use serde_json::Value;
@@ -165,7 +165,7 @@ impl Optics {
         for mesh in meshes.into_iter().flatten() {
             let body = Obstacle {
                 surface: Surface::Net(Arc::new(Net::new(mesh, "target.body")?)),
-                material: Material::Black,
+                material: BodyMaterial::Black,
             };
             for path in &mut self.paths {
                 path.obstacles.push(body.clone());
@@ -228,7 +228,7 @@ fn with_ends(vial: Box<dyn Vial>, spec: &VialCommon) -> Result<Box<dyn Vial>> {
 }
 
 /// How the resin's index changes, with the chords that suit the vial; refused where the index leaves the range of an even resin, or where a chord is no length.
-fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
+fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<IndexGradient>> {
     let Some(params) = &spec.resin.gradient else {
         return Ok(None);
     };
@@ -240,8 +240,8 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Gradient>> {
         ));
     }
     let farthest = match vial.resin_wall() {
-        Curve::Circle(radius) => radius,
-        Curve::Square(half) => half * std::f64::consts::SQRT_2,
+        CrossSection::Circle(radius) => radius,
+        CrossSection::Square(half) => half * std::f64::consts::SQRT_2,
     };
     let gradient = params.within(farthest);
     // n² is a parabola of ρ²: where it is least is an end or its vertex
@@ -275,8 +275,8 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     };
     let radius = bath.radius_mm.0;
     let vial = vial.walls().first().map_or(0.0, |wall| match wall.curve {
-        Curve::Circle(r) => r,
-        Curve::Square(w) => w * std::f64::consts::SQRT_2,
+        CrossSection::Circle(r) => r,
+        CrossSection::Square(w) => w * std::f64::consts::SQRT_2,
     });
     if radius < vial {
         return Err(Error::config(
@@ -358,7 +358,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
     for (i, obstacle) in spec.obstacles.iter().enumerate() {
         let section = format!("obstacles[{i}]");
-        if let Material::Diffuse { reflectance } = obstacle.material
+        if let BodyMaterial::Diffuse { reflectance } = obstacle.material
             && !(0.0..=1.0).contains(&reflectance)
         {
             return Err(Error::config(
@@ -367,7 +367,7 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
                 "0 to 1",
             ));
         }
-        if let Material::Dielectric { refractive_index } = obstacle.material
+        if let BodyMaterial::Dielectric { refractive_index } = obstacle.material
             && !(refractive_index.is_finite() && refractive_index > 0.0)
         {
             return Err(Error::config(
@@ -442,7 +442,7 @@ fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2])
         surrounding_index: spec.vial.common.surrounding_index,
         map: None,
         bath: None,
-        polarisation: light.polarisation,
+        polarization: light.polarization,
         sub_angles: light.sub_angles.unwrap_or(1),
         active: None,
         selection: Selection::default(),

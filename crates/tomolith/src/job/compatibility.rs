@@ -89,7 +89,7 @@ impl Optics {
         });
         for (i, light) in self.lights.iter().enumerate() {
             let field = field_mm(light);
-            // Seen by a projector that the axis leans towards or away from, it is at least this high
+            // Seen by a projector that the axis leans toward or away from, it is at least this high
             let seen = |up: f64| up * self.tilt_rad().cos();
             for (name, axis, extent, field) in [
                 // A field on one side of the axis lights all of a part that turns
@@ -220,7 +220,7 @@ impl Optics {
         &self,
         inside: &Volume<f32>,
         labels: &Volume<u8>,
-        grey: bool,
+        gray: bool,
     ) -> Result<Vec<String>> {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
@@ -230,7 +230,7 @@ impl Optics {
             let [mut part, mut stray, mut cut, mut beyond] = [0u64; 4];
             let mut farthest = 0.0f64;
             for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
-                let is_part = if grey { inside > 0.0 } else { inside >= 0.5 };
+                let is_part = if gray { inside > 0.0 } else { inside >= 0.5 };
                 if !is_part {
                     continue;
                 }
@@ -294,7 +294,7 @@ impl Optics {
                 concise(self.wall_tolerance_mm)
             ));
         }
-        let hidden = self.in_bodies(inside, labels, grey);
+        let hidden = self.in_bodies(inside, labels, gray);
         if hidden > 0 {
             warnings.push(format!(
                 "{} of {} mm³ of the target lie inside [[obstacles]], where there is no resin",
@@ -316,7 +316,7 @@ impl Optics {
     }
 
     /// Voxels of the target whose middle is in a body of the job.
-    fn in_bodies(&self, inside: &Volume<f32>, labels: &Volume<u8>, grey: bool) -> u64 {
+    fn in_bodies(&self, inside: &Volume<f32>, labels: &Volume<u8>, gray: bool) -> u64 {
         let bodies = self
             .paths
             .first()
@@ -327,7 +327,7 @@ impl Optics {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
         let hidden = |&i: &usize| {
-            let is_part = if grey {
+            let is_part = if gray {
                 inside.values[i] > 0.0
             } else {
                 inside.values[i] >= 0.5

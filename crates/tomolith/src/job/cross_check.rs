@@ -63,7 +63,7 @@ impl CrossCheck {
     /// by order.
     ///
     /// # Errors
-    /// What the models refuse; [`Error::Cancelled`](crate::Error::Cancelled).
+    /// What the models refuse; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
         scene: &Scene,
         voxels: &Voxels,

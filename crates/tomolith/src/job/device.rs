@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::spec::{JobSpec, LightSpec, MovieCoding};
 use crate::error::{Error, Result};
 use crate::exposure::{
-    Budget, Exposure, Printer, Quantized, Rotation, frame_rate, movie_name, quantize,
+    Budget, ExposureBudget, Printer, Quantized, Rotation, frame_rate, movie_name, quantize,
 };
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::frames::{FrameSet, Frames, read_frames, write_frames};
@@ -88,7 +88,7 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
     let frames = (0..spec.light.len())
         .map(|i| spec.angles_of(i).count())
         .sum();
-    let exposure = Exposure {
+    let exposure = ExposureBudget {
         frames,
         ..exposure(spec, 0, gel_dose)
     };
@@ -96,10 +96,10 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
 }
 
 /// What is known of the exposure of a light.
-fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> Exposure {
+fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudget {
     let angles = spec.angles_of(light);
     let (_, frame_arc) = angles.azimuths(spec.light[light].rotation);
-    Exposure {
+    ExposureBudget {
         peak_mw_per_cm2: spec
             .printer
             .as_ref()

@@ -198,7 +198,7 @@ impl Extent {
     }
 
     /// Memory of the optimization, MB: of the voxels, of the pixels, of frames at work.
-    pub(crate) fn optimisation(&self) -> [f64; 3] {
+    pub(crate) fn optimization(&self) -> [f64; 3] {
         let vectors = (2 * self.memory + VECTORS) as f64;
         let patterns = self.active_pixels as f64 * 4.0 * vectors;
         let per_voxel =
@@ -228,8 +228,8 @@ impl Extent {
     }
 
     /// Memory of the optimization, MB.
-    pub(crate) fn optimisation_mb(&self) -> u64 {
-        whole_mb(self.optimisation())
+    pub(crate) fn optimization_mb(&self) -> u64 {
+        whole_mb(self.optimization())
     }
 
     /// Memory of the evaluation, MB.
@@ -297,7 +297,7 @@ pub(crate) struct Work<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cost {
     /// The optimization, when no iteration is saved.
-    pub(crate) optimisation_s: f64,
+    pub(crate) optimization_s: f64,
     /// Everything else: sampling, evaluation, files.
     pub(crate) rest_s: f64,
 }
@@ -352,7 +352,7 @@ impl Work<'_> {
                 + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
             + extent.effort * PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
-        let optimisation_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
+        let optimization_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
             + OTHER_CALLS * own * dose_s
             + first_s
             + model_s
@@ -366,7 +366,7 @@ impl Work<'_> {
             + extent.pixels as f64 * MEASURES_PER_PIXEL
             + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
         Cost {
-            optimisation_s,
+            optimization_s,
             rest_s: MODELS * judge_s
                 + self.judging_s(rates)
                 + measures * rates.measuring_s
@@ -454,7 +454,7 @@ mod tests {
         // and making the model 0.55 s
         let step = 3.5 + 1.6 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
         assert!(
-            (cost.optimisation_s - (7.0 * step + 4.0 * 3.5 + 6.05 + 0.55)).abs() < 1e-9,
+            (cost.optimization_s - (7.0 * step + 4.0 * 3.5 + 6.05 + 0.55)).abs() < 1e-9,
             "{cost:?}"
         );
         // A dose to judge by: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
@@ -477,7 +477,7 @@ mod tests {
         }
         .cost(&rates());
         assert!(
-            (averaged.optimisation_s - cost.optimisation_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
+            (averaged.optimization_s - cost.optimization_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
                 < 1e-9
         );
         // Three times the updates: of a dose 3 s, of an adjoint 1.5 s, and the passes over the dose; not what begins a call, nor the pixels
@@ -490,7 +490,7 @@ mod tests {
             ..work
         }
         .cost(&rates());
-        let more = finer.optimisation_s - cost.optimisation_s;
+        let more = finer.optimization_s - cost.optimization_s;
         assert!(
             (more - 7.0 * 2.0 * (3.0 + 1.5 + 0.05)).abs() < 1e-9,
             "{more}"
@@ -501,7 +501,7 @@ mod tests {
         }
         .cost(&rates());
         assert_eq!(
-            (limited.optimisation_s, limited.rest_s),
+            (limited.optimization_s, limited.rest_s),
             (1.0 + 4.0 * 3.5 + 6.05 + 0.55, cost.rest_s)
         );
     }
@@ -510,7 +510,7 @@ mod tests {
     fn memory_is_that_of_the_arrays() {
         let extent = extent();
         let lanes = row_of(10) as f64 * 100.0;
-        let [voxels, pixels, _] = extent.optimisation();
+        let [voxels, pixels, _] = extent.optimization();
         assert!((voxels - lanes * 21.0 / 1e6).abs() < 1e-12);
         let scratch = 600.0 * row_of(10) as f64 * 4.0;
         // 2m + 4 = 24 vectors of f32
@@ -530,7 +530,7 @@ mod tests {
             cached_entries: Some(CachedEntries::SINGLE),
             ..extent.clone()
         };
-        let walks = keeping.optimisation()[1] - pixels;
+        let walks = keeping.optimization()[1] - pixels;
         assert!((walks - 500.0 * 1.7 * 10.0 * 16.0 / 1e6).abs() < 1e-12);
         // Two objectives with fields, and 4·10⁶ pixels of canvas that also go to a stack of two bytes each
         let larger = Extent {
@@ -539,13 +539,13 @@ mod tests {
             stacked: 2,
             ..extent.clone()
         };
-        assert!((larger.optimisation()[0] - lanes * 45.0 / 1e6).abs() < 1e-12);
+        assert!((larger.optimization()[0] - lanes * 45.0 / 1e6).abs() < 1e-12);
         assert!((larger.evaluation()[1] - extent.evaluation()[1] - 8.0).abs() < 1e-12);
         let glowing = Extent {
             glows: true,
             ..extent.clone()
         };
-        assert!((glowing.optimisation()[0] - lanes * 29.0 / 1e6).abs() < 1e-12);
+        assert!((glowing.optimization()[0] - lanes * 29.0 / 1e6).abs() < 1e-12);
         assert_eq!(larger.disk_mb(), extent.disk_mb() + 8);
     }
 }

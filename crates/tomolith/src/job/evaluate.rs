@@ -17,7 +17,7 @@ use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
-use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, grey, iou};
+use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
 use crate::optics::light::{Light, Selection};
 use crate::report::ScenarioTable;
@@ -32,7 +32,7 @@ pub(crate) struct Evaluated {
     /// The same with the vial standing still during each frame.
     pub(crate) standing: Evaluation,
     /// Raw patterns on the optimization's own grid, when there are raw ones.
-    pub(crate) optimisation: Option<Evaluation>,
+    pub(crate) optimization: Option<Evaluation>,
     /// The headline number of the written patterns on that grid, beside it.
     pub(crate) written: Measure,
     /// Numbers of the headline as they were published.
@@ -156,7 +156,7 @@ impl Evaluated {
 /// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
+/// [`Error::Canceled`](crate::Error::Canceled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
 /// refuses.
 pub(crate) fn evaluate_patterns(
     scene: &Scene,
@@ -167,7 +167,7 @@ pub(crate) fn evaluate_patterns(
     cancel: &Run,
 ) -> Result<Evaluated> {
     let mut workspace = Workspace::default();
-    let optimisation = match raw {
+    let optimization = match raw {
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
@@ -181,7 +181,7 @@ pub(crate) fn evaluate_patterns(
             Some(evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)))
         }
     };
-    let written = match &optimisation {
+    let written = match &optimization {
         None => None,
         Some(_) => {
             let lights = scene.optics.lights.clone();
@@ -189,7 +189,7 @@ pub(crate) fn evaluate_patterns(
             let (dose, ..) = dose(scene, lights, &scene.grid, shown, &mut workspace, &run)?;
             let response = scene.responses(dose)?;
             let run = cancel.part(share::OWN_NUMBERS);
-            headline(voxels.target.grey)
+            headline(voxels.target.gray)
                 .metric
                 .measure(&print_under(scene, voxels, &response, run)?)
         }
@@ -243,7 +243,7 @@ pub(crate) fn evaluate_patterns(
     let material = scene.response();
     let options = published::Options {
         response: material.as_ref(),
-        grey: fine.target.grey,
+        gray: fine.target.gray,
         patterns: shown,
         trim_percent: scene.spec.evaluate.trim_percent,
         epsilon: scene.band_half_width(),
@@ -313,7 +313,7 @@ pub(crate) fn evaluate_patterns(
     Ok(Evaluated {
         evaluation,
         standing,
-        optimisation,
+        optimization,
         written,
         published,
         slices,
@@ -419,7 +419,7 @@ mod share {
 
 /// The one number that says how good a print is: IoU, or the rms error of a gray target.
 pub(super) fn headline(is_gray: bool) -> &'static MetricKind {
-    if is_gray { &grey::RMS } else { &iou::KIND }
+    if is_gray { &gray::RMS } else { &iou::KIND }
 }
 
 /// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
@@ -464,7 +464,8 @@ pub(super) fn dose_by(
         ..scene.optics.scene()
     };
     let making = cancel.part(0.1);
-    let planner::Plan { model, reason, .. } = planned(scene, model, optics, grid, None, &making)?;
+    let planner::ModelPlan { model, reason, .. } =
+        planned(scene, model, optics, grid, None, &making)?;
     drop(making);
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
@@ -521,7 +522,7 @@ fn print_under<'a>(
 ) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
     let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
-    if voxels.target.grey {
+    if voxels.target.gray {
         print = print.with_gray(inside, scene.half_width())?;
     }
     if let Some(threshold) = scene.spec.evaluate.threshold {
@@ -541,7 +542,7 @@ fn measure(
     let stats = PatternStats::of(patterns);
     let print = print_under(scene, voxels, response, run.part(1.0))?.with_patterns(stats);
     let evaluation = evaluate(&print);
-    // Numbers of a cancelled run mean nothing
+    // Numbers of a canceled run mean nothing
     run.check().map(|()| evaluation)
 }
 

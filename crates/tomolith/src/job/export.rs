@@ -203,7 +203,7 @@ const BYTES_PER_ENTRY: f64 = 36.0;
 ///
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a job that is too large; [`Error::Unsupported`] for a model that is
-/// not linear; [`Error::Cancelled`].
+/// not linear; [`Error::Canceled`].
 pub fn matrix(
     job: &Job,
     path: &Path,

@@ -921,12 +921,12 @@ mod tests {
                 .iter()
                 .any(|note| note.starts_with("surface_aware is left out"))
         );
-        let grey = THEIRS.replace(
+        let gray = THEIRS.replace(
             "\"rod.ply\"",
             "\"rod.ply\", \"bsdf\": { \"type\": \"diffuse\" }",
         );
         assert!(
-            import(&grey)
+            import(&gray)
                 .unwrap_err()
                 .to_string()
                 .contains("bsdf.reflectance: found no value, which is 0.5")

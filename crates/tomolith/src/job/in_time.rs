@@ -28,14 +28,14 @@ use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
-use tomolith_material::curves::{Curves, IdealExposure, Phases, Point};
+use tomolith_material::curves::{CurvePoint, Curves, IdealExposure, Phases};
 use tomolith_material::diffused::Diffused;
 use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;
 use tomolith_material::frozen::Frozen;
 use tomolith_material::mixing::Mixing;
 use tomolith_material::photopolymer::{Curing, Network, Params, Photopolymer};
-use tomolith_material::print::{LightSource, Moment, Print};
+use tomolith_material::print::{LightSource, Moment, PrintRun};
 use tomolith_material::printing::Printing;
 use tomolith_material::schedule::{Schedule, Turns};
 use tomolith_material::shaded::Shaded;
@@ -50,7 +50,7 @@ pub(crate) struct InTime {
 /// What a network becomes.
 pub(crate) struct NetworkInTime {
     pub(crate) name: String,
-    pub(crate) points: Vec<Point>,
+    pub(crate) points: Vec<CurvePoint>,
     pub(crate) requirement_mj: Option<f64>,
     pub(crate) ideal: IdealExposure,
     pub(crate) phases: Phases,
@@ -434,7 +434,7 @@ pub(super) fn planned_in_time(
     level: &Level,
     voxels: &[&Voxels],
     run: &Run,
-) -> Result<planner::Plan> {
+) -> Result<planner::ModelPlan> {
     let rows = scene.rows().unwrap_or_default();
     let given = scene.spec.schedule.clone().unwrap_or_default();
     let join = |models: Vec<HostModel>| -> Result<HostModel> {
@@ -625,7 +625,7 @@ impl<'a> Shown<'a> {
     /// Prints, and shows every moment.
     ///
     /// # Errors
-    /// As [`Print::run`].
+    /// As [`PrintRun::run`].
     pub(super) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
         let given = self.lights.scene.spec.schedule.clone().unwrap_or_default();
         let sources = self.models.iter().zip(&self.fields);
@@ -633,7 +633,7 @@ impl<'a> Shown<'a> {
             model: model.as_ref(),
             patterns,
         });
-        let mut print = Print::new(&self.material, &self.schedule, sources.collect())?;
+        let mut print = PrintRun::new(&self.material, &self.schedule, sources.collect())?;
         if let Some(step_s) = given.step_s {
             print = print.with_step_s(step_s).map_err(|e| e.under("schedule"))?;
         }
@@ -652,7 +652,7 @@ impl<'a> Shown<'a> {
 /// Shows patterns to the material of a job; None where it has no schedule.
 ///
 /// # Errors
-/// [`Error::Config`] where models, schedule and material do not fit; [`Error::Cancelled`].
+/// [`Error::Config`] where models, schedule and material do not fit; [`Error::Canceled`].
 pub(super) fn print_in_time(
     scene: &Scene,
     voxels: &[&Voxels],

@@ -16,7 +16,7 @@ use crate::target::PHANTOMS;
 use serde_json::Value;
 
 /// A family of kinds, as a job names it.
-pub struct Family {
+pub struct KindFamily {
     /// The key in a job file: `vial`, `objective`, …
     pub name: &'static str,
     /// One sentence.
@@ -25,8 +25,8 @@ pub struct Family {
     pub kinds: Vec<KindPage>,
 }
 
-fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Family {
-    Family {
+fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> KindFamily {
+    KindFamily {
         name,
         summary,
         kinds: table.iter().map(|kind| kind.page(name)).collect(),
@@ -35,7 +35,7 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Fa
 
 /// Every family.
 #[must_use]
-pub fn families() -> Vec<Family> {
+pub fn families() -> Vec<KindFamily> {
     vec![
         family("vial", "The vial around the resin", VIALS),
         family("projector", "The optics of the projector", PROJECTORS),

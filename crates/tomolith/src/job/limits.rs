@@ -9,7 +9,7 @@ use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
-use crate::report::{Cause, Limit, Limits};
+use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
 use std::fmt;
 
@@ -21,7 +21,11 @@ const STILL_FALLING: f64 = 0.01;
 const FALLING_FAST: f64 = 0.1;
 
 /// What the patterns of a run or a simulation lose, and where.
-pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optimized>) -> Limits {
+pub(crate) fn limits(
+    scene: &Scene,
+    judged: &Evaluated,
+    optimized: Option<&Optimized>,
+) -> PrintLimits {
     let spec = &scene.spec;
     let kind = headline(judged.evaluation.half_width.is_some());
     let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
@@ -32,7 +36,7 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
     let finest = scene.levels.last();
     if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
         let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
-        return Limits {
+        return PrintLimits {
             sentence,
             causes: Vec::new(),
         };
@@ -46,7 +50,7 @@ pub(crate) fn limits(scene: &Scene, judged: &Evaluated, optimized: Option<&Optim
         |o: &Optimized| Fall::of(&o.outcome.history).is_some_and(|fall| fall.share > FALLING_FAST);
     let found = Found {
         kind,
-        optimized: judged.optimisation.as_ref().and_then(get),
+        optimized: judged.optimization.as_ref().and_then(get),
         written: judged.written,
         standing: get(&judged.standing),
         turning: get(&judged.evaluation),
@@ -231,7 +235,7 @@ struct Found {
 }
 
 impl Found {
-    fn limits(&self) -> Limits {
+    fn limits(&self) -> PrintLimits {
         let mut causes: Vec<Limit> = [
             self.grid(),
             self.levels(),
@@ -244,7 +248,7 @@ impl Found {
         .flatten()
         .collect();
         causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
-        Limits {
+        PrintLimits {
             sentence: self.sentence(&causes).unwrap_or_default(),
             causes,
         }
@@ -518,7 +522,7 @@ fn signed(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::{grey, iou};
+    use crate::metrics::{gray, iou};
 
     /// The numbers of the first example.
     fn found() -> Found {
@@ -543,7 +547,7 @@ mod tests {
         }
     }
 
-    fn losses(limits: &Limits) -> Vec<(Cause, f64)> {
+    fn losses(limits: &PrintLimits) -> Vec<(Cause, f64)> {
         let losses = limits.causes.iter();
         losses
             .map(|l| (l.cause, (l.loss * 1e4).round() / 1e4))
@@ -778,7 +782,7 @@ mod tests {
     #[test]
     fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
         let limits = Found {
-            kind: &grey::RMS,
+            kind: &gray::RMS,
             optimized: Some(0.126),
             written: Some(0.13),
             standing: Some(0.128),

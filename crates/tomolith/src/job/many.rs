@@ -37,7 +37,7 @@ pub struct Needs {
 pub fn needs(job: &Job) -> Result<Needs> {
     let extent = Scene::new(job)?.extent;
     Ok(Needs {
-        memory_mb: extent.optimisation_mb().max(extent.evaluation_mb()),
+        memory_mb: extent.optimization_mb().max(extent.evaluation_mb()),
     })
 }
 

@@ -109,7 +109,7 @@ pixels = [128, 64]
 angles = { count = 180, start_deg = 10.0, arc_deg = 360.0 }
 sub_angles = 1
 rotation = "counterclockwise"
-polarisation = "s"
+polarization = "s"
 projector.collimated = { pixel_pitch_mm = "50 um" }
 
 [objective.threshold]
@@ -223,7 +223,7 @@ folder = "out/part"
                 "\"s\"",
                 "\"q\"",
                 "\"q\"",
-                ["light[0].polarisation", "unpolarised, s, p"],
+                ["light[0].polarization", "unpolarized, s, p"],
             ),
             (
                 "0.95",

@@ -23,7 +23,7 @@ const PATHS: usize = 100_000;
 /// Takes Monte Carlo paths for a scene that names no model and whose trial by orders is far off; says so.
 ///
 /// # Errors
-/// What the models and the target refuse; [`Error::Cancelled`].
+/// What the models and the target refuse; [`Error::Canceled`].
 pub(crate) fn try_orders(
     scene: &mut Scene,
     progress: &mut dyn Progress,

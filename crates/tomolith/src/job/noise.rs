@@ -1,7 +1,7 @@
 //! Noise that Monte Carlo paths leave in the dose of a resin that scatters.
 //!
 //! Patterns that were optimized on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
-//! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgement: the root mean square
+//! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgment: the root mean square
 //! difference of two such sets of paths, over √2, per voxel.
 
 use super::evaluate::{Workspace, dose_by, print};
@@ -17,7 +17,7 @@ use std::fmt;
 /// A dose by Monte Carlo paths, on the optimization's voxels, standing still.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct Noise {
-    /// Paths of a pixel in a frame: in the optimization, and in the judgement.
+    /// Paths of a pixel in a frame: in the optimization, and in the judgment.
     pub(crate) training_paths: usize,
     /// See `training_paths`.
     pub(crate) judging_paths: usize,
@@ -29,7 +29,7 @@ pub(crate) struct Noise {
     pub(crate) training_pw: Measure,
     /// Process window on independent paths.
     pub(crate) independent_pw: Measure,
-    /// Noise of a voxel of the part in the judgement, over the part's mean response.
+    /// Noise of a voxel of the part in the judgment, over the part's mean response.
     pub(crate) part: f64,
     /// Noise of a voxel of the void, over the part's mean response.
     pub(crate) void: f64,
@@ -46,7 +46,7 @@ impl Noise {
     /// Of patterns under a model; None where it draws no paths.
     ///
     /// # Errors
-    /// What the model refuses; [`Error::Cancelled`](crate::Error::Cancelled).
+    /// What the model refuses; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
         scene: &Scene,
         voxels: &Voxels,

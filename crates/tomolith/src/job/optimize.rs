@@ -86,7 +86,7 @@ pub(crate) struct Quality {
 /// Runs the optimizer of a job, or goes on from the checkpoint in its folder.
 ///
 /// # Errors
-/// [`Error::Cancelled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
+/// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
 pub(crate) fn optimize(
     scene: &Scene,
     voxels: &Voxels,
@@ -157,13 +157,13 @@ pub(crate) fn optimize(
             progress,
             cancel,
         );
-        let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Cancelled);
+        let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
         let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
         match ran {
-            Ok(outcome) if outcome.reason == StopReason::Cancelled => {
+            Ok(outcome) if outcome.reason == StopReason::Canceled => {
                 keep(scene, &raw, place, progress)?;
-                return Err(at_section("optimizer", Error::Cancelled));
+                return Err(at_section("optimizer", Error::Canceled));
             }
             Ok(outcome) if is_last => {
                 let normalizes = scene.optimizer()?.normalizes();
@@ -474,7 +474,7 @@ impl<'a> Stage<'a> {
             updates: model.updates(),
             labels,
             layout,
-            is_gray: self.voxels.target.grey,
+            is_gray: self.voxels.target.gray,
             qualities: std::mem::take(&mut sofar.qualities),
             metrics_s: sofar.metrics_s,
             warnings: std::mem::take(&mut sofar.warnings),
@@ -857,7 +857,7 @@ mod tests {
     }
 
     /// A job whose light spreads: its voxels, its models, and where it begins.
-    fn started(model: &str) -> (Voxels, planner::Plan, HostField) {
+    fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");
         let text = format!(

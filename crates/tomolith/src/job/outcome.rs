@@ -4,7 +4,7 @@ pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::optimize::{Gap, Kept, StopReason};
 use crate::report::number::significant;
-use crate::report::{ExposureWindow, Limits, ScenarioTable};
+use crate::report::{ExposureWindow, PrintLimits, ScenarioTable};
 use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
@@ -23,12 +23,12 @@ pub struct Quality {
     pub threshold: Measure,
     /// How well gray values are reproduced; None for a target of part and void.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub grey: Option<Grey>,
+    pub gray: Option<GrayQuality>,
 }
 
 /// The headline numbers of a gray print, in units of the response.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Grey {
+pub struct GrayQuality {
     /// Half width of the band.
     pub half_width: f64,
     /// Share of the voxels in the band.
@@ -44,7 +44,7 @@ pub struct Grey {
 impl Quality {
     /// Names of the numbers for people, and the numbers.
     fn columns(&self) -> ([String; 4], [Measure; 4]) {
-        match &self.grey {
+        match &self.gray {
             None => (
                 ["IoU", "VER", "PW", "threshold"].map(str::to_owned),
                 [self.iou, self.ver, self.pw, self.threshold],
@@ -118,7 +118,7 @@ pub struct Summary {
     /// The same with the vial standing still during each frame.
     pub standing: Quality,
     /// The unquantized patterns on the optimization grid; None for a simulation of patterns that are quantized only.
-    pub optimisation: Option<Quality>,
+    pub optimization: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
     pub exposure: Option<ExposureWindow>,
     /// The print in time, per network; empty without a schedule.
@@ -126,7 +126,7 @@ pub struct Summary {
     /// The same patterns in the job's scenarios; None where it has none.
     pub scenarios: Option<ScenarioTable>,
     /// What limits the print.
-    pub limits: Limits,
+    pub limits: PrintLimits,
     /// The required IoU.
     pub required_iou: Option<f64>,
     /// The required share of voxels in their bands.
@@ -145,7 +145,7 @@ impl Summary {
     /// Whether the required quality was met.
     #[must_use]
     pub fn is_met(&self) -> bool {
-        let in_band = self.evaluation.grey.as_ref().and_then(|grey| grey.in_band);
+        let in_band = self.evaluation.gray.as_ref().and_then(|gray| gray.in_band);
         let reached = |asked: Option<f64>, found: Option<f64>| {
             asked.is_none_or(|asked| found.is_some_and(|found| found >= asked))
         };
@@ -184,12 +184,12 @@ impl fmt::Display for Summary {
             let [a, b, c, d] = q.columns().1.map(number);
             writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
-        if let Some(optimisation) = &self.optimisation {
+        if let Some(optimization) = &self.optimization {
             let name = match self.iterations {
                 Some(_) => "unwritten, on the job's grid",
                 None => "unwritten, on the job's grid",
             };
-            row(name, optimisation)?;
+            row(name, optimization)?;
         }
         row("written, standing still", &self.standing)?;
         row("written, turning", &self.evaluation)?;
@@ -263,7 +263,7 @@ pub struct Plan {
     /// The most iterations there will be.
     pub iterations: usize,
     /// Part of the time that is the optimization's, s; less when it ends early.
-    pub optimisation_s: f64,
+    pub optimization_s: f64,
     /// Measured updates per second.
     pub updates_per_s: f64,
     /// Choices that were made.
@@ -309,8 +309,8 @@ impl fmt::Display for Plan {
             "{:>12} at most {} iterations: {}; evaluation and files: {} ({}updates/s on this machine with its present load)",
             "time",
             self.iterations,
-            duration(self.optimisation_s),
-            duration(self.seconds - self.optimisation_s),
+            duration(self.optimization_s),
+            duration(self.seconds - self.optimization_s),
             large(self.updates_per_s)
         )?;
         for note in &self.notes {
@@ -340,7 +340,7 @@ fn words(reason: StopReason) -> &'static str {
         StopReason::NoProgress => "no further improvement within rounding errors",
         StopReason::Observer => "the requested loss or IoU is reached",
         StopReason::WallTime => "the time is over",
-        StopReason::Cancelled => "cancelled",
+        StopReason::Canceled => "canceled",
     }
 }
 

@@ -1,7 +1,7 @@
 //! A job that was read and whose every number is in its range.
 
 use super::document::Document;
-use super::kinds::{Family, families, with_defaults};
+use super::kinds::{KindFamily, families, with_defaults};
 use super::refinement::LEAST_REFINE;
 use super::spec::{Angles, JobSpec, default_objective};
 use super::validate;
@@ -197,7 +197,7 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
         families
             .iter()
             .find(|f| f.name == name)
-            .map_or(&[][..], |f: &Family| &f.kinds)
+            .map_or(&[][..], |f: &KindFamily| &f.kinds)
     };
     spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
     if let Some(phantom) = &mut spec.target.phantom {

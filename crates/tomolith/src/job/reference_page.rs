@@ -5,7 +5,7 @@
 //! assert!(page.contains("| `stop.iterations` | whole number | 40 |"));
 //! ```
 
-use super::kinds::{Family, Parameter, families, parameters, parameters_of};
+use super::kinds::{KindFamily, Parameter, families, parameters, parameters_of};
 use super::spec::{JobSpec, VialCommon};
 use crate::objective::voxel_weights::Common;
 use serde_json::Value;
@@ -53,7 +53,7 @@ pub fn markdown() -> String {
     page
 }
 
-fn write_family(page: &mut String, family: &Family) {
+fn write_family(page: &mut String, family: &KindFamily) {
     let _ = write!(page, "\n### `{}`\n\n{}.\n", family.name, family.summary);
     if family.name == "objective" {
         let common = schemars::schema_for!(Common).to_value();

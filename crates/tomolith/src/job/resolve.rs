@@ -9,7 +9,7 @@ use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
 use crate::models::{DoseLayout, Family, PatternLayout};
 use crate::objective::penalty::{BuildPenalty, PENALTIES, Penalties};
-use crate::objective::preset::Surface;
+use crate::objective::preset::SurfaceHandling;
 use crate::objective::voxel_weights::{Common, Ground};
 use crate::objective::{
     BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, threshold,
@@ -65,7 +65,7 @@ struct ObjectiveKind {
     common: Common,
     response: Arc<dyn Response>,
     /// None: a word that is no surface, which building it refuses.
-    surface: Option<Surface>,
+    surface: Option<SurfaceHandling>,
     of: Named<BuildObjective>,
 }
 
@@ -94,10 +94,10 @@ impl ObjectiveKind {
         };
         let of = Named::read(&section, OBJECTIVES)?;
         let surface = match of.section.value.get("surface").map(Value::as_str) {
-            None if OF_FRACTIONS.contains(&of.kind.name) => Some(Surface::Fraction),
-            None | Some(Some("voxel")) => Some(Surface::Voxel),
-            Some(Some("fraction")) => Some(Surface::Fraction),
-            Some(Some("cells")) => Some(Surface::Cells),
+            None if OF_FRACTIONS.contains(&of.kind.name) => Some(SurfaceHandling::Fraction),
+            None | Some(Some("voxel")) => Some(SurfaceHandling::Voxel),
+            Some(Some("fraction")) => Some(SurfaceHandling::Fraction),
+            Some(Some("cells")) => Some(SurfaceHandling::Cells),
             Some(_) => None,
         };
         Ok(ObjectiveKind {
@@ -260,7 +260,7 @@ impl JobKinds {
 
     /// The key that asks for surface-aware cells, when there is one.
     pub(super) fn cells_key(&self) -> Option<String> {
-        let has_cells = |own: &&ObjectiveKind| own.surface == Some(Surface::Cells);
+        let has_cells = |own: &&ObjectiveKind| own.surface == Some(SurfaceHandling::Cells);
         let own = self.objectives.iter().find(has_cells)?;
         Some(format!("{}.surface", own.of.section.path))
     }
@@ -269,7 +269,7 @@ impl JobKinds {
     /// them: one that compares doses with the target itself knows part and void alone.
     pub(super) fn sees_fractions(&self) -> bool {
         let sees = |own: &ObjectiveKind| {
-            own.surface == Some(Surface::Fraction) && !own.common.has_fields()
+            own.surface == Some(SurfaceHandling::Fraction) && !own.common.has_fields()
         };
         self.requirements.target.is_none() && self.objectives.iter().all(sees)
     }
@@ -310,7 +310,7 @@ pub(super) fn try_kinds(
     spec: &JobSpec,
     kinds: &JobKinds,
     model: Option<&Family>,
-    grey: bool,
+    gray: bool,
 ) -> Result<()> {
     let grid = VolumeGrid::centered([4, 4, 4], 0.1);
     let mut layout = DoseLayout::new("dose", grid.clone(), 0);
@@ -326,7 +326,7 @@ pub(super) fn try_kinds(
             values: (0..grid.len()).map(|i| (i % 2) as f32).collect(),
             grid,
         },
-        grey,
+        gray,
     };
     let labels = label_voxels(&target, |_| true);
     let response = Arc::clone(&kinds.response);
@@ -342,12 +342,12 @@ pub(super) fn try_kinds(
     let is = Are {
         linear: model.is_none_or(|model| model.capabilities().is_linear()),
         convex: objective.is_convex(),
-        tolerant: grey || tolerates_dose(&objective, &layout, &labels),
+        tolerant: gray || tolerates_dose(&objective, &layout, &labels),
     };
     fit_together(spec, &kinds.requirements, is)?;
     kinds.start()?;
     // Of a gray target the values are not known yet
-    if kinds.asks_for_doses() && !grey {
+    if kinds.asks_for_doses() && !gray {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
     }
     Ok(())
@@ -466,26 +466,26 @@ fn methods_without(need: Reason) -> String {
 }
 
 /// Refuses goals that count part and void for a target that has none, and the other way round.
-pub(super) fn counted_as(spec: &JobSpec, grey: bool) -> Result<()> {
+pub(super) fn counted_as(spec: &JobSpec, gray: bool) -> Result<()> {
     let (stop, evaluate) = (&spec.stop, &spec.evaluate);
     let of_part = "needs a target of part and void, but this one is gray";
     let of_gray = "needs a gray target, but this one has part and void";
     for (key, is_there, found, accepted) in [
         (
             "stop.iou",
-            grey && stop.iou.is_some(),
+            gray && stop.iou.is_some(),
             of_part,
             "stop.loss (bclp: 0 when every voxel is in its band) or stop.change",
         ),
         (
             "evaluate.require_iou",
-            grey && evaluate.require_iou.is_some(),
+            gray && evaluate.require_iou.is_some(),
             of_part,
             "evaluate.require_in_band, the share of voxels in their bands",
         ),
         (
             "evaluate.require_in_band",
-            !grey && evaluate.require_in_band.is_some(),
+            !gray && evaluate.require_in_band.is_some(),
             of_gray,
             "evaluate.require_iou",
         ),

@@ -138,7 +138,7 @@ impl ResolvedJob {
     /// Model, objective, start and bounds.
     ///
     /// # Errors
-    /// [`Error::Config`] where the model does not fit, [`Error::Cancelled`].
+    /// [`Error::Config`] where the model does not fit, [`Error::Canceled`].
     pub fn task(&self, run: &Run) -> Result<Task> {
         let scene = &self.scene;
         let [.., level] = scene.levels.as_slice() else {
@@ -160,7 +160,7 @@ impl ResolvedJob {
     /// What patterns (of each light) print, measured as `tomolith run` does.
     ///
     /// # Errors
-    /// [`Error::Shape`] for patterns of another size, [`Error::NonFinite`], [`Error::Cancelled`].
+    /// [`Error::Shape`] for patterns of another size, [`Error::NonFinite`], [`Error::Canceled`].
     pub fn evaluate(&self, patterns: &[Patterns], run: &Run) -> Result<Evaluation> {
         let lights = self.lights();
         if patterns.len() != lights.len() {

@@ -287,7 +287,7 @@ impl Scene {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
         let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
         let asked = self.extent.memory;
-        while !fits(self.extent.optimisation_mb()) && self.extent.memory > LEAST_MEMORY {
+        while !fits(self.extent.optimization_mb()) && self.extent.memory > LEAST_MEMORY {
             self.extent.memory -= 1;
         }
         if self.extent.memory < asked {
@@ -314,7 +314,7 @@ impl Scene {
             ));
         }
         for (what, parts) in [
-            ("memory for the optimization", self.extent.optimisation()),
+            ("memory for the optimization", self.extent.optimization()),
             ("memory for the evaluation", self.extent.evaluation()),
         ] {
             let [voxels_mb, pixels_mb, frames_mb] = parts;
@@ -344,7 +344,7 @@ impl Scene {
     fn warn_of_others(&mut self) {
         let needed = self
             .extent
-            .optimisation_mb()
+            .optimization_mb()
             .max(self.extent.evaluation_mb());
         if let Some(free) = free_memory_mb().filter(|&free| free < needed) {
             self.warnings.push(format!(
@@ -375,7 +375,7 @@ impl Scene {
     /// The same as a part of a run.
     ///
     /// # Errors
-    /// As [`voxels`](Self::voxels); [`Error::Cancelled`].
+    /// As [`voxels`](Self::voxels); [`Error::Canceled`].
     pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
         let shape = self.shape.as_ref();
         let target = target::voxelize_under(shape, &self.name, grid, &run.part(0.9))
@@ -414,7 +414,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
-        if !voxels.target.grey || !self.kinds.asks_for_doses() {
+        if !voxels.target.gray || !self.kinds.asks_for_doses() {
             return Ok(());
         }
         let values = voxels
@@ -525,7 +525,7 @@ impl Voxels {
     pub(crate) fn wanted(&self) -> Volume<u8> {
         let (labels, inside) = (&self.labels.values, &self.target.inside.values);
         let wanted = |(&l, &s): (&u8, &f32)| {
-            let least = if self.target.grey {
+            let least = if self.target.gray {
                 f32::MIN_POSITIVE
             } else {
                 self.least
@@ -553,10 +553,10 @@ const PER_SPECIES: usize = 2;
 const PER_PRINT: usize = 5;
 
 /// Objectives with numbers of their own for every voxel.
-fn with_fields(spec: &JobSpec, kinds: &JobKinds, grey: bool) -> usize {
+fn with_fields(spec: &JobSpec, kinds: &JobKinds, gray: bool) -> usize {
     let common = kinds.common();
     let count = common
-        .filter(|(_, common)| grey || common.has_fields())
+        .filter(|(_, common)| gray || common.has_fields())
         .count();
     // Dose and target of each further species or scenario; state and snapshots of a print in time
     let further = spec.species.len().saturating_sub(1) + spec.scenario.len();

@@ -5,7 +5,7 @@
 //! assert!(schema["properties"]["stop"].is_object());
 //! ```
 
-use super::kinds::{Family, families};
+use super::kinds::{KindFamily, families};
 use super::spec::{JobSpec, VialCommon};
 use crate::kind::KindPage;
 use crate::objective::voxel_weights::Common;
@@ -43,7 +43,7 @@ pub fn schema() -> Value {
 }
 
 /// Exactly one kind of a family, as an externally tagged table.
-fn one_of(family: &Family, definitions: &mut Map<String, Value>) -> Value {
+fn one_of(family: &KindFamily, definitions: &mut Map<String, Value>) -> Value {
     let tables = family
         .kinds
         .iter()

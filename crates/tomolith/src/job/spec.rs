@@ -11,8 +11,8 @@ use crate::exposure::PrinterSpec;
 pub use crate::exposure::Rotation;
 use crate::kind::{MISSING, Section};
 use crate::optics::gradient;
-use crate::optics::interface::Polarisation;
-use crate::optics::obstacle::Material;
+use crate::optics::interface::Polarization;
+use crate::optics::obstacle::BodyMaterial;
 use crate::optics::projector::{PROJECTORS, Projector};
 use crate::optics::vial::ended::EndSpec;
 use crate::optimize::{Keep, checkpoint};
@@ -308,7 +308,7 @@ pub struct LightSpec {
     /// Polarization before the vial: "s" has its electric field in the plane of ray and vial axis (along the axis where the ray is
     /// level), "p" normal to both; they tilt with the axis.
     #[serde(default)]
-    pub polarisation: Polarisation,
+    pub polarization: Polarization,
     /// What the resin is to this light, where that differs from `[resin]`.
     #[serde(default, skip_serializing_if = "LightResinSpec::is_default")]
     pub resin: LightResinSpec,
@@ -649,7 +649,7 @@ pub struct ObstacleSpec {
     pub mesh: PathBuf,
     /// What it does to light: "black", "mirror", or { dielectric = { refractive_index = 1.5 } }.
     #[serde(default)]
-    pub material: Material,
+    pub material: BodyMaterial,
     /// Millimeters per unit of the file.
     #[serde(default = "unity")]
     pub scale: f64,
@@ -742,7 +742,7 @@ pub struct StopSpec {
 pub struct EvaluateSpec {
     /// Bits to which patterns are quantized, 1 to 16.
     pub bit_depth: u32,
-    /// How patterns are put on the levels of 5 bits or fewer: "optimised" on these levels after the optimization, or "rounded". With more bits they
+    /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
     /// are rounded.
     pub levels: Levelling,
     /// Angles at which the arc of a frame is averaged.
@@ -770,7 +770,7 @@ pub struct EvaluateSpec {
 pub enum Levelling {
     /// They are improved on them.
     #[default]
-    #[serde(rename = "optimised")]
+    #[serde(rename = "optimized")]
     Optimized,
     /// Each pixel takes the nearest.
     Rounded,
@@ -1130,7 +1130,7 @@ pub(crate) fn default_objective(spec: &JobSpec) -> Value {
     if in_time.is_some_and(|schedule| schedule.optimize != Against::Dose) {
         return serde_json::json!({ "osp": { "lower": 0.8, "upper": 1.2, "surface": "fraction" } });
     }
-    let is_gray = target.image.is_some() && target.grey != Some(false);
+    let is_gray = target.image.is_some() && target.gray != Some(false);
     Value::String(if is_gray { "l2" } else { "threshold" }.to_owned())
 }
 

@@ -12,7 +12,7 @@ use super::spec::{JobSpec, ResinSpec};
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::models::masked::MaskedModel;
-use crate::models::planner::{self, Plan};
+use crate::models::planner::{self, ModelPlan};
 use crate::models::spectral::SpectralMixing;
 use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 use crate::units::exact;
@@ -194,7 +194,7 @@ pub(super) fn planned(
     grid: &VolumeGrid,
     voxels: Option<&[&Voxels]>,
     run: &Run,
-) -> Result<Plan> {
+) -> Result<ModelPlan> {
     let mut plan = match scene.mixing.as_deref() {
         Some(rows) => {
             let mix = |models| SpectralMixing::new(models, rows).map(|m| Box::new(m) as HostModel);
@@ -222,7 +222,7 @@ pub(super) fn joined(
     voxels: Option<&[&Voxels]>,
     run: &Run,
     join: impl Fn(Vec<HostModel>) -> Result<HostModel>,
-) -> Result<Plan> {
+) -> Result<ModelPlan> {
     let count = optics.lights.len();
     let mut plans = Vec::with_capacity(count);
     for i in 0..count {
@@ -240,7 +240,7 @@ pub(super) fn joined(
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
         Vec::new()
     } else {
-        let of = |plan: &Plan| {
+        let of = |plan: &ModelPlan| {
             let pixels: usize = plan.model.patterns().iter().map(|p| p.len()).sum();
             if plan.dark.is_empty() {
                 vec![false; pixels]
@@ -252,9 +252,9 @@ pub(super) fn joined(
     };
     let reason = plans[0].reason.clone();
     let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
-    let boxed = |plan: Plan| Box::new(plan.model) as HostModel;
+    let boxed = |plan: ModelPlan| Box::new(plan.model) as HostModel;
     let model = join(plans.into_iter().map(boxed).collect())?;
-    Ok(Plan {
+    Ok(ModelPlan {
         reason: format!(
             "{} species by {count} lights, each alone: {reason}",
             rows.len()

@@ -1,4 +1,4 @@
-//! The stages of a run: target → voxels → patterns → judgement → files.
+//! The stages of a run: target → voxels → patterns → judgment → files.
 
 use super::benchmark;
 use super::device::{self, Written};
@@ -11,7 +11,7 @@ use super::limits::Fall;
 use super::many::Leaves;
 use super::model_probe::try_orders;
 use super::optimize::{Optimized, optimize};
-use super::outcome::{Grey, Plan, Quality, Summary};
+use super::outcome::{GrayQuality, Plan, Quality, Summary};
 use super::progress::{Event, Progress, watched};
 use super::read::Job;
 use super::replace::must_be_same;
@@ -31,14 +31,14 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// The stage whose parts are told apart.
-const OPTIMIZING: &str = "optimising";
+const OPTIMIZING: &str = "optimizing";
 
 /// Runs a job from end to end; outputs appear in its run folder.
 ///
 /// # Errors
 /// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used, or a folder
 /// that holds a finished run of another job;
-/// [`Error::NonFinite`] and [`Error::Cancelled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
+/// [`Error::NonFinite`] and [`Error::Canceled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
     run_leaving(job, resume, Leaves::All, progress, cancel)
 }
@@ -266,7 +266,7 @@ fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Sum
         let place = folder.checkpoint();
         let kept = keep(&done.scene, &optimized.raw, &place, clock.progress);
         // Where the disk is full, what could not be written first is the news
-        if matches!(error, Error::Cancelled) {
+        if matches!(error, Error::Canceled) {
             kept?;
         }
     }
@@ -402,7 +402,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     warnings.extend(
         scene
             .optics
-            .warnings(&voxels.target.inside, &voxels.labels, voxels.target.grey)
+            .warnings(&voxels.target.inside, &voxels.labels, voxels.target.gray)
             .map_err(|e| job.locate(e))?,
     );
     // How much there is to time is not known beforehand
@@ -435,13 +435,13 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         active_pixels: scene.extent.active_pixels,
         memory_mb: scene
             .extent
-            .optimisation_mb()
+            .optimization_mb()
             .max(scene.extent.evaluation_mb()),
         memory_budget_mb: super::resources::memory_budget_mb(scene.spec.resources.memory_gb),
         disk_mb: scene.extent.disk_mb(),
-        seconds: cost.optimisation_s + cost.rest_s,
+        seconds: cost.optimization_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,
-        optimisation_s: cost.optimisation_s,
+        optimization_s: cost.optimization_s,
         updates_per_s: 1.0 / rates.calls.dose.per_update_s,
         notes: scene.notes.clone(),
         warnings,
@@ -485,7 +485,7 @@ fn voxels(
     let (inside, labels) = (&voxels.target.inside, &voxels.labels);
     let found = scene
         .optics
-        .warnings(inside, labels, voxels.target.grey)
+        .warnings(inside, labels, voxels.target.gray)
         .map_err(|e| job.locate(e))?;
     for text in found.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -509,7 +509,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         gap: optimized.and_then(|o| o.outcome.gap()),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
-        optimisation: done.judged.optimisation.as_ref().map(quality),
+        optimization: done.judged.optimization.as_ref().map(quality),
         exposure: headline.exposure,
         in_time: done
             .judged
@@ -535,7 +535,7 @@ fn quality(evaluation: &Evaluation) -> Quality {
         ver: get("ver"),
         pw: get("pw"),
         threshold: evaluation.gel_threshold,
-        grey: evaluation.half_width.map(|half_width| Grey {
+        gray: evaluation.half_width.map(|half_width| GrayQuality {
             half_width,
             in_band: get("in_band"),
             rms_error: get("rms_error"),
@@ -550,13 +550,13 @@ mod tests {
     use super::*;
 
     /// Cancels when a stage begins, and remembers what is told.
-    struct Canceller<'r> {
+    struct Canceler<'r> {
         at: &'static str,
         run: &'r Run,
         stages: Vec<String>,
     }
 
-    impl Progress for Canceller<'_> {
+    impl Progress for Canceler<'_> {
         fn event(&mut self, event: &Event) {
             if let Event::Stage { name } = event {
                 self.stages.push(name.clone());
@@ -592,15 +592,15 @@ mod tests {
         for (i, at) in stages.into_iter().enumerate() {
             let folder = place.path().join(i.to_string());
             let run = Run::new();
-            let mut canceller = Canceller {
+            let mut canceler = Canceler {
                 at,
                 run: &run,
                 stages: Vec::new(),
             };
             let job = job.clone().with_folder(&folder, "--output");
-            let ended = super::run(&job, false, &mut canceller, &run);
-            assert!(matches!(ended, Err(Error::Cancelled)), "{at}: {ended:?}");
-            assert_eq!(canceller.stages, stages[..=i], "{at}");
+            let ended = super::run(&job, false, &mut canceler, &run);
+            assert!(matches!(ended, Err(Error::Canceled)), "{at}: {ended:?}");
+            assert_eq!(canceler.stages, stages[..=i], "{at}");
             // Of a run whose patterns are there they are kept; nothing else is left
             assert_eq!(
                 folder.join("checkpoint/patterns.npz").exists(),

@@ -592,8 +592,8 @@ mod tests {
                 "printer.time_s",
             ),
             (
-                "printer.grey_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]",
-                "printer.grey_curve",
+                "printer.gray_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]",
+                "printer.gray_curve",
             ),
             ("output.folder=\"\"", "output.folder"),
             ("objectives=[{ l2 = {} }]", "objectives"),

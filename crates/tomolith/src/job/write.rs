@@ -27,14 +27,14 @@ use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, Limits, MapReport, MovieReport, ReportData, SpeciesReport,
+    ExposureWindow, LightReport, MapReport, MovieReport, PrintLimits, ReportData, SpeciesReport,
     TimePoint, TimeReport, Timing, time, write_html, write_json, write_print,
 };
 use crate::units::concise;
 use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
-use tomolith_material::curves::{IdealExposure, Point};
+use tomolith_material::curves::{CurvePoint, IdealExposure};
 
 /// Everything there is at the end of a run.
 pub(crate) struct Done<'a> {
@@ -190,7 +190,7 @@ pub(crate) struct Headline {
     /// Over which exposures the print is nearly as good.
     pub(crate) exposure: Option<ExposureWindow>,
     /// What it loses, and where.
-    pub(crate) limits: Limits,
+    pub(crate) limits: PrintLimits,
 }
 
 impl Headline {
@@ -219,7 +219,7 @@ struct Made<'a> {
 /// The models that gave the doses, by what they were asked for.
 fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
     let optimized = done.optimized.as_ref();
-    let optimized = optimized.map(|optimized| ("optimisation", optimized.model.clone()));
+    let optimized = optimized.map(|optimized| ("optimization", optimized.model.clone()));
     let judged = ("evaluation", done.judged.model.clone());
     optimized.into_iter().chain([judged]).collect()
 }
@@ -272,7 +272,7 @@ fn report(
         window: window(&resolved),
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
-        optimisation: judged.optimisation.as_ref(),
+        optimization: judged.optimization.as_ref(),
         published: published(done, exposures.lights())?,
         species: species(done),
         time: time(done),
@@ -325,7 +325,7 @@ fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
 }
 
 fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
-    let of = |p: &Point| TimePoint {
+    let of = |p: &CurvePoint| TimePoint {
         seconds: p.seconds,
         imbued_mj: p.imbued_mj,
         contribution_mj: p.contribution_mj,
@@ -489,7 +489,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         let seconds = optimized.outcome.counters.model_s.max(1e-9);
         let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
         let speed = large(calls as f64 * optimized.updates as f64 / seconds);
-        facts.push(("Optimiser", kind(&spec.optimizer)));
+        facts.push(("Optimizer", kind(&spec.optimizer)));
         let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {

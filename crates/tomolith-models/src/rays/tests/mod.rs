@@ -7,8 +7,8 @@ use tomolith_core::grid::{PatternGrid, Patterns, Volume};
 use tomolith_core::kind::Section;
 use tomolith_io::mesh::samples::{ball, cuboid};
 use tomolith_optics::absorption_map::AbsorptionMap;
-use tomolith_optics::gradient::Gradient;
-use tomolith_optics::obstacle::Material;
+use tomolith_optics::gradient::IndexGradient;
+use tomolith_optics::obstacle::BodyMaterial;
 use tomolith_optics::projector::diverging::Diverging;
 use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::resin::Resin;
@@ -120,14 +120,14 @@ fn optics() -> Vec<(&'static str, Optics)> {
                 ..plain.clone()
             },
         ),
-        ("black body", with(Material::Black)),
+        ("black body", with(BodyMaterial::Black)),
         (
             "clear body",
-            with(Material::Dielectric {
+            with(BodyMaterial::Dielectric {
                 refractive_index: 1.6,
             }),
         ),
-        ("mirror", with(Material::Mirror)),
+        ("mirror", with(BodyMaterial::Mirror)),
     ]
 }
 
@@ -197,7 +197,7 @@ fn a_resin_that_differs_from_place_to_place_is_an_exact_pair() {
         for (name, optics) in optics() {
             let mut light = light(5, 7, 11, 0.2);
             light.map = Some(Arc::new(map.clone()));
-            light.resin.gradient = Some(Gradient {
+            light.resin.gradient = Some(IndexGradient {
                 quadratic_per_mm2: -0.05,
                 quartic_per_mm4: 0.0,
                 step_mm: 0.1,

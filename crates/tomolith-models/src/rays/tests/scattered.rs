@@ -132,7 +132,7 @@ fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
                 params.reflections = smooth == 1;
                 params.is_sharp = shape[0] > 1;
                 optics.motion.tilt_rad = 0.1;
-                light.resin.gradient = Some(Gradient {
+                light.resin.gradient = Some(IndexGradient {
                     quadratic_per_mm2: -0.05,
                     quartic_per_mm4: 0.0,
                     step_mm: 0.2,

@@ -11,7 +11,7 @@ use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use tomolith::kind::Section;
 use tomolith::metrics::published::{Options, published, value_of};
 use tomolith::metrics::scan::Scan;
-use tomolith::models::planner::{self, Plan};
+use tomolith::models::planner::{self, ModelPlan};
 use tomolith::models::rays::Optics;
 use tomolith::models::{DoseModel, OpticalScene, Purpose, Run};
 use tomolith::objective::{OBJECTIVES, Objective, ObjectiveInput};
@@ -39,7 +39,7 @@ pub(crate) struct Case {
     frames: usize,
     target: Target,
     pub(crate) labels: Volume<u8>,
-    plan: Plan,
+    plan: ModelPlan,
 }
 
 impl Case {

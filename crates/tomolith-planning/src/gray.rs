@@ -3,14 +3,14 @@
 //! **What it models** the irradiance of each gray value: a monotone cubic through the points ([`Table`]), or the line or quadratic of least squares
 //! (Wang et al. 2022, Note 1). A curve is usable where it is above 0 and rises.
 //!
-//! **Parameters** gray values 0 … `top`, irradiances in any unit. **Shape** [`GrayCurve::points`] are 256 pairs (value, irradiance), value = grey/top, for
-//! `printer.grey_curve_file`. **Limits** white (`top`) must have been measured; below the lowest gray value the curve goes to 0 at gray 0.
+//! **Parameters** gray values 0 … `top`, irradiances in any unit. **Shape** [`GrayCurve::points`] are 256 pairs (value, irradiance), value = gray/top, for
+//! `printer.gray_curve_file`. **Limits** white (`top`) must have been measured; below the lowest gray value the curve goes to 0 at gray 0.
 //!
 //! ```
-//! use tomolith_planning::grey::{Form, GrayCurve, Polynomial};
+//! use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 //! use tomolith_core::response::curve::Curve;
 //! let table = Curve::new(&[0.0, 128.0, 255.0], &[0.1, 2.0, 9.0]).unwrap();
-//! let curve = GrayCurve::new(&table, 255.0, Form::Monotone).unwrap();
+//! let curve = GrayCurve::new(&table, 255.0, CurveForm::Monotone).unwrap();
 //! assert!((curve.at(128.0) - 2.0).abs() < 1e-6 && curve.at(60.0) < 2.0);
 //! // 3x − x²/2 is 0 at 0, and falls above 3
 //! let arch = Polynomial { coefficients: vec![0.0, 3.0, -0.5] };
@@ -30,7 +30,7 @@ use tomolith_report::plot::{Axis, Plot};
 /// What is laid through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Form {
+pub enum CurveForm {
     /// A monotone cubic through every point.
     #[default]
     Monotone,
@@ -174,9 +174,9 @@ impl GrayCurve {
     /// The curve through a table of gray values (0 … top) and irradiances.
     ///
     /// # Errors
-    /// [`Error::Config`] (key `grey value` or `irradiance`) when the table is negative or falls, when the form does so between 0 and top, with the range that
+    /// [`Error::Config`] (key `gray value` or `irradiance`) when the table is negative or falls, when the form does so between 0 and top, with the range that
     /// is usable; when white was not measured.
-    pub fn new(table: &Curve, top: f64, form: Form) -> Result<Self> {
+    pub fn new(table: &Curve, top: f64, form: CurveForm) -> Result<Self> {
         let (first, last) = (table.doses[0], table.doses[table.doses.len() - 1]);
         if first < 0.0 || last != top {
             return Err(Error::config(
@@ -191,7 +191,7 @@ impl GrayCurve {
         check_points(table)?;
         let mut notes = Vec::new();
         let through = match form {
-            Form::Monotone => {
+            CurveForm::Monotone => {
                 if first > 0.0 {
                     notes.push(format!(
                         "below gray {} nothing was measured: the curve goes to 0 at gray 0",
@@ -200,8 +200,8 @@ impl GrayCurve {
                 }
                 Through::Points(points(table)?)
             }
-            Form::Line => Through::Polynomial(Polynomial::fit(table, 1)?),
-            Form::Quadratic => Through::Polynomial(Polynomial::fit(table, 2)?),
+            CurveForm::Line => Through::Polynomial(Polynomial::fit(table, 1)?),
+            CurveForm::Quadratic => Through::Polynomial(Polynomial::fit(table, 2)?),
         };
         if let Through::Polynomial(polynomial) = &through {
             let usable = polynomial.usable(top);
@@ -225,10 +225,10 @@ impl GrayCurve {
 
     /// Irradiance of a gray value.
     #[must_use]
-    pub fn at(&self, grey: f64) -> f64 {
+    pub fn at(&self, gray: f64) -> f64 {
         match &self.through {
-            Through::Points(table) => f64::from(table.value(grey as f32)),
-            Through::Polynomial(polynomial) => polynomial.at(grey).max(0.0),
+            Through::Points(table) => f64::from(table.value(gray as f32)),
+            Through::Polynomial(polynomial) => polynomial.at(gray).max(0.0),
         }
     }
 
@@ -264,7 +264,7 @@ impl GrayCurve {
         points
     }
 
-    /// The file for `printer.grey_curve_file`.
+    /// The file for `printer.gray_curve_file`.
     #[must_use]
     pub fn file(&self, unit: &str) -> String {
         let rows: Vec<Vec<f64>> = self.points().iter().map(|p| p.to_vec()).collect();
