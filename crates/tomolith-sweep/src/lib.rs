@@ -15,10 +15,10 @@
 //!
 //! ```no_run
 //! use tomolith::models::Run;
-//! use tomolith_sweep::{SweepEvent, Sweep, Watch, run};
+//! use tomolith_sweep::{Sweep, SweepEvent, Watch, run};
 //! struct Quiet;
 //! impl Watch for Quiet {
-//!     fn event(&mut self, _: &Event) {}
+//!     fn event(&mut self, _: &SweepEvent) {}
 //! }
 //! let cancel = Run::new();
 //! let plan = Sweep::read("examples/sweeps/threshold-map.toml".as_ref())?.plan(8, &cancel)?;

@@ -411,7 +411,7 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         ),
         (
             axis("key = \"light[3].angles\"\nvalues = [12]"),
-            vec!["axes[0].key: ", "has 1 elements"],
+            vec!["axes[0].key: ", "has 1 element"],
         ),
         (
             axis("key = \"objective.ospw.lower\"\nvalues = []"),

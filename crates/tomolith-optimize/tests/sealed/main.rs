@@ -286,6 +286,11 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
         weight: noise(3, len).iter().map(|v| 1.0 + v).collect(),
         tolerance: noise(4, len).iter().map(|v| 0.05 * (1.0 + v)).collect(),
     };
+    // A process window has no bands that could be wider
+    let without_tolerance = VoxelWeights {
+        weight: voxel_weights.weight.clone(),
+        tolerance: Vec::new(),
+    };
     let dose = LinearOperator::new_dose(&model).unwrap();
     let sealed = SealedField::of(dose.as_slice());
     for (i, row) in objectives::<HostField>().iter().enumerate() {
@@ -302,8 +307,12 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
                 let mut host = (row.build)(&section, &input).unwrap();
                 let mut other = (objectives::<SealedField>()[i].build)(&section, &input).unwrap();
                 if is_emphasized {
-                    host.set_voxel_weights(&voxel_weights).unwrap();
-                    other.set_voxel_weights(&voxel_weights).unwrap();
+                    let emphasis = match row.name {
+                        "process_window" => &without_tolerance,
+                        _ => &voxel_weights,
+                    };
+                    host.set_voxel_weights(emphasis).unwrap();
+                    other.set_voxel_weights(emphasis).unwrap();
                 }
                 let what = format!("{} {surface} {is_emphasized} {response:?}", row.name);
                 let (a, b) = (asked(&*host, &dose), asked(&*other, &sealed));
