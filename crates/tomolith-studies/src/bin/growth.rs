@@ -1,9 +1,10 @@
 //! How time and memory of every dose model grow: `cargo run --release -p tomolith-studies --bin growth -- [LARGEST] [FOLDER]`.
 //!
 //! A ball in the middle of N³ voxels, N × N pixels as wide as voxels, N frames of a full turn, for N = 32, 48, 64, 96, 128, … up to LARGEST
-//! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which builds the job's
-//! model and calls dose and adjoint until half a second of processor time has gone. Prints a table, exponents fitted to the four largest
-//! sizes, and what 1024³ voxels with 1000 angles would take by them; FOLDER gets `growth.svg`. See docs/measured/growth.md.
+//! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
+//! builds the job's model and calls dose and adjoint until half a second of processor time has gone. Prints a table, exponents fitted to the
+//! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
+//! theory's (memory: N³). FOLDER gets two pictures. See docs/measured/growth.md.
 //! Processor time is of all threads (Linux).
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
@@ -14,6 +15,7 @@ use std::process::Command;
 use tomolith::field::{Field, HostField};
 use tomolith::job::{Document, Job, ResolvedJob};
 use tomolith::models::{DoseModel, Run};
+use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -180,22 +182,21 @@ fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
     })
 }
 
-/// Exponent and value at 1024 of a power law through the last four points: least squares of the logarithms.
-fn power_law(sizes: &[Size], of: impl Fn(&Size) -> f64) -> [f64; 2] {
+/// Exponent of a power law through the last four points: least squares of the logarithms.
+fn exponent(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
     let last = &sizes[sizes.len().saturating_sub(4)..];
-    let points = || {
-        last.iter()
-            .map(|s| ((s.n as f64 / 1024.0).ln(), of(s).ln()))
-    };
+    let points = || last.iter().map(|s| ((s.n as f64).ln(), of(s).ln()));
     let count = last.len() as f64;
-    let mean = |sum: f64| sum / count;
-    let (x, y) = (
-        mean(points().map(|p| p.0).sum()),
-        mean(points().map(|p| p.1).sum()),
-    );
+    let x = points().map(|p| p.0).sum::<f64>() / count;
+    let y = points().map(|p| p.1).sum::<f64>() / count;
     let spread: f64 = points().map(|p| (p.0 - x).powi(2)).sum();
-    let slope = points().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / spread;
-    [slope, (y - slope * x).exp()]
+    points().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / spread
+}
+
+/// A number at N = 1024 if it grows so from the largest size on.
+fn at_1024(sizes: &[Size], exponent: f64, of: impl Fn(&Size) -> f64) -> f64 {
+    let last = sizes.last().map_or([f64::NAN; 2], |s| [s.n as f64, of(s)]);
+    last[1] * (1024.0 / last[0]).powf(exponent)
 }
 
 fn sizes_up_to(largest: usize) -> impl Iterator<Item = usize> {
@@ -215,15 +216,18 @@ fn grown(case: &Case, largest: usize) -> Fallible<Vec<Size>> {
         }
         let size = in_a_process(case, n)?;
         println!(
-            "| {} | {n} | {:.3} | {:.3} | {:.0} |",
-            case.name, size.dose_s, size.adjoint_s, size.peak_mb
+            "| {} | {n} | {} | {} | {:.0} |",
+            case.name,
+            significant(size.dose_s, 2),
+            significant(size.adjoint_s, 2),
+            size.peak_mb
         );
         sizes.push(size);
     }
     Ok(sizes)
 }
 
-/// Dose times of all models, and the theory's slope through the largest size of each.
+/// Dose times of three models, and the theory's slope through the largest size of each.
 fn picture(all: &[(&Case, Vec<Size>)]) -> String {
     let times = || {
         all.iter()
@@ -238,7 +242,7 @@ fn picture(all: &[(&Case, Vec<Size>)]) -> String {
         Axis::log("N", 28.0, 1.2 * largest.unwrap_or(64) as f64),
         Axis::log("processor seconds a dose", 0.5 * low, 2.0 * high),
     );
-    let classes = ["accent", "part", "void", "gel", "still", "window"];
+    let classes = ["accent", "gel", "still"];
     for ((case, sizes), class) in all.iter().zip(classes) {
         let points: Vec<[f64; 2]> = sizes.iter().map(|s| [s.n as f64, s.dose_s]).collect();
         plot.dots(&points, class, case.name);
@@ -272,20 +276,24 @@ fn main() -> Fallible<()> {
     );
     println!("|---|---|---|---|---|---|---|");
     for (case, sizes) in &all {
-        let [dose, at_1024] = power_law(sizes, |s| s.dose_s);
-        let [adjoint, _] = power_law(sizes, |s| s.adjoint_s);
-        let [peak, peak_at_1024] = power_law(sizes, |s| s.peak_mb);
+        let dose = exponent(sizes, |s| s.dose_s);
+        let hours = at_1024(sizes, dose.max(case.theory), |s| s.dose_s) * 1000.0 / 1024.0 / 3600.0;
         println!(
-            "| {} | {dose:.2} | {:.0}: {} | {adjoint:.2} | {peak:.2} | {:.2} | {:.0} |",
+            "| {} | {dose:.2} | {:.0}: {} | {:.2} | {:.2} | {} | {:.0} |",
             case.name,
             case.theory,
             case.why,
-            at_1024 * 1000.0 / 1024.0 / 3600.0,
-            peak_at_1024 / 1024.0
+            exponent(sizes, |s| s.adjoint_s),
+            exponent(sizes, |s| s.peak_mb),
+            significant(hours, 2),
+            at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0
         );
     }
     if let Some(folder) = arguments.get(1) {
-        std::fs::write(PathBuf::from(folder).join("growth.svg"), picture(&all))?;
+        let (light, others) = all.split_at(3);
+        let folder = PathBuf::from(folder);
+        std::fs::write(folder.join("growth-light.svg"), picture(light))?;
+        std::fs::write(folder.join("growth-paths-and-waves.svg"), picture(others))?;
     }
     Ok(())
 }
