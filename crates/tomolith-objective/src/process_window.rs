@@ -316,6 +316,19 @@ impl ProcessWindow {
             last: [0.8, -0.6].map(|start: f64| AtomicI64::new((start / GRID) as i64)),
         };
         objective.count()?;
+        if objective.prices[0] > 1.0 {
+            return Err(Error::config(
+                "outliers",
+                format!(
+                    "{}: less than one voxel of the part",
+                    exact(objective.params.outliers)
+                ),
+                format!(
+                    "{} or more",
+                    exact(objective.prices[0] * objective.params.outliers)
+                ),
+            ));
+        }
         Ok(objective)
     }
 
@@ -631,6 +644,17 @@ mod tests {
             };
             assert_eq!(found, key);
         }
+        let half: Vec<f32> = (0..8).map(|i| f32::from(i < 4)).collect();
+        let few = Params {
+            outliers: 0.2,
+            ..Params::default()
+        };
+        let few = ProcessWindow::new(0..8, Shares::of(half), few, Arc::new(Identity));
+        let refused = few.map(drop).unwrap_err().to_string();
+        assert!(
+            refused.contains("less than one voxel") && refused.contains("0.25 or more"),
+            "{refused}"
+        );
         let shares = Shares::of(vec![1.0; 8]);
         let only = ProcessWindow::new(0..8, shares, Params::default(), Arc::new(Identity));
         assert!(matches!(only.map(drop), Err(Error::Unsupported { .. })));

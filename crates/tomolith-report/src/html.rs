@@ -8,7 +8,8 @@ use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, sli
 use super::number::{escape, significant};
 use super::plot::{Axis, Plot};
 use super::{
-    LightReport, MapReport, MovieReport, ReportData, SpeciesReport, latitude, limits, relief, time,
+    LightReport, MapReport, MovieReport, ReportData, ScenarioTable, SpeciesReport, latitude,
+    limits, relief, time,
 };
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -52,6 +53,9 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         surface(data),
         slices_section(data),
         species(data),
+        data.scenarios
+            .map(ScenarioTable::section)
+            .unwrap_or_default(),
         maps(data),
         in_time(data),
         history(data.history),

@@ -3,6 +3,7 @@
 //! All of them gel at one dose, that of the job: nobody knows which scenario a print is. The window over scenarios is the least dose of the
 //! part in any of them less the largest of the void in any of them, both trimmed (`evaluate.trim_percent`).
 
+use super::number::{escape, significant};
 use serde::Serialize;
 use tomolith_metrics::Measure;
 
@@ -57,16 +58,50 @@ impl ScenarioTable {
         }
     }
 
+    /// The one that prints worst at the job's threshold.
+    fn worst(&self) -> Option<&ScenarioRow> {
+        let iou = |row: &&ScenarioRow| row.iou_at_threshold.unwrap_or(f64::INFINITY);
+        self.rows.iter().min_by(|a, b| iou(a).total_cmp(&iou(b)))
+    }
+
+    /// A section of the report.
+    #[must_use]
+    pub(crate) fn section(&self) -> String {
+        let cell = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| significant(m, 4));
+        let row = |row: &ScenarioRow| {
+            let numbers = [
+                row.iou_at_threshold,
+                row.iou,
+                row.gamma,
+                row.part_low,
+                row.void_high,
+            ];
+            let cells = numbers.map(|m| format!("<td>{}</td>", cell(m)));
+            format!("<tr><td>{}</td>{}</tr>", escape(&row.name), cells.concat())
+        };
+        let rows: String = self.rows.iter().map(row).collect();
+        format!(
+            "<section><h2>Scenarios</h2><p>What the same patterns print where something is otherwise. Nobody knows which scenario a print is, so all of \
+             them gel at the threshold of the job, {}.</p><table class=\"plain\"><thead><tr><th>scenario</th><th>IoU there</th><th>IoU at its own threshold</th>\
+             <th>Γ, %</th><th>least of the part</th><th>largest of the void</th></tr></thead><tbody>{rows}</tbody></table>\
+             <p class=\"muted\">Window over all of them: {}, trimmed.</p></section>",
+            cell(self.threshold),
+            cell(self.window)
+        )
+    }
+
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
         let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
         let own = self.rows.first();
         let alone = own.and_then(|row| row.part_low.zip(row.void_high));
+        let count = self.rows.len().saturating_sub(1);
         format!(
-            "over the job and {} scenarios: IoU at least {} at one exposure (the job {}), trimmed window {} (the job {})",
-            self.rows.len().saturating_sub(1),
+            "over the job and {count} scenario{}: IoU at least {} at the job's threshold ({}; the job {}), trimmed window {} (the job {})",
+            if count == 1 { "" } else { "s" },
             number(self.worst_iou),
+            self.worst().map_or("none", |row| row.name.as_str()),
             number(own.and_then(|row| row.iou_at_threshold)),
             number(self.window),
             number(alone.map(|(low, high)| low - high))
@@ -81,7 +116,7 @@ mod tests {
     #[test]
     fn the_window_is_between_the_worst_of_either_side() {
         let row = |iou: f64, low: f64, high: f64| ScenarioRow {
-            name: String::new(),
+            name: format!("at {iou}"),
             iou: Some(iou),
             iou_at_threshold: Some(iou - 0.01),
             gamma: None,
@@ -100,6 +135,12 @@ mod tests {
         assert!(
             text.contains("2 scenarios") && text.contains("-0.0500") && text.contains("0.3000"),
             "{text}"
+        );
+        assert!(text.contains("(at 0.95; the job 0.9800)"), "{text}");
+        let section = table.section();
+        assert!(
+            section.contains("<td>at 0.97</td><td>0.96</td>"),
+            "{section}"
         );
     }
 }

@@ -41,6 +41,7 @@ pub(crate) struct Scenario {
 /// # Errors
 /// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
 pub(super) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario>> {
+    must_be_told_apart(&job.spec)?;
     let given = job.spec.scenario.iter().enumerate();
     let scenarios = given.map(|(i, scenario)| {
         let at = |error| at_scenario(i, error);
@@ -56,6 +57,25 @@ pub(super) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario
         must_fit(scene)?;
     }
     Ok(scenarios)
+}
+
+/// Refuses names that say nothing.
+fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
+    let mut names = vec!["", "the job"];
+    for (i, scenario) in spec.scenario.iter().enumerate() {
+        let Some(name) = scenario.name.as_deref() else {
+            continue;
+        };
+        if names.contains(&name.trim()) {
+            return Err(Error::config(
+                format!("scenario[{i}].name"),
+                format!("found \"{name}\""),
+                "a name that neither the job nor another scenario has",
+            ));
+        }
+        names.push(name.trim());
+    }
+    Ok(())
 }
 
 /// Names the scenario whose key is blamed.

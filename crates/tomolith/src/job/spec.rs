@@ -420,7 +420,7 @@ pub enum RobustOf {
     /// Their mean.
     #[default]
     Mean,
-    /// Their norm of power 8, which is nearly the largest.
+    /// Their mean of power 8, which is nearly the largest.
     Worst,
 }
 
