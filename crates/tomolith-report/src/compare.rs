@@ -567,6 +567,8 @@ fn rows() -> Vec<Row> {
 fn judge_of(run: &ComparedRun) -> Option<&str> {
     let model = run.report.pointer("/run/models/evaluation");
     let model = model.and_then(Value::as_str)?;
+    // "2 species by 2 lights, each alone: parallel (…"
+    let model = model.rsplit("each alone: ").next()?;
     model.split([' ', ',', ':']).next()
 }
 
@@ -894,6 +896,9 @@ mod tests {
         assert!(page.contains("waves<br><span class=\"muted\">judged by wave</span>"));
         // What one model says is no better than what another says
         assert!(page.contains("the best is not marked") && !page.contains("<td class=\"head\">"));
+        let alone = "2 species by 2 lights, each alone: parallel (distance-driven kernel)";
+        runs[1].report["run"]["models"]["evaluation"] = alone.into();
+        assert!(compare_html(&runs).contains("judged by parallel"));
     }
 
     #[test]
