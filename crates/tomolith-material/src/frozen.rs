@@ -2,7 +2,8 @@
 //!
 //! **Equation** degree of cure r_s = (A_s(x) − c_s)/E_d. A_s: drive that the patterns leave in all of the schedule, linear in x.
 //! c_s = A_s(x₀) − E_s(x₀) + Σ Oᵢ(x₀)/κᵢ: what inhibitors took from the drive of the patterns x₀ of the last simulation, what flowed in between included,
-//! and what is left of them at its end. Where voxels are alone this is exact for any x: their inhibitor takes what it takes.
+//! and what is left of them at its end. Where voxels are alone this is exact for any x: their inhibitor takes what it takes. A voxel into which dose diffused, or
+//! whose network did not feel an antagonist, has more dose than drive: c is negative there, so that r is the degree of cure of the last simulation everywhere.
 //!
 //! **Rounds** [`renew`](DoseModel::renew) simulates the print of the patterns anew after every so many iterations, so that a method solves, simulates
 //! and solves again. Before the first time c is what the start of the material holds. c is the [memory](DoseModel::memory) that checkpoints keep.
@@ -125,7 +126,7 @@ impl Frozen {
                     .iter_mut()
                     .zip(&drive.as_slice()[output.range()])
                     .zip(dose)
-                    .for_each(|((c, a), e)| *c = (a - per_unit * e).max(0.0)),
+                    .for_each(|((c, a), e)| *c = a - per_unit * e),
             }
             for (volume, capacity) in needed.inhibitors {
                 let left = state.volumes[volume].as_slice();
@@ -274,8 +275,12 @@ mod tests {
     }
 
     fn frozen(diffusion: f64) -> Frozen {
+        let domain = Domain::new(optics().layout().grid.clone());
+        frozen_of(material(diffusion, domain))
+    }
+
+    fn frozen_of(material: Photopolymer) -> Frozen {
         let optics = optics();
-        let material = material(diffusion, Domain::new(optics.layout().grid.clone()));
         let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
         Frozen::new(
             vec![Box::new(optics)],
@@ -297,14 +302,14 @@ mod tests {
 
     /// The degree of cure of the print in time, and of the frozen model.
     fn both(model: &Frozen, x: &HostField) -> (Vec<f32>, Vec<f32>) {
-        let grid = model.outputs()[0].grid.clone();
+        let domain = Domain::new(model.outputs()[0].grid.clone());
+        both_of(model, x, material(0.05, domain))
+    }
+
+    fn both_of(model: &Frozen, x: &HostField, material: Photopolymer) -> (Vec<f32>, Vec<f32>) {
         let schedule = model.absorbed.schedule().clone();
-        let printing = Printing::new(
-            vec![Box::new(optics())],
-            schedule,
-            Box::new(material(0.05, Domain::new(grid))),
-            None,
-        );
+        let optics = vec![Box::new(optics()) as Box<Model>];
+        let printing = Printing::new(optics, schedule, Box::new(material), None);
         let run = Run::new();
         let mut degree = model.new_dose().unwrap();
         printing.unwrap().dose(x, &mut degree, &run).unwrap();
@@ -358,6 +363,30 @@ mod tests {
             }
         }
         assert!(worst < 1e-4 && moved > 0.02, "{worst} {moved}");
+    }
+
+    #[test]
+    fn dose_that_flows_into_a_voxel_is_its_own() {
+        let material = || {
+            let network = Network {
+                dose_diffusion_mm2_per_s: 0.05,
+                ..Network::new("resin", Curing::threshold(0.3))
+            };
+            let domain = Domain::new(optics().layout().grid.clone());
+            let params = Params::new(vec![network]);
+            Photopolymer::new(params, Mixing::identity(1), domain).unwrap()
+        };
+        let model = frozen_of(material());
+        let (x, run) = (patterns(&model), Run::new());
+        let mut drive = model.new_dose().unwrap();
+        model.dose(&x, &mut drive, &run).unwrap();
+        model.simulate(&x, &run).unwrap();
+        let (print, frozen) = both_of(&model, &x, material());
+        let pairs = print.iter().zip(&frozen);
+        let off = pairs.map(|(p, f)| (p - f).abs()).fold(0.0, f32::max);
+        let gained = print.iter().zip(drive.as_slice());
+        let gained = gained.filter(|(p, a)| **p > **a + 0.02).count();
+        assert!(off < 1e-4 && gained > 20, "{off} {gained}");
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
 
 use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
-use super::number::{escape, significant};
+use super::number::{escape, significant, told_apart};
 use super::plot::{Axis, Plot};
 use super::{
     LightReport, MapReport, MovieReport, ReportData, ScenarioTable, SpeciesReport, latitude,
@@ -144,10 +144,7 @@ fn first_of(data: &ReportData<'_>) -> String {
 
 /// What a reader looks for first: how long to expose, and what to change.
 fn first(data: &ReportData<'_>) -> String {
-    let (exposure, limits) = (
-        latitude::section(data.exposure),
-        limits::section(data.limits),
-    );
+    let (exposure, limits) = (latitude::section(data), limits::section(data.limits));
     format!("<div class=\"two\">{exposure}{limits}</div>")
 }
 
@@ -209,10 +206,16 @@ fn together(data: &ReportData<'_>) -> String {
 /// The print in time.
 fn in_time(data: &ReportData<'_>) -> String {
     let own_um = 1e3 * data.evaluation.grid.pitch_mm;
+    let together = data.one_moment.as_ref().map_or_else(String::new, |moment| {
+        format!(
+            "<section><h2>The print in time: when to stop</h2><p>{}</p></section>",
+            escape(&moment.sentence())
+        )
+    });
     let networks = data.time.iter().enumerate();
-    networks
-        .map(|(i, network)| time::section(network, i, own_um))
-        .collect()
+    networks.fold(together, |page, (i, network)| {
+        page + &time::section(network, i, own_um)
+    })
 }
 
 /// Properties of the printed material.
@@ -222,7 +225,8 @@ fn maps(data: &ReportData<'_>) -> String {
         let Some(spread) = map.spread() else {
             return format!("<section><h2>Predicted {name}</h2><p>Nothing is solid.</p></section>");
         };
-        let [low, median, high] = spread.map(|v| significant(v, 3));
+        let said = told_apart(&spread, 3);
+        let [low, median, high] = [0, 1, 2].map(|i| &said[i]);
         let unit = escape(map.unit);
         format!(
             "<section><h2>Predicted {name}</h2><p>From {low} to {high} {unit} where something is solid, half of it below {median} {unit}. \
@@ -762,6 +766,14 @@ fn machine(light: &LightReport<'_>) -> String {
         || "the patterns as they are".to_owned(),
         |[columns, rows]| format!("{columns} × {rows} pixels"),
     );
+    let brightest = light.irradiance.map(|irradiance| {
+        let own = number(Some(irradiance.white_mw_per_cm2), "mW/cm²");
+        let share = irradiance.peak_mw_per_cm2.map_or_else(String::new, |peak| {
+            let percent = 100.0 * irradiance.white_mw_per_cm2 / peak;
+            format!(", {} % of what the printer gives", significant(percent, 3))
+        });
+        ("White, while it shines", own + &share)
+    });
     let rows: String = [
         ("Device", canvas),
         (
@@ -783,10 +795,13 @@ fn machine(light: &LightReport<'_>) -> String {
             number(Some(100.0 * budget.light_used), "%"),
         ),
     ]
-    .iter()
+    .into_iter()
+    .chain(brightest)
     .map(|(name, value)| format!("<tr><td>{name}</td><td>{value}</td></tr>"))
     .collect();
-    let missing = if budget.time_s.is_none() {
+    let missing = if light.irradiance.is_some() {
+        "<p class=\"note\">The job's schedule says how long and how bright the light is.</p>"
+    } else if budget.time_s.is_none() {
         "<p class=\"note\">Times need resin.critical_dose_mj_per_mm3 and printer.peak_irradiance_mw_per_cm2.</p>"
     } else {
         ""

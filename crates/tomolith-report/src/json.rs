@@ -19,12 +19,15 @@
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
 //!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimization's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
-//! lights        frames, size and scale of each light's patterns
-//! species       where a job names several: name, driven_by (factor of each light), evaluation as above; the first is that of `evaluation`
-//! one_exposure  of several species: gel_dose (at which all of them gel) and iou (of each then), where the lowest of them is the largest
+//! lights        frames, size and scale of each light's patterns; budget (time, turns, energies: those of the schedule where the job has one),
+//!               irradiance (of white in that schedule, and the most that the printer gives; else null)
+//! species       where a job names several: name, driven_by (factor of each light), evaluation and exposure as above; the first is that of `evaluation`
+//! one_exposure  of several species: gel_dose (at which all of them gel), species and iou (of each then), where the lowest of them is the largest;
+//!               limited_by (the species with the lowest), percent and time_s as in exposure, of the lowest IoU
 //! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
 //!               best_jaccard, window_s (within 0.01 of the best), ideal_exposure_s, requirement_mj, largest_share_of_requirement (where it is
-//!               never met), evaluation (what is solid at best_s), curves
+//!               never met), best_mj (energy that all lights have sent to the vial by best_s), evaluation (what is solid at best_s), curves
+//! one_moment    of several networks: seconds (when the lowest Jaccard index is the largest), networks, jaccard, limited_by, window_s; else null
 //! properties    of the printed material: name, unit, and min, median, max where something is solid
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last);
@@ -81,6 +84,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
                 "full_scale": number(f64::from(light.full_scale)),
                 "canvas": light.canvas,
                 "budget": light.budget,
+                "irradiance": light.irradiance,
             })
         })
         .collect();
@@ -134,6 +138,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "species": species,
         "one_exposure": data.one_exposure,
         "time": data.time.iter().map(time_json).collect::<Vec<_>>(),
+        "one_moment": data.one_moment,
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,
@@ -166,6 +171,7 @@ fn species_json(species: &SpeciesReport<'_>) -> Value {
         "name": species.name,
         "driven_by": driven_by,
         "evaluation": evaluation_json(species.evaluation),
+        "exposure": species.exposure,
     })
 }
 

@@ -1,7 +1,8 @@
 //! The best exposure, and how far it may be off: for `report.json`, the page, and the last lines of a run.
 
 use super::html::clock;
-use super::number::significant;
+use super::number::{escape, significant, told_apart};
+use super::{ReportData, species};
 use serde::Serialize;
 use tomolith_core::response::Response;
 use tomolith_metrics::latitude::{Latitude, TOLERANCE};
@@ -24,7 +25,7 @@ impl Bracket {
         Bracket { low, best, high }
     }
 
-    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+    pub(super) fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let [low, best, high] = self.ascending().map(|value| value.map(&f));
         Bracket { low, best, high }
     }
@@ -139,15 +140,6 @@ impl ExposureWindow {
     /// In words, one or two sentences.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let from_to = |bracket: &Bracket, unit: &str| {
-            let text = |value: f64| format!("{} {unit}", significant(value, 3));
-            match (bracket.low, bracket.high) {
-                (Some(a), Some(b)) => format!("from {} to {}", text(a), text(b)),
-                (Some(a), None) => format!("from {} on", text(a)),
-                (None, Some(b)) => format!("up to {}", text(b)),
-                (None, None) => "at any".to_owned(),
-            }
-        };
         let worse = significant(self.tolerance, 2);
         let mut text = match self.dose.and_then(|dose| dose.best) {
             Some(dose) => format!(
@@ -183,26 +175,64 @@ impl ExposureWindow {
     }
 }
 
+/// A range in words: digits enough to tell its ends and its best value apart.
+pub(super) fn from_to(bracket: &Bracket, unit: &str) -> String {
+    let known: Vec<f64> = bracket.ascending().into_iter().flatten().collect();
+    let mut said = told_apart(&known, 3).into_iter();
+    let [low, _, high] = bracket
+        .ascending()
+        .map(|value| value.and_then(|_| said.next()));
+    match (low, high) {
+        (Some(a), Some(b)) => format!("from {a} {unit} to {b} {unit}"),
+        (Some(a), None) => format!("from {a} {unit} on"),
+        (None, Some(b)) => format!("up to {b} {unit}"),
+        (None, None) => "at any".to_owned(),
+    }
+}
+
+/// The three cells of a row; `text` gets the values that there are.
+pub(super) fn cells(bracket: [Measure; 3], text: &dyn Fn(&[f64]) -> Vec<String>) -> [String; 3] {
+    let known: Vec<f64> = bracket.into_iter().flatten().collect();
+    let mut said = text(&known).into_iter();
+    bracket.map(|value| {
+        let said = value.and_then(|_| said.next());
+        said.unwrap_or_else(|| "no limit".to_owned())
+    })
+}
+
+/// Where the page says when to stop, for a job whose schedule says how bright the light is.
+pub(super) fn when(data: &ReportData<'_>) -> &'static str {
+    if data.time.is_empty() {
+        return "";
+    }
+    "<p class=\"note\">This is about the dose. When to stop in the job's schedule is said under “The print in time”.</p>"
+}
+
 /// The section of the page.
-pub(super) fn section(window: Option<&ExposureWindow>) -> String {
-    let Some(window) = window else {
+pub(super) fn section(data: &ReportData<'_>) -> String {
+    if let Some(one) = data.one_exposure {
+        return species::section(one, data);
+    }
+    let Some(window) = data.exposure else {
         return "<section><h2>Best exposure</h2><p class=\"muted\">Not given: either nothing prints, or the response is not the dose itself, so that more light does not \
                 scale the gray values.</p></section>"
             .to_owned();
     };
-    let row = |name: &str, bracket: &Bracket, text: &dyn Fn(f64) -> String| {
-        let [low, best, high] = bracket
-            .ascending()
-            .map(|value| value.map_or("no limit".to_owned(), text));
+    let row = |name: &str, bracket: &Bracket, text: &dyn Fn(&[f64]) -> Vec<String>| {
+        let [low, best, high] = cells(bracket.ascending(), text);
         format!(
             "<tr><td>{name}</td><td>{low}</td><td class=\"head\">{best}</td><td>{high}</td></tr>"
         )
     };
-    let number = |value: f64| significant(value, 3);
-    let percent = |value: f64| format!("{} %", significant(value, 3));
-    let mut rows = row("Exposure", &window.percent, &percent);
+    let numbers = |values: &[f64]| told_apart(values, 3);
+    let percents = |values: &[f64]| {
+        let said = told_apart(values, 3);
+        said.into_iter().map(|text| text + " %").collect()
+    };
+    let clocks = |values: &[f64]| values.iter().map(|s| clock(*s)).collect();
+    let mut rows = row("Exposure", &window.percent, &percents);
     if let Some(time) = &window.time_s {
-        rows += &row("Time to print", time, &clock);
+        rows += &row("Time to print", time, &clocks);
     }
     // The shortest exposure belongs to the highest dose
     let turned = |bracket: Bracket| Bracket {
@@ -211,17 +241,28 @@ pub(super) fn section(window: Option<&ExposureWindow>) -> String {
         ..bracket
     };
     if let Some(dose) = window.dose {
-        rows += &row("Dose that gels", &turned(dose), &number);
+        rows += &row("Dose that gels", &turned(dose), &numbers);
     }
     if let Some(threshold) = window.threshold
         && window.dose != window.threshold
     {
-        rows += &row("Response that gels", &turned(threshold), &number);
+        rows += &row("Response that gels", &turned(threshold), &numbers);
     }
+    let others = data.species.iter().skip(1).filter_map(|species| {
+        let window = species.exposure.as_ref()?;
+        let (name, said) = (escape(species.name), window.sentence());
+        Some(format!("<p class=\"muted\">{name}: {said}</p>"))
+    });
+    let first = match data.species.first() {
+        Some(species) if data.species.len() > 1 => format!("{}: ", escape(species.name)),
+        _ => String::new(),
+    };
     format!(
-        "<section><h2>Best exposure</h2><p class=\"muted\">{}</p><table class=\"plain\"><thead><tr><th></th><th>shortest</th><th>best</th><th>longest</th></tr></thead>\
-         <tbody>{rows}</tbody></table></section>",
+        "<section><h2>Best exposure</h2><p class=\"muted\">{first}{}</p>{}<table class=\"plain\"><thead><tr><th></th><th>shortest</th><th>best</th><th>longest</th></tr></thead>\
+         <tbody>{rows}</tbody></table>{}</section>",
         window.sentence(),
+        others.collect::<String>(),
+        when(data),
     )
 }
 
@@ -284,6 +325,21 @@ mod tests {
             window
                 .sentence()
                 .ends_with("The numbers on this page are for 125 % of it.")
+        );
+    }
+
+    #[test]
+    fn a_narrow_window_has_digits_enough() {
+        let mut evaluation = evaluation(None);
+        evaluation.latitude = Some(Latitude::Thresholds {
+            iou: 0.9,
+            at: [0.4999, 0.5, 0.5002],
+        });
+        let window = ExposureWindow::new(&evaluation, &Identity, Some(50.0)).unwrap();
+        let text = window.sentence();
+        assert!(
+            text.contains("from 99.96 % to 100.02 % of it (from 49.98 s to 50.01 s"),
+            "{text}"
         );
     }
 

@@ -22,7 +22,7 @@ pub mod time;
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, PrintLimits};
 pub use scenarios::{ScenarioRow, ScenarioTable};
-pub use species::OneExposure;
+pub use species::{OneExposure, OneMoment};
 use std::io::Write;
 use std::path::Path;
 pub use time::{TimePoint, TimeReport};
@@ -52,8 +52,19 @@ pub struct LightReport<'a> {
     pub wavelength_nm: Option<f64>,
     /// Columns and rows of the device, when a printer is named.
     pub canvas: Option<[usize; 2]>,
-    /// Time, energy and use of the light.
+    /// Time, energy and use of the light; those of the job's schedule where it has one.
     pub budget: Budget,
+    /// How bright the job's schedule shows it, where it has one.
+    pub irradiance: Option<Irradiance>,
+}
+
+/// How bright a light shines in a schedule, while it shines.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Irradiance {
+    /// Of white, mW/cm².
+    pub white_mw_per_cm2: f64,
+    /// The most that the printer gives, where the job says so, mW/cm².
+    pub peak_mw_per_cm2: Option<f64>,
 }
 
 /// A movie that was written, and what a decoder made of it.
@@ -123,6 +134,8 @@ pub struct SpeciesReport<'a> {
     pub inside: &'a Volume<f32>,
     /// Thresholds of its objective, where it has any.
     pub window: Option<[f64; 2]>,
+    /// Over which exposures it is nearly as good as at its own best one.
+    pub exposure: Option<ExposureWindow>,
 }
 
 /// Everything a report shows.
@@ -167,6 +180,8 @@ pub struct ReportData<'a> {
     pub one_exposure: Option<&'a OneExposure>,
     /// The print in time, per network, where the job has a schedule.
     pub time: Vec<TimeReport<'a>>,
+    /// The best moment of all networks, where there are several.
+    pub one_moment: Option<OneMoment>,
     /// Properties of the printed material.
     pub maps: Vec<MapReport<'a>>,
     /// What happened in the optimization.
@@ -223,6 +238,7 @@ impl<'a> ReportData<'a> {
             one_exposure: None,
             maps: Vec::new(),
             time: Vec::new(),
+            one_moment: None,
             history: &[],
             kept: None,
             gap: None,
@@ -394,6 +410,7 @@ mod tests {
                         energy_per_turn_mj: Some(3.0),
                         energy_mj: Some(37.5),
                     },
+                    irradiance: None,
                 }],
                 labels: &self.labels,
                 response: &self.response,
@@ -408,6 +425,7 @@ mod tests {
                 one_exposure: None,
                 maps: Vec::new(),
                 time: Vec::new(),
+                one_moment: None,
                 history: &self.history,
                 kept: None,
                 gap: None,

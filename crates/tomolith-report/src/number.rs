@@ -50,6 +50,29 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{}{size}", if value < 0.0 { "−" } else { "" })
 }
 
+/// Numbers beside each other, with `digits` significant digits or as many more, up to 7, as tell those apart that differ.
+///
+/// ```
+/// use tomolith_report::number::told_apart;
+/// assert_eq!(told_apart(&[99.96, 100.0, 103.2], 3), ["99.96", "100", "103.2"]);
+/// assert_eq!(told_apart(&[42.5, 44.21], 3), ["42.5", "44.2"]);
+/// ```
+#[must_use]
+pub fn told_apart(values: &[f64], digits: usize) -> Vec<String> {
+    let said =
+        |digits: usize| -> Vec<String> { values.iter().map(|v| significant(*v, digits)).collect() };
+    let is_clear = |said: &[String]| {
+        let pairs = (0..values.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+        pairs
+            .into_iter()
+            .all(|(a, b)| values[a] == values[b] || said[a] != said[b])
+    };
+    (digits..7)
+        .map(said)
+        .find(|said| is_clear(said))
+        .unwrap_or_else(|| said(digits.max(7)))
+}
+
 /// Without zeros at the end, and with commas between thousands.
 fn trimmed(text: &str) -> String {
     let text = if text.contains('.') {

@@ -1,18 +1,32 @@
 //! Several species at one exposure. A print has only one, so species that are best at doses of their own are printed together only where their networks gel at
 //! doses of that ratio.
 //!
-//! **Definition** Of all doses, the one at which the lowest IoU of all species is the largest, every network gelling at that dose. Between the points of
-//! their curves IoU is taken as linear.
+//! **Definition** Of all doses, the one at which the lowest IoU of all species is the largest, every network gelling at that dose; of all times of a print in time,
+//! the one at which the lowest Jaccard index is. Between the points of their curves both are taken as linear.
 
+use super::html::clock;
+use super::latitude::Bracket;
+use super::number::{escape, significant, told_apart};
+use super::{ReportData, latitude};
 use serde::Serialize;
+use std::fmt::Write as _;
+use tomolith_metrics::latitude::TOLERANCE;
 
 /// What several species become together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OneExposure {
     /// The dose at which every network gels, in units of the job.
     pub gel_dose: f64,
-    /// IoU of each species there.
+    /// Names of the species.
+    pub species: Vec<String>,
+    /// IoU of each of them there.
     pub iou: Vec<f64>,
+    /// The species whose IoU is the lowest.
+    pub limited_by: String,
+    /// Exposures over which the lowest IoU is at most 0.01 worse, % of this one.
+    pub percent: Bracket,
+    /// The same as times to print, s; none where the job does not give times.
+    pub time_s: Option<Bracket>,
 }
 
 impl OneExposure {
@@ -22,47 +36,303 @@ impl OneExposure {
     /// use tomolith_report::species::OneExposure;
     /// // Perfect at doses of 1 and 2: nearest to that together at 1.5
     /// let [a, b] = [[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]], [[1.0, 0.0], [2.0, 1.0], [3.0, 0.0]]];
-    /// let both = OneExposure::of(&[a.to_vec(), b.to_vec()]).unwrap();
+    /// let both = OneExposure::of(&[("a", a.to_vec()), ("b", b.to_vec())]).unwrap();
     /// assert_eq!((both.gel_dose, both.iou), (1.5, vec![0.5, 0.5]));
+    /// // A gel dose 0.01 higher, in an exposure 1.5/1.51 as long, leaves a with 0.49
+    /// assert!((both.percent.low.unwrap() - 100.0 * 1.5 / 1.51).abs() < 1e-6);
     /// ```
     #[must_use]
-    pub fn of(curves: &[Vec<[f64; 2]>]) -> Option<Self> {
-        if curves.len() < 2 {
-            return None;
-        }
-        let mut doses: Vec<f64> = curves.iter().flatten().map(|point| point[0]).collect();
-        doses.sort_by(f64::total_cmp);
-        // Two lines that cross meet between the points of the curves
-        let middles = doses
-            .windows(2)
-            .map(|pair| f64::midpoint(pair[0], pair[1]))
-            .collect::<Vec<_>>();
-        let all = doses.into_iter().chain(middles);
-        let at = |gel_dose: f64| {
-            let iou = curves.iter().map(|curve| iou_at(curve, gel_dose));
-            let iou = iou.collect::<Option<Vec<_>>>()?;
-            Some(OneExposure { gel_dose, iou })
-        };
-        all.filter_map(at)
-            .max_by(|a, b| a.lowest().total_cmp(&b.lowest()))
+    pub fn of(species: &[(&str, Vec<[f64; 2]>)]) -> Option<Self> {
+        let curves: Vec<_> = species.iter().map(|(_, curve)| curve.as_slice()).collect();
+        let Together {
+            at: gel_dose,
+            values: iou,
+            lowest,
+            from,
+            to,
+        } = Together::of(&curves)?;
+        // At s times the exposure, what gels is what got gel_dose/s
+        let percent = |dose: f64| Some(100.0 * gel_dose / dose).filter(|p| p.is_finite());
+        Some(OneExposure {
+            gel_dose,
+            species: species.iter().map(|(name, _)| (*name).to_owned()).collect(),
+            iou,
+            limited_by: species[lowest].0.to_owned(),
+            percent: Bracket {
+                low: to.and_then(percent),
+                best: Some(100.0),
+                high: from.and_then(percent),
+            },
+            time_s: None,
+        })
     }
 
-    /// The lowest of the IoU.
-    fn lowest(&self) -> f64 {
-        self.iou.iter().copied().fold(f64::INFINITY, f64::min)
+    /// The same with times: a resin that gels at this dose takes so many seconds.
+    #[must_use]
+    pub fn in_time(mut self, dose: f64, seconds: f64) -> Self {
+        let best = seconds * dose / self.gel_dose;
+        self.time_s = Some(self.percent.map(|percent| best * percent / 100.0));
+        self
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let of = |(name, iou): (&String, &f64)| format!("{name} {}", significant(*iou, 4));
+        let all: Vec<String> = self.species.iter().zip(&self.iou).map(of).collect();
+        let mut text = format!(
+            "A print has one exposure: with a gel dose of {} for all species they reach IoU {}; {} limits it. The lowest IoU is at most {TOLERANCE} worse {} of this exposure",
+            significant(self.gel_dose, 3),
+            all.join(", "),
+            self.limited_by,
+            latitude::from_to(&self.percent, "%"),
+        );
+        if let Some(time) = &self.time_s {
+            let best = time.best.map_or_else(String::new, |best| {
+                format!(", best {} s", significant(best, 3))
+            });
+            let _ = write!(text, " ({}{best})", latitude::from_to(time, "s"));
+        }
+        text.push('.');
+        text
     }
 }
 
-/// IoU at a dose, between the points of its curve; None beside them.
-fn iou_at(curve: &[[f64; 2]], dose: f64) -> Option<f64> {
-    let pair = curve
-        .windows(2)
-        .find(|pair| pair[0][0] <= dose && dose <= pair[1][0])?;
-    let [[low, before], [high, after]] = [pair[0], pair[1]];
-    let share = if high > low {
-        (dose - low) / (high - low)
-    } else {
-        0.0
+/// What several networks of a print in time are together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OneMoment {
+    /// When the lowest Jaccard index is the largest, s.
+    pub seconds: f64,
+    /// Names of the networks.
+    pub networks: Vec<String>,
+    /// Jaccard index of each of them then.
+    pub jaccard: Vec<f64>,
+    /// The network whose index is the lowest.
+    pub limited_by: String,
+    /// Within which times the lowest is at most 0.01 worse, s.
+    pub window_s: [f64; 2],
+}
+
+impl OneMoment {
+    /// Of the Jaccard index of each network over time, `[s, index]` ascending; None for fewer than two, and where one of them is never solid.
+    #[must_use]
+    pub fn of(networks: &[(&str, Vec<[f64; 2]>)]) -> Option<Self> {
+        let curves: Vec<_> = networks.iter().map(|(_, curve)| curve.as_slice()).collect();
+        let together = Together::of(&curves)?;
+        let lowest = together.values[together.lowest];
+        let end = curves[0].last().map_or(together.at, |point| point[0]);
+        (lowest > 0.0).then(|| OneMoment {
+            seconds: together.at,
+            networks: networks
+                .iter()
+                .map(|(name, _)| (*name).to_owned())
+                .collect(),
+            limited_by: networks[together.lowest].0.to_owned(),
+            jaccard: together.values,
+            window_s: [together.from.unwrap_or(0.0), together.to.unwrap_or(end)],
+        })
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let of = |(name, index): (&String, &f64)| format!("{name} {}", significant(*index, 4));
+        let all: Vec<String> = self.networks.iter().zip(&self.jaccard).map(of).collect();
+        let [from, to] = self.window_s;
+        let said = told_apart(&[from, self.seconds, to], 3);
+        format!(
+            "All networks together are best after {} s: Jaccard index {}; {} limits it. The lowest is at most {TOLERANCE} worse from {} s to {} s.",
+            said[1],
+            all.join(", "),
+            self.limited_by,
+            said[0],
+            said[2],
+        )
+    }
+}
+
+/// Where the lowest of several curves is the largest.
+struct Together {
+    at: f64,
+    /// Of each curve there.
+    values: Vec<f64>,
+    /// Which of them is the lowest.
+    lowest: usize,
+    /// Between these the lowest is at most [`TOLERANCE`] below; none where the curves end before.
+    from: Option<f64>,
+    to: Option<f64>,
+}
+
+impl Together {
+    fn of(curves: &[&[[f64; 2]]]) -> Option<Self> {
+        if curves.len() < 2 {
+            return None;
+        }
+        let mut places: Vec<f64> = curves
+            .iter()
+            .flat_map(|curve| curve.iter().map(|point| point[0]))
+            .filter(|place| place.is_finite())
+            .collect();
+        places.sort_by(f64::total_cmp);
+        // Two lines that cross meet between the points of the curves
+        let middles: Vec<f64> = places
+            .windows(2)
+            .map(|pair| f64::midpoint(pair[0], pair[1]))
+            .collect();
+        places.extend(middles);
+        places.sort_by(f64::total_cmp);
+        let at = |place: f64| -> Option<Vec<f64>> {
+            curves.iter().map(|curve| value_at(curve, place)).collect()
+        };
+        let low =
+            |place: f64| at(place).map(|values| values.into_iter().fold(f64::INFINITY, f64::min));
+        let known: Vec<[f64; 2]> = places
+            .iter()
+            .filter_map(|&place| Some([place, low(place)?]))
+            .collect();
+        let best = known.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        let is_good = |place: f64| low(place).is_some_and(|value| value >= best[1] - TOLERANCE);
+        let first_bad = |mut places: Box<dyn Iterator<Item = f64> + '_>| {
+            let mut good = best[0];
+            places
+                .find(|&place| {
+                    let is_bad = !is_good(place);
+                    good = if is_bad { good } else { place };
+                    is_bad
+                })
+                .map(|bad| border(good, bad, &is_good))
+        };
+        let all = || known.iter().map(|point| point[0]);
+        let from = first_bad(Box::new(all().rev().filter(|place| *place < best[0])));
+        let to = first_bad(Box::new(all().filter(|place| *place > best[0])));
+        let values = at(best[0])?;
+        let lowest = (0..values.len()).min_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+        Some(Together {
+            at: best[0],
+            values,
+            lowest,
+            from,
+            to,
+        })
+    }
+}
+
+/// The last good place on the way from a good to a bad one.
+fn border(mut good: f64, mut bad: f64, is_good: &dyn Fn(f64) -> bool) -> f64 {
+    for _ in 0..50 {
+        let middle = f64::midpoint(good, bad);
+        if is_good(middle) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    good
+}
+
+/// A curve between its points; None beside them.
+fn value_at(curve: &[[f64; 2]], place: f64) -> Option<f64> {
+    let above = curve.partition_point(|point| point[0] < place);
+    let high = curve.get(above)?;
+    if high[0] == place {
+        return Some(high[1]);
+    }
+    let low = curve[above.checked_sub(1)?];
+    let share = (place - low[0]) / (high[0] - low[0]);
+    Some(low[1] + share * (high[1] - low[1]))
+}
+
+/// The section of the best exposure of several species: all of them on the scale of the one exposure.
+pub(super) fn section(one: &OneExposure, data: &ReportData<'_>) -> String {
+    let row = |name: &str, bracket: [Option<f64>; 3], text: &dyn Fn(&[f64]) -> Vec<String>| {
+        let [low, best, high] = latitude::cells(bracket, text);
+        format!(
+            "<tr><td>{}</td><td>{low}</td><td class=\"head\">{best}</td><td>{high}</td></tr>",
+            escape(name)
+        )
     };
-    Some(before + share * (after - before))
+    let percents = |values: &[f64]| -> Vec<String> {
+        let said = told_apart(values, 3);
+        said.into_iter().map(|text| text + " %").collect()
+    };
+    let clocks = |values: &[f64]| values.iter().map(|s| clock(*s)).collect();
+    let mut rows = row("All together", one.percent.ascending(), &percents);
+    if let Some(time) = &one.time_s {
+        rows += &row("Time to print", time.ascending(), &clocks);
+    }
+    for species in &data.species {
+        if let Some(own) = species.exposure.as_ref().and_then(|window| window.dose) {
+            let [high, best, low] = own.ascending();
+            let scaled = [low, best, high].map(|dose| {
+                dose.map(|d| 100.0 * one.gel_dose / d)
+                    .filter(|p| p.is_finite())
+            });
+            rows += &row(&format!("{} alone", species.name), scaled, &percents);
+        }
+    }
+    format!(
+        "<section><h2>Best exposure</h2><p class=\"muted\">{} The table compares exposures with it.</p><table class=\"plain\"><thead><tr><th></th><th>shortest</th>\
+         <th>best</th><th>longest</th></tr></thead><tbody>{rows}</tbody></table>{}</section>",
+        escape(&one.sentence()),
+        latitude::when(data),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tent(top: f64, width: f64) -> Vec<[f64; 2]> {
+        vec![[top - width, 0.0], [top, 1.0], [top + width, 0.0]]
+    }
+
+    #[test]
+    fn the_lowest_species_limits_the_one_exposure_and_its_window() {
+        // A wide species and a narrow one of the same dose: the narrow one limits it, 0.01 of it is 0.005 in the dose
+        let one = OneExposure::of(&[("wide", tent(2.0, 2.0)), ("narrow", tent(2.0, 0.5))]).unwrap();
+        assert_eq!((one.gel_dose, &one.iou), (2.0, &vec![1.0, 1.0]));
+        let close = |found: Option<f64>, expected: f64| {
+            assert!((found.unwrap() - expected).abs() < 1e-6, "{found:?}");
+        };
+        close(one.percent.low, 100.0 * 2.0 / 2.005);
+        close(one.percent.high, 100.0 * 2.0 / 1.995);
+        let apart = OneExposure::of(&[("a", tent(2.0, 2.0)), ("b", tent(2.5, 1.0))]).unwrap();
+        // 1 − (d − 2)/2 and 1 − (2.5 − d) meet at 7/3; the points of the curves and their middles come near it
+        assert!((apart.gel_dose - 7.0 / 3.0).abs() < 0.2, "{apart:?}");
+        let lowest = apart.iou.iter().copied().fold(1.0, f64::min);
+        let limits = apart
+            .species
+            .iter()
+            .position(|name| *name == apart.limited_by);
+        assert_eq!(apart.iou[limits.unwrap()], lowest);
+    }
+
+    #[test]
+    fn times_follow_the_dose_and_words_say_who_limits() {
+        let one = OneExposure::of(&[
+            ("soft", tent(2.0, 2.0)),
+            ("stiff", vec![[1.0, 0.9], [2.0, 0.9], [3.0, 0.9]]),
+        ]);
+        // A resin that gels at 1 takes 40 s, one that gels at 2 takes 20 s
+        let one = one.unwrap().in_time(1.0, 2.0 * 20.0);
+        assert_eq!(one.limited_by, "stiff");
+        let best = one.time_s.unwrap().best.unwrap();
+        assert!((best - 40.0 / one.gel_dose).abs() < 1e-9);
+        let text = one.sentence();
+        assert!(text.contains("stiff 0.9; stiff limits it"), "{text}");
+    }
+
+    #[test]
+    fn networks_have_one_best_moment_or_none() {
+        let later = tent(30.0, 10.0);
+        let moment = OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", later)]).unwrap();
+        assert!(moment.seconds > 20.0 && moment.seconds < 30.0, "{moment:?}");
+        let [from, to] = moment.window_s;
+        assert!(from < moment.seconds && moment.seconds < to);
+        let never = vec![[0.0, 0.0], [40.0, 0.0]];
+        assert_eq!(
+            OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", never)]),
+            None
+        );
+    }
 }

@@ -3,7 +3,8 @@
 //! The slider is made of radio buttons: the page needs no script.
 
 use super::figures::growth;
-use super::number::{escape, significant};
+use super::html::clock;
+use super::number::{escape, significant, told_apart};
 use super::plot::{Axis, Plot};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -25,6 +26,8 @@ pub struct TimePoint {
     pub jaccard: f64,
     /// Solid share of part and of void.
     pub solid: [f64; 2],
+    /// Energy that all lights have sent to the vial so far, mJ.
+    pub sent_mj: f64,
 }
 
 /// What a network becomes over time.
@@ -72,7 +75,8 @@ impl TimeReport<'_> {
 #[must_use]
 pub fn csv(points: &[TimePoint]) -> String {
     let mut text =
-        "seconds,imbued_mj,contribution_mj,contrast,jaccard,solid_part,solid_void\n".to_owned();
+        "seconds,imbued_mj,contribution_mj,contrast,jaccard,solid_part,solid_void,sent_mj\n"
+            .to_owned();
     for p in points {
         let contrast = if p.contrast.is_finite() {
             p.contrast.to_string()
@@ -82,8 +86,8 @@ pub fn csv(points: &[TimePoint]) -> String {
         // Writing into a string cannot fail
         let _ = writeln!(
             text,
-            "{},{},{},{contrast},{},{},{}",
-            p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1]
+            "{},{},{},{contrast},{},{},{},{}",
+            p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1], p.sent_mj
         );
     }
     text
@@ -100,6 +104,7 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
         "induction_end_s": number(time.phases_s[0]),
         "best_s": number(time.phases_s[1]),
         "best_jaccard": number(time.best().map(|p| p.jaccard)),
+        "best_mj": number(time.best().map(|p| p.sent_mj)),
         "window_s": time.window_s(),
         "ideal_exposure_s": number(time.ideal_s),
         "requirement_mj": number(time.requirement_mj),
@@ -111,6 +116,7 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
             "contribution_mj": column(&|p| p.contribution_mj),
             "contrast": column(&|p| p.contrast),
             "jaccard": column(&|p| p.jaccard),
+            "sent_mj": column(&|p| p.sent_mj),
         },
     })
 }
@@ -145,6 +151,15 @@ fn voxels(time: &TimeReport<'_>, above_um: f64) -> String {
     )
 }
 
+/// Seconds, and minutes where there are some.
+fn minutes(seconds: f64) -> String {
+    let own = format!("{} s", significant(seconds, 3));
+    if seconds < 60.0 {
+        return own;
+    }
+    format!("{own} ({})", clock(seconds))
+}
+
 /// What happens when, in words.
 fn sentence(time: &TimeReport<'_>) -> String {
     let s = |v: f64| significant(v, 3);
@@ -162,21 +177,27 @@ fn sentence(time: &TimeReport<'_>) -> String {
         );
     };
     let mut text = format!(
-        "The first voxel is solid after {} s. The print is best after <b>{} s</b>: solid and part then overlap with a Jaccard index of <b>{}</b>.",
+        "The first voxel is solid after {} s. The print is best after <b>{}</b>: solid and part then overlap with a Jaccard index of <b>{}</b>, and \
+         <b>{} mJ</b> have been sent to the vial.",
         s(begin),
-        s(best.seconds),
+        minutes(best.seconds),
         significant(best.jaccard, 4),
+        s(best.sent_mj),
     );
-    if let Some([low, high]) = time.window_s() {
+    let window = time.window_s();
+    if window.is_some_and(|[low, high]| low == high) {
+        text.push_str(" At the moments before and after it is more than 0.01 worse.");
+    } else if let Some([low, high]) = window {
+        let said = told_apart(&[low, best.seconds, high], 3);
         let until = if high >= end {
             "the end".to_owned()
         } else {
-            format!("{} s", s(high))
+            format!("{} s", said[2])
         };
         let _ = write!(
             text,
             " It stays within 0.01 of that from {} s to {until}.",
-            s(low)
+            said[0]
         );
     }
     if best.seconds >= end {
@@ -188,8 +209,8 @@ fn sentence(time: &TimeReport<'_>) -> String {
         (Some(ideal), _) => {
             let _ = write!(
                 text,
-                " What solid voxels have absorbed meets what the part needs after {} s (ideal exposure).",
-                s(ideal)
+                " What solid voxels have absorbed meets what the part needs after {} (ideal exposure).",
+                minutes(ideal)
             );
         }
         (None, Some(share)) => {

@@ -4,6 +4,7 @@ use super::build::Optics;
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
 use super::scene::Scene;
+use super::scheduled::{self, Emitted};
 use super::spec::{JobSpec, LightSpec, MovieCoding};
 use crate::error::{Error, Result};
 use crate::exposure::{
@@ -18,7 +19,7 @@ use crate::io::stack::{read_stack, write_stack};
 use crate::io::write_whole;
 use crate::models::Run;
 use crate::optics::light::Light;
-use crate::report::MovieReport;
+use crate::report::{Irradiance, MovieReport};
 use crate::response::Response;
 use crate::units::exact;
 use serde_json::{Value, json};
@@ -361,6 +362,8 @@ pub(crate) struct ShownLight {
     pub(crate) white: f32,
     pub(crate) canvas: Option<[usize; 2]>,
     pub(crate) budget: Budget,
+    /// How bright the job's schedule shows it.
+    pub(crate) irradiance: Option<Irradiance>,
 }
 
 /// How a job is shown: frames, movies, times.
@@ -371,40 +374,56 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// Times and energies of frames; the dose that turns the resin solid in units of the job, when known.
+    /// Times and energies of frames: those of the job's schedule, or of a resin that is solid at a known dose (in units of the job).
+    ///
+    /// # Errors
+    /// Those of the schedule.
     pub(crate) fn new(
         spec: &'a JobSpec,
         printers: Option<&[Printer]>,
         names: &'a [Option<&'a str>],
         frames: &[Quantized],
         gel_dose: Option<f64>,
-    ) -> Self {
-        let light = |(i, frames): (usize, &Quantized)| {
+    ) -> Result<Self> {
+        let light = |(i, frames): (usize, &Quantized)| -> Result<ShownLight> {
             let printer = printers.map(|printers| &printers[i]);
             let emitted = match printer {
                 Some(printer) => printer.emitted(frames),
                 None => frames.sum(),
             };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
-            let budget = exposure(spec, i, gel_dose).budget(
-                white,
-                emitted,
-                grid.rows * grid.columns,
-                grid.pixel_mm2(),
-            );
-            ShownLight {
+            let (pixels, pixel_mm2) = (grid.rows * grid.columns, grid.pixel_mm2());
+            let scheduled = scheduled::budget(
+                spec,
+                i,
+                &Emitted {
+                    white,
+                    sum: emitted,
+                    pixels: grid.frames() * pixels,
+                    pixel_mm2,
+                },
+            )?;
+            let (budget, irradiance) = match scheduled {
+                Some((budget, irradiance)) => (budget, Some(irradiance)),
+                None => {
+                    let exposure = exposure(spec, i, gel_dose);
+                    (exposure.budget(white, emitted, pixels, pixel_mm2), None)
+                }
+            };
+            Ok(ShownLight {
                 bits: frames.bits,
                 white: frames.full_scale,
                 canvas: printer.map(|_| [grid.columns, grid.rows]),
                 budget,
-            }
+                irradiance,
+            })
         };
-        let lights = frames.iter().enumerate().map(light).collect();
-        Shown {
+        let lights = frames.iter().enumerate().map(light);
+        Ok(Shown {
             spec,
             names,
-            lights,
-        }
+            lights: lights.collect::<Result<_>>()?,
+        })
     }
 
     pub(crate) fn lights(&self) -> &[ShownLight] {
@@ -499,6 +518,7 @@ impl<'a> Shown<'a> {
             "vial_turns": if sense == Rotation::Clockwise { "clockwise" } else { "counterclockwise" },
             "azimuth_deg": degrees,
             "budget": self.lights[i].budget,
+            "irradiance": self.lights[i].irradiance,
         })
     }
 }

@@ -10,6 +10,7 @@ use super::noise::Noise;
 use super::progress::{Event, Progress};
 use super::scenarios;
 use super::scene::{Scene, Voxels};
+use super::scheduled::too_bright;
 use super::species::planned;
 use crate::error::Result;
 use crate::field::{BLOCK, Field as _, HostField};
@@ -305,6 +306,7 @@ pub(crate) fn evaluate_patterns(
         .chain(doubts::of_dose(&evaluation, shown))
         .chain(doubts::of_bound(&scene.spec, shown))
         .chain(doubts::of_threshold(&scene.spec, &evaluation))
+        .chain(too_bright(&scene.spec, shown)?)
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -343,13 +345,15 @@ pub(crate) fn evaluate_patterns(
 
 /// The prints of several species at one exposure.
 fn one_exposure(scene: &Scene, evaluations: &[&Evaluation]) -> Option<OneExposure> {
-    let over_doses = |(scene, evaluation): (&Scene, &&Evaluation)| {
-        let response = scene.response();
+    let over_doses = |(s, (own, evaluation)): (usize, (&Scene, &&Evaluation))| {
+        let response = own.response();
         let dose =
             |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
-        evaluation.curve.iter().map(dose).collect::<Vec<_>>()
+        let curve: Vec<[f64; 2]> = evaluation.curve.iter().map(dose).collect();
+        (scene.species_name(s).unwrap_or_default(), curve)
     };
-    let curves: Vec<_> = scene.species().zip(evaluations).map(over_doses).collect();
+    let species = scene.species().zip(evaluations).enumerate();
+    let curves: Vec<_> = species.map(over_doses).collect();
     OneExposure::of(&curves)
 }
 

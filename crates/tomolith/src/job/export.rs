@@ -160,7 +160,7 @@ pub fn export(
         &names,
         &frames,
         gel_dose(job, run, progress)?,
-    );
+    )?;
     let part = spec.target.name();
     make_parent(folder)?;
     let movies = write_folder_whole(folder, |aside| {

@@ -16,7 +16,7 @@ use super::species::beginnings;
 use crate::error::Result;
 use crate::grid::Patterns;
 use crate::models::Run;
-use crate::units::concise;
+use crate::report::number::told_apart;
 use tomolith_material::curves::IdealExposure;
 use tomolith_material::heights::Heights;
 
@@ -117,13 +117,10 @@ fn width(times: &Times) -> f64 {
 }
 
 fn said([a, b]: [f64; 2], [c, d]: [f64; 2], rounds: usize) -> String {
-    let second = |s: f64| concise((s * 10.0).round() / 10.0);
+    let (before, now) = (told_apart(&[a, b], 3), told_apart(&[c, d], 3));
     format!(
         "rows of the patterns are rescaled {rounds} times: heights were done between {} and {} s, and are now between {} and {} s",
-        second(a),
-        second(b),
-        second(c),
-        second(d)
+        before[0], before[1], now[0], now[1]
     )
 }
 

@@ -11,6 +11,7 @@ use super::evaluate::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
 use super::refinement::Level;
 use super::scene::{Scene, Voxels, at_section};
+use super::scheduled::sent_mj;
 use super::spec::{Against, Angles, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
 use super::species::{Row, joined};
 use crate::error::{Error, Result};
@@ -22,6 +23,7 @@ use crate::metrics::Evaluation;
 use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::light::{Light, Selection};
+use crate::report::OneMoment;
 use crate::target::{Role, label};
 use crate::units::exact;
 use rayon::prelude::*;
@@ -51,6 +53,8 @@ pub(crate) struct InTime {
 pub(crate) struct NetworkInTime {
     pub(crate) name: String,
     pub(crate) points: Vec<CurvePoint>,
+    /// Energy that all lights have sent to the vial at each of these moments, mJ.
+    pub(crate) sent_mj: Vec<f64>,
     pub(crate) requirement_mj: Option<f64>,
     pub(crate) ideal: IdealExposure,
     pub(crate) phases: Phases,
@@ -71,12 +75,14 @@ impl InTime {
     pub(super) fn summary(&self) -> Vec<TimeSummary> {
         let of = |network: &NetworkInTime| {
             let best_s = network.phases.curing_end_s;
-            let at = |best: f64| network.points.iter().find(|p| p.seconds >= best);
+            let mut moments = network.points.iter().zip(&network.sent_mj);
+            let best = best_s.and_then(|best| moments.find(|(p, _)| p.seconds >= best));
             TimeSummary {
                 name: network.name.clone(),
                 induction_end_s: network.phases.induction_end_s,
                 best_s,
-                best_jaccard: best_s.and_then(at).map(|p| p.jaccard),
+                best_jaccard: best.map(|(p, _)| p.jaccard),
+                best_mj: best.map(|(_, mj)| *mj),
                 ideal_exposure_s: match network.ideal {
                     IdealExposure::At(seconds) => Some(seconds),
                     _ => None,
@@ -88,6 +94,18 @@ impl InTime {
             }
         };
         self.networks.iter().map(of).collect()
+    }
+
+    /// The best moment of several networks.
+    pub(super) fn together(&self) -> Option<OneMoment> {
+        let of = |network: &NetworkInTime| {
+            let points = network.points.iter();
+            points.map(|p| [p.seconds, p.jaccard]).collect()
+        };
+        let networks = self.networks.iter();
+        let curves: Vec<(&str, Vec<[f64; 2]>)> =
+            networks.map(|n| (n.name.as_str(), of(n))).collect();
+        OneMoment::of(&curves)
     }
 }
 
@@ -291,7 +309,7 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
 }
 
 /// The schedule of a job.
-fn schedule(spec: &JobSpec) -> Result<Schedule> {
+pub(super) fn schedule(spec: &JobSpec) -> Result<Schedule> {
     let given = spec.schedule.clone().unwrap_or_default();
     let turns: Vec<Turns> = spec
         .light
@@ -719,7 +737,10 @@ pub(super) fn print_in_time(
         .zip(names)
         .zip(scene.species().zip(voxels))
     {
-        networks.push(watched.finish(material, name, scene, voxels, patterns)?);
+        let mut network = watched.finish(material, name, scene, voxels, patterns)?;
+        let seconds: Vec<f64> = network.points.iter().map(|p| p.seconds).collect();
+        network.sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
+        networks.push(network);
     }
     Ok(Some(InTime { networks }))
 }
@@ -810,6 +831,7 @@ impl Watched {
             cure_times: curves.cure_times(material).unwrap_or_else(no_time),
             snapshots: curves.snapshots().to_vec(),
             points: curves.points().to_vec(),
+            sent_mj: Vec::new(),
             labels: voxels.labels.clone(),
             slices,
         })

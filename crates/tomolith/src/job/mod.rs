@@ -53,6 +53,7 @@ pub mod resources;
 mod resume;
 mod scenarios;
 mod scene;
+mod scheduled;
 pub mod schema;
 mod selection;
 pub mod spec;

@@ -4,7 +4,7 @@ pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::optimize::{Gap, Kept, StopReason};
 use crate::report::number::significant;
-use crate::report::{ExposureWindow, PrintLimits, ScenarioTable};
+use crate::report::{ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable};
 use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
@@ -73,6 +73,8 @@ pub struct TimeSummary {
     pub best_s: Option<f64>,
     /// Their Jaccard index then.
     pub best_jaccard: Option<f64>,
+    /// Energy that all lights have sent to the vial by then, mJ.
+    pub best_mj: Option<f64>,
     /// When what solid voxels have absorbed meets what the part needs, s; None where it never does.
     pub ideal_exposure_s: Option<f64>,
     /// Where it never does: the largest share of what the part needs that solid voxels have absorbed, or the part itself if nothing is solid.
@@ -89,12 +91,15 @@ impl fmt::Display for TimeSummary {
         };
         write!(
             f,
-            "{}: first solid {}, best {} (Jaccard {}), ideal exposure {}",
+            "{}: first solid {}, best {} (Jaccard {}{}), ideal exposure {}",
             self.name,
             seconds(self.induction_end_s),
             seconds(self.best_s),
             self.best_jaccard
                 .map_or_else(|| "–".to_owned(), |j| format!("{j:.4}")),
+            self.best_mj.map_or_else(String::new, |mj| {
+                format!(", {} mJ sent to the vial", significant(mj, 3))
+            }),
             seconds(self.ideal_exposure_s),
         )?;
         let Some(share) = self.largest_share else {
@@ -111,6 +116,17 @@ impl fmt::Display for TimeSummary {
             " ({who} {percent} % of what the part needs: more turns, or more power)"
         )
     }
+}
+
+/// One of several species.
+#[derive(Clone, Debug, Serialize)]
+pub struct SpeciesSummary {
+    /// Its name.
+    pub name: String,
+    /// The written patterns while the vial turns, on the finer grid, at its own best threshold.
+    pub evaluation: Quality,
+    /// Over which exposures it is nearly as good as at its own best one; None where that cannot be said.
+    pub exposure: Option<ExposureWindow>,
 }
 
 /// The end of a run.
@@ -136,8 +152,14 @@ pub struct Summary {
     pub optimization: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
     pub exposure: Option<ExposureWindow>,
+    /// Every species where a job names several, the first being that of the numbers above; else empty.
+    pub species: Vec<SpeciesSummary>,
+    /// All species at one exposure, where there are several.
+    pub one_exposure: Option<OneExposure>,
     /// The print in time, per network; empty without a schedule.
     pub in_time: Vec<TimeSummary>,
+    /// All networks at one time, where there are several.
+    pub one_moment: Option<OneMoment>,
     /// The same patterns in the job's scenarios; None where it has none.
     pub scenarios: Option<ScenarioTable>,
     /// What limits the print.
@@ -166,6 +188,21 @@ impl Summary {
         };
         reached(self.required_iou, self.evaluation.iou) && reached(self.required_in_band, in_band)
     }
+
+    /// What is said of the exposure: one sentence where there is one exposure, else one of each species.
+    fn exposures(&self) -> Vec<String> {
+        if let Some(one) = &self.one_exposure {
+            return vec![one.sentence()];
+        }
+        let own = |species: &SpeciesSummary| {
+            let window = species.exposure.as_ref()?;
+            Some(format!("{}: {}", species.name, window.sentence()))
+        };
+        match self.species.len() {
+            0 | 1 => self.exposure.iter().map(ExposureWindow::sentence).collect(),
+            _ => self.species.iter().filter_map(own).collect(),
+        }
+    }
 }
 
 impl fmt::Display for Summary {
@@ -186,18 +223,27 @@ impl fmt::Display for Summary {
                 writeln!(f, "{:>28} {text}", "lowest loss")?;
             }
         }
-        let ([a, b, c, d], _) = self.evaluation.columns();
-        writeln!(f, "{:>28} {a:>9} {b:>10} {c:>10} {d:>10}", "")?;
-        let mut row = |name: &str, q: &Quality| {
+        let heads = |f: &mut fmt::Formatter<'_>, name: &str, q: &Quality| {
+            let ([a, b, c, d], _) = q.columns();
+            writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
+        };
+        let row = |f: &mut fmt::Formatter<'_>, name: &str, q: &Quality| {
             let number = |m: Measure| m.map_or_else(|| "–".to_owned(), in_column);
             let [a, b, c, d] = q.columns().1.map(number);
             writeln!(f, "{name:>28} {a:>9} {b:>10} {c:>10} {d:>10}")
         };
+        let first = self.species.first();
+        let first = first.map_or_else(String::new, |species| format!("{}:", species.name));
+        heads(f, &first, &self.evaluation)?;
         if let Some(optimization) = &self.optimization {
-            row("unwritten, on the job's grid", optimization)?;
+            row(f, "unwritten, on the job's grid", optimization)?;
         }
-        row("written, standing still", &self.standing)?;
-        row("written, turning", &self.evaluation)?;
+        row(f, "written, standing still", &self.standing)?;
+        row(f, "written, turning", &self.evaluation)?;
+        for species in self.species.iter().skip(1) {
+            heads(f, &format!("{}:", species.name), &species.evaluation)?;
+            row(f, "written, turning", &species.evaluation)?;
+        }
         let [x, y, z] = self.evaluation_voxels;
         let finer = match self.refine {
             1 => "the job's own (evaluate.refine = 1)".to_owned(),
@@ -218,9 +264,8 @@ impl fmt::Display for Summary {
                 writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
             }
         }
-        let exposure = self.exposure.as_ref().map(ExposureWindow::sentence);
         let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
-        for text in limits.into_iter().chain(&exposure) {
+        for text in limits.into_iter().chain(&self.exposures()) {
             writeln!(f, "\n{text}")?;
         }
         if let Some(scenarios) = &self.scenarios {
@@ -228,6 +273,9 @@ impl fmt::Display for Summary {
         }
         for network in &self.in_time {
             writeln!(f, "\nPrint in time, {network}.")?;
+        }
+        if let Some(moment) = &self.one_moment {
+            writeln!(f, "\nPrint in time. {}", moment.sentence())?;
         }
         writeln!(
             f,

@@ -11,7 +11,7 @@ use super::limits::Fall;
 use super::many::Leaves;
 use super::model_probe::try_orders;
 use super::optimize::{Optimized, optimize};
-use super::outcome::{GrayQuality, Plan, Quality, Summary};
+use super::outcome::{GrayQuality, Plan, Quality, SpeciesSummary, Summary};
 use super::progress::{Event, Progress, watched};
 use super::read::Job;
 use super::replace::must_be_same;
@@ -24,7 +24,7 @@ use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::ranks::{Communicator, together};
-use crate::report::Timing;
+use crate::report::{ExposureWindow, Timing};
 use crate::units::{concise, counted};
 use std::path::Path;
 use std::sync::Arc;
@@ -510,13 +510,16 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimization: done.judged.optimization.as_ref().map(quality),
-        exposure: headline.exposure,
+        exposure: headline.exposures.first().copied().flatten(),
+        species: species(done, &headline.exposures),
+        one_exposure: headline.one_exposure,
         in_time: done
             .judged
             .in_time
             .iter()
             .flat_map(InTime::summary)
             .collect(),
+        one_moment: done.judged.in_time.as_ref().and_then(InTime::together),
         scenarios: done.judged.scenarios.clone(),
         limits: headline.limits,
         required_iou: done.scene.spec.evaluate.require_iou,
@@ -526,6 +529,24 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         refine: done.scene.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
+}
+
+/// Every species, where the job names several.
+fn species(done: &Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<SpeciesSummary> {
+    if done.judged.others.is_empty() {
+        return Vec::new();
+    }
+    let others = done.judged.others.iter().map(|other| &other.evaluation);
+    let all = std::iter::once(&done.judged.evaluation).chain(others);
+    let of = |(s, (evaluation, exposure)): (usize, (&Evaluation, &Option<ExposureWindow>))| {
+        let name = done.scene.species_name(s).unwrap_or_default();
+        SpeciesSummary {
+            name: name.to_owned(),
+            evaluation: quality(evaluation),
+            exposure: *exposure,
+        }
+    };
+    all.zip(exposures).enumerate().map(of).collect()
 }
 
 fn quality(evaluation: &Evaluation) -> Quality {

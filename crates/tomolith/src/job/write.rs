@@ -3,7 +3,7 @@
 use super::device::{self, Written};
 use super::evaluate::Evaluated;
 use super::folder::RunFolder;
-use super::in_time::NetworkInTime;
+use super::in_time::{InTime, NetworkInTime};
 use super::levels::sentence;
 use super::limits::limits;
 use super::many::Leaves;
@@ -21,14 +21,15 @@ use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::io::write_whole;
+use crate::metrics::Evaluation;
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, MapReport, MovieReport, PrintLimits, ReportData, SpeciesReport,
-    TimePoint, TimeReport, Timing, time, write_html, write_json, write_print,
+    ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits, ReportData,
+    SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json, write_print,
 };
 use crate::units::concise;
 use std::io::Write as _;
@@ -95,7 +96,7 @@ pub(crate) fn all(
         &names,
         &frames,
         gel_dose,
-    );
+    )?;
     if done.leaves < Leaves::All {
         if done.leaves == Leaves::Patterns {
             write_patterns(&new.join("patterns.npz"), &pairs, run)?;
@@ -187,21 +188,46 @@ fn numbers(
 
 /// What a run says first: on its page, in `report.json`, on the screen.
 pub(crate) struct Headline {
-    /// Over which exposures the print is nearly as good.
-    pub(crate) exposure: Option<ExposureWindow>,
+    /// Over which exposures the print is nearly as good, of every species.
+    pub(crate) exposures: Vec<Option<ExposureWindow>>,
+    /// The same of several species together.
+    pub(crate) one_exposure: Option<OneExposure>,
     /// What it loses, and where.
     pub(crate) limits: PrintLimits,
 }
 
 impl Headline {
     fn of(done: &Done<'_>, shown: &device::Shown<'_>) -> Result<Self> {
-        // One light after the other
-        let times = shown.lights().iter().map(|light| light.budget.time_s);
-        let time_s = times.sum::<Option<f64>>();
         let (scene, judged) = (&done.scene, &done.judged);
-        let response = scene.response();
+        // One light after the other. A schedule says itself how long it takes, and its print when to stop
+        let times = shown.lights().iter().map(|light| light.budget.time_s);
+        let times = times.sum::<Option<f64>>();
+        let own_s = times.filter(|_| scene.spec.schedule.is_none());
+        let gel_dose = judged.gel_dose(scene)?;
+        let rate = gel_dose.zip(own_s);
+        let others = judged.others.iter().map(|other| &other.evaluation);
+        let all = scene
+            .species()
+            .zip(std::iter::once(&judged.evaluation).chain(others));
+        let window = |(s, (own, evaluation)): (usize, (&Scene, &Evaluation))| {
+            let response = own.response();
+            let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
+            // A resin that gels at a higher dose takes less of the same light
+            let time_s = match s {
+                0 => own_s,
+                _ => rate
+                    .zip(evaluation.gel_threshold)
+                    .map(|((first, seconds), threshold)| seconds * first / dose(threshold)),
+            };
+            ExposureWindow::new(evaluation, response.as_ref(), time_s)
+        };
+        let one_exposure = judged.one_exposure.clone();
         Ok(Headline {
-            exposure: ExposureWindow::new(&judged.evaluation, response.as_ref(), time_s),
+            exposures: all.enumerate().map(window).collect(),
+            one_exposure: one_exposure.map(|one| match rate {
+                Some((dose, seconds)) => one.in_time(dose, seconds),
+                None => one,
+            }),
             limits: limits(scene, judged, done.optimized.as_ref(), done.job.is_toy),
         })
     }
@@ -254,6 +280,7 @@ fn report(
             wavelength_nm: Some(light.wavelength_nm),
             canvas: exposure.canvas,
             budget: exposure.budget,
+            irradiance: exposure.irradiance,
         })
         .collect();
     let data = ReportData {
@@ -262,7 +289,7 @@ fn report(
         created: &date(std::time::SystemTime::now()),
         facts: facts(done),
         models: made.models,
-        exposure: headline.exposure.as_ref(),
+        exposure: headline.exposures.first().and_then(Option::as_ref),
         limits: &headline.limits,
         lights,
         labels: &judged.fine.labels,
@@ -274,9 +301,10 @@ fn report(
         standing: Some(&judged.standing),
         optimization: judged.optimization.as_ref(),
         published: published(done, exposures.lights())?,
-        species: species(done),
-        one_exposure: done.judged.one_exposure.as_ref(),
+        species: species(done, &headline.exposures),
+        one_exposure: headline.one_exposure.as_ref(),
         time: time(done),
+        one_moment: judged.in_time.as_ref().and_then(InTime::together),
         maps: made.properties.iter().map(map).collect(),
         history,
         kept: done.optimized.as_ref().map(|o| o.outcome.kept),
@@ -326,15 +354,17 @@ fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
 }
 
 fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
-    let of = |p: &CurvePoint| TimePoint {
+    let of = |(p, &sent_mj): (&CurvePoint, &f64)| TimePoint {
         seconds: p.seconds,
         imbued_mj: p.imbued_mj,
         contribution_mj: p.contribution_mj,
         contrast: p.contrast,
         jaccard: p.jaccard,
         solid: p.gelled,
+        sent_mj,
     };
-    network.points.iter().map(of).collect()
+    let moments = network.points.iter().zip(&network.sent_mj);
+    moments.map(of).collect()
 }
 
 /// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
@@ -368,7 +398,7 @@ fn map(property: &Property) -> MapReport<'_> {
 }
 
 /// What every species prints, where the job names some.
-fn species<'a>(done: &'a Done<'_>) -> Vec<SpeciesReport<'a>> {
+fn species<'a>(done: &'a Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<SpeciesReport<'a>> {
     let Done { scene, judged, .. } = done;
     let Some(rows) = &scene.mixing else {
         return Vec::new();
@@ -379,9 +409,9 @@ fn species<'a>(done: &'a Done<'_>) -> Vec<SpeciesReport<'a>> {
         .iter()
         .map(|other| (&other.evaluation, &other.fine, &other.response));
     let prints = std::iter::once(first).chain(others);
-    let species = rows.iter().zip(scene.species()).zip(prints);
+    let species = rows.iter().zip(scene.species()).zip(prints).zip(exposures);
     let mut reports = Vec::with_capacity(rows.len());
-    for (((name, row), scene), (evaluation, fine, response)) in species {
+    for ((((name, row), scene), (evaluation, fine, response)), exposure) in species {
         let light =
             |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
         reports.push(SpeciesReport {
@@ -392,6 +422,7 @@ fn species<'a>(done: &'a Done<'_>) -> Vec<SpeciesReport<'a>> {
             response,
             inside: &fine.target.inside,
             window: window(&scene.spec),
+            exposure: *exposure,
         });
     }
     reports
