@@ -20,6 +20,7 @@ use tomolith_core::dose::{
 };
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::units::concise;
 
 /// See the [module page](self).
 pub struct Printing {
@@ -516,8 +517,8 @@ impl DoseModel for Printing {
         }
         let blocks = self.blocks.len();
         format!(
-            "{lights}, printed in {:.4} s and {blocks} steps",
-            self.schedule.end_s()
+            "{lights}, printed in {} s and {blocks} steps",
+            concise(self.schedule.end_s())
         )
     }
 }

@@ -25,6 +25,9 @@ pub struct Requirements {
     pub tolerant: Option<&'static str>,
 }
 
+/// Methods that take a model that is not linear, as what is accepted instead.
+const NONLINEAR: &str = "; lbfgs, gradient, adam, pm or bclp";
+
 impl Requirements {
     /// A method that takes every problem.
     #[must_use]
@@ -45,33 +48,39 @@ impl Requirements {
             (
                 self.linear.filter(|_| !model.is_linear()),
                 format!("a model that is not linear ({})", model.describe()),
+                NONLINEAR,
             ),
             (
                 self.convex.filter(|_| !problem.objective().is_convex()),
                 "`objective` and `response`, which are not convex together".to_owned(),
+                "",
             ),
             (
                 self.continuous.filter(|_| problem.levels().is_some()),
                 "`bounds.bits`".to_owned(),
+                "",
             ),
             (
                 self.unpenalized.filter(|_| !problem.penalties().is_empty()),
                 "`penalties`".to_owned(),
+                "",
             ),
             (
                 self.target.filter(|_| !problem.has_target()),
                 "a problem without a target".to_owned(),
+                "",
             ),
             (
                 self.edges.filter(|_| problem.edges().is_err()),
                 "a problem without marks at the surface".to_owned(),
+                "",
             ),
         ];
-        for (reason, other) in lacks {
+        for (reason, other, instead) in lacks {
             if let Some(reason) = reason {
                 return Err(Error::Unsupported {
                     what: format!("optimizer.{} with {other}", self.name),
-                    reason: reason.to_owned(),
+                    reason: format!("{reason}{instead}"),
                 });
             }
         }

@@ -144,7 +144,10 @@ fn first_of(data: &ReportData<'_>) -> String {
 
 /// What a reader looks for first: how long to expose, and what to change.
 fn first(data: &ReportData<'_>) -> String {
-    let (exposure, limits) = (latitude::section(data), limits::section(data.limits));
+    let about = data.species.first().filter(|_| data.species.len() > 1);
+    let about = about.map(|species| species.name);
+    let exposure = latitude::section(data);
+    let limits = limits::section(data.limits, about);
     format!("<div class=\"two\">{exposure}{limits}</div>")
 }
 

@@ -60,8 +60,8 @@ pub struct PrintLimits {
     pub causes: Vec<Limit>,
 }
 
-/// The section of the page; empty where nothing was measured.
-pub(super) fn section(limits: &PrintLimits) -> String {
+/// The section of the page, which says that it is about this species where there are several; empty where nothing was measured.
+pub(super) fn section(limits: &PrintLimits, species: Option<&str>) -> String {
     if limits.causes.is_empty() {
         return String::new();
     }
@@ -69,8 +69,9 @@ pub(super) fn section(limits: &PrintLimits) -> String {
     for limit in &limits.causes {
         let _ = write!(items, "<li>{}</li>", code(&limit.advice));
     }
+    let about = species.map_or_else(String::new, |name| format!(" of {}", escape(name)));
     format!(
-        "<section><h2>What limits the print</h2><p>{}</p><ol class=\"limits\">{items}</ol></section>",
+        "<section><h2>What limits the print{about}</h2><p>{}</p><ol class=\"limits\">{items}</ol></section>",
         code(&limits.sentence)
     )
 }
@@ -108,7 +109,9 @@ mod tests {
             sentence: "All.".to_owned(),
             causes: vec![limit],
         };
-        assert!(section(&limits).contains("<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>"));
-        assert_eq!(section(&PrintLimits::default()), "");
+        assert!(
+            section(&limits, None).contains("<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>")
+        );
+        assert_eq!(section(&PrintLimits::default(), None), "");
     }
 }

@@ -33,8 +33,8 @@ const JOB: &str = r#"
     log10 = true
 "#;
 
-/// The report of a run with these changes, and its folder.
-fn report(changes: &[String]) -> (Value, tempfile::TempDir) {
+/// The report of a run with these changes, its folder, and what is said at its end.
+fn report(changes: &[String]) -> (Value, tempfile::TempDir, String) {
     let images = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images");
     let image = |name: &str| format!("{:?}", images.join(name).display().to_string());
     let mut document = Document::toml("two.toml", JOB).unwrap();
@@ -49,7 +49,7 @@ fn report(changes: &[String]) -> (Value, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let own = folder.path().join("run");
     let job = Job::from_document(document).unwrap();
-    run(
+    let summary = run(
         &job.with_folder(&own, "--output"),
         false,
         &mut Silent,
@@ -57,7 +57,8 @@ fn report(changes: &[String]) -> (Value, tempfile::TempDir) {
     )
     .unwrap();
     let text = std::fs::read(own.join("report.json")).unwrap();
-    (serde_json::from_slice(&text).unwrap(), folder)
+    let report = serde_json::from_slice(&text).unwrap();
+    (report, folder, summary.to_string())
 }
 
 #[test]
@@ -67,7 +68,7 @@ fn two_species_are_judged_at_one_exposure() {
         "species[1].target.gray=false",
         "objective=\"threshold\"",
     ];
-    let (report, folder) = report(&changes.map(str::to_owned));
+    let (report, folder, said) = report(&changes.map(str::to_owned));
     let together = &report["one_exposure"]["iou"];
     let of = |s: usize| {
         let alone = report["species"][s]["evaluation"]["iou"].as_f64().unwrap();
@@ -95,11 +96,34 @@ fn two_species_are_judged_at_one_exposure() {
     }
     let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
     assert!(html.contains("IoU together"));
+    // The exposure is that of all species, on the page and at the end of the run
+    let limits = report["one_exposure"]["limited_by"].as_str().unwrap();
+    assert_eq!(
+        limits,
+        if of(0).1 <= of(1).1 {
+            "acrylate"
+        } else {
+            "epoxy"
+        }
+    );
+    let sentence = format!("{limits} limits it");
+    assert!(
+        said.contains(&sentence) && html.contains(&sentence),
+        "{said}"
+    );
+    assert!(html.contains("acrylate alone") && html.contains("epoxy alone"));
+    assert!(
+        said.contains("acrylate:") && said.contains("epoxy:"),
+        "{said}"
+    );
+    let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
+    assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));
+    assert!(report["species"][1]["exposure"]["dose"]["best"].is_number());
 }
 
 #[test]
 fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
-    let (report, folder) = report(&[]);
+    let (report, folder, _) = report(&[]);
     let own = folder.path().join("run");
     for file in [
         "frames/violet",

@@ -265,7 +265,11 @@ impl fmt::Display for Summary {
             }
         }
         let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
-        for text in limits.into_iter().chain(&self.exposures()) {
+        let limits = limits.map(|text| match self.species.first() {
+            Some(species) => format!("{}: {text}", species.name),
+            None => text.clone(),
+        });
+        for text in limits.into_iter().chain(self.exposures()) {
             writeln!(f, "\n{text}")?;
         }
         if let Some(scenarios) = &self.scenarios {

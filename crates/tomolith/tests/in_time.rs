@@ -1,0 +1,157 @@
+//! Jobs with a schedule: minutes and millijoules, what a printer can show, and every method against the print in time.
+
+use serde_json::Value;
+use tomolith::job::{Document, Event, Job, Progress, Silent, Summary, run};
+use tomolith::models::Run;
+use tomolith::optimize::OPTIMIZERS;
+
+const BALL: &str = r#"
+    target = { phantom = { sphere = {} }, size_mm = 1.2 }
+    grid = { pitch_mm = 0.1 }
+    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
+    vial = { index_matched = { radius_mm = 1.0 } }
+    light = [{ pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+    stop = { iterations = 4 }
+    evaluate = { refine = 1, sub_angles = 1 }
+    schedule = { seconds_per_turn = 5.0, turns = 8, duty = 0.5, power = { energy_per_turn_mj_per_mm2 = 0.25 }, snapshots = 2 }
+    [[material.photopolymer.networks]]
+    name = "resin"
+    curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } }
+    inhibitors = [{ capacity_mj_per_mm3 = 0.25, diffusion_mm2_per_s = 1e-4 }]
+"#;
+
+fn job(changes: &[&str]) -> Job {
+    let mut document = Document::toml("ball.toml", BALL).unwrap();
+    for change in changes {
+        document.set(change).unwrap();
+    }
+    Job::from_document(document).unwrap()
+}
+
+/// Hears warnings.
+#[derive(Default)]
+struct Warnings(Vec<String>);
+
+impl Progress for Warnings {
+    fn event(&mut self, event: &Event) {
+        if let Event::Warning { text } = event {
+            self.0.push(text.clone());
+        }
+    }
+}
+
+/// Summary, report, page and warnings of a run.
+fn ran(changes: &[&str]) -> (Summary, Value, String, Vec<String>) {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("run");
+    let mut warnings = Warnings::default();
+    let job = job(changes).with_folder(&own, "--output");
+    let summary = run(&job, false, &mut warnings, &Run::new()).unwrap();
+    let read = |file: &str| std::fs::read_to_string(own.join(file)).unwrap();
+    let report = serde_json::from_str(&read("report.json")).unwrap();
+    (summary, report, read("report.html"), warnings.0)
+}
+
+#[test]
+fn a_schedule_says_how_long_and_how_bright_the_light_is() {
+    let (summary, report, page, warnings) =
+        ran(&["printer={ peak_irradiance_mw_per_cm2 = 1000.0 }"]);
+    let number = |pointer: &str| report.pointer(pointer).and_then(Value::as_f64).unwrap();
+    // Eight turns of 5 s, half of them lit: a pattern value of 1 is 0.1 mW/mm² per 0.25 mJ/mm² and 12 frames
+    assert!((number("/lights/0/budget/time_s") - 40.0).abs() < 1e-9);
+    assert_eq!(number("/lights/0/budget/turns"), 8.0);
+    let white = number("/lights/0/full_scale");
+    let unit = 0.25 / (5.0 / 12.0 * 0.5);
+    let irradiance = number("/lights/0/irradiance/white_mw_per_cm2");
+    assert!((irradiance / (100.0 * white * unit) - 1.0).abs() < 1e-6);
+    // What the curve ends with is what the light sends in all
+    let sent = report
+        .pointer("/time/0/curves/sent_mj")
+        .and_then(Value::as_array)
+        .unwrap();
+    let all = number("/lights/0/budget/energy_mj");
+    assert!((sent[sent.len() - 1].as_f64().unwrap() / all - 1.0).abs() < 1e-4);
+    let (best, at) = (number("/time/0/best_mj"), number("/time/0/best_s"));
+    // Frames of a ball are alike: energy goes with the time
+    assert!(
+        (best / all - at / 40.0).abs() < 0.05,
+        "{best} of {all} after {at}"
+    );
+    // The dose alone has no clock of its own beside that of the schedule
+    assert!(report.pointer("/exposure/time_s").unwrap().is_null());
+    assert!(
+        page.contains("of what the printer gives") && page.contains("have been sent to the vial")
+    );
+    assert!(
+        !warnings
+            .iter()
+            .any(|text| text.contains("the schedule needs"))
+    );
+    let said = summary.to_string();
+    assert!(said.contains("mJ sent to the vial"), "{said}");
+}
+
+#[test]
+fn a_printer_that_is_too_dark_for_the_schedule_is_named() {
+    let (.., page, warnings) = ran(&["printer={ peak_irradiance_mw_per_cm2 = 1.0 }"]);
+    let found = warnings
+        .iter()
+        .find(|text| text.contains("the schedule needs"));
+    let text = found.unwrap();
+    for part in [
+        "light[0]",
+        "peak_irradiance_mw_per_cm2",
+        "schedule.seconds_per_turn",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+    assert!(page.contains("the schedule needs"));
+}
+
+#[test]
+fn every_method_optimizes_a_print_in_time_or_says_why_not() {
+    let methods = [
+        ("lbfgs", "lbfgs"),
+        ("gradient", "gradient"),
+        ("adam", "{ adam = { step = 0.05 } }"),
+        ("pm", "pm"),
+        ("bclp", "{ bclp = { step = 0.005 } }"),
+        ("fista", "fista"),
+        ("osmo", "osmo"),
+        ("cal", "cal"),
+    ];
+    assert_eq!(methods.len(), OPTIMIZERS.len());
+    for (name, method) in methods {
+        let method = match method.starts_with('{') {
+            true => format!("optimizer={method}"),
+            false => format!("optimizer={method:?}"),
+        };
+        let job = job(&[
+            &method,
+            "schedule.optimize=\"exact\"",
+            "schedule.step_s=4.0",
+        ]);
+        let folder = tempfile::tempdir().unwrap();
+        let own = folder.path().join("run");
+        let job = job.with_folder(&own, "--output");
+        let done = run(&job, false, &mut Silent, &Run::new());
+        if ["fista", "osmo", "cal"].contains(&name) {
+            let text = done.unwrap_err().to_string();
+            assert!(
+                text.contains("a model that is not linear"),
+                "{name}: {text}"
+            );
+            assert!(
+                text.contains("lbfgs, gradient, adam, pm or bclp"),
+                "{name}: {text}"
+            );
+            continue;
+        }
+        done.unwrap();
+        let history = std::fs::read_to_string(own.join("history.csv")).unwrap();
+        let loss = |line: &str| line.split(',').nth(1).unwrap().parse::<f64>().unwrap();
+        let losses: Vec<f64> = history.lines().skip(1).map(loss).collect();
+        let lowest = losses.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(lowest < 0.8 * losses[0], "{name}: {losses:?}");
+    }
+}
