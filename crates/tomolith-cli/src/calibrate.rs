@@ -300,7 +300,7 @@ fn response(given: &ResponseArguments) -> Result<()> {
     if let Some(width) = fit.width_10_90() {
         answer.line(
             "10 % to 90 %",
-            format!("{} of dose axis", significant(width, 3)),
+            format!("over {} on the dose axis", significant(width, 3)),
         );
         answer.set("width_10_90", width);
     }
@@ -341,7 +341,8 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     ];
     for (i, (name, value, unit)) in values.into_iter().enumerate() {
         let error = fit.errors.map(|errors| errors[i]);
-        answer.line(name, format!("{} {unit}", with_error(value, error)));
+        let said = format!("{} {unit}", with_error(value, error));
+        answer.line(name, said.trim_end().to_owned());
     }
     answer.line(
         "inhibitor used by",
