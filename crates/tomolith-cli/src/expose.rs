@@ -85,7 +85,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     above_zero("--within-s", given.within_s)?;
     let job = job_of_run(&given.run, given.printer.as_deref(), &[])?;
     let i = light(given, &job)?;
-    let printer = job.spec.printer.clone().unwrap_or_default();
+    let printer = job.spec.printer_of(i).unwrap_or_default();
     let exposure = json_of(&given.run, "exposure.json")?;
     let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
     let machine = machine(given, &job, &printer, &shown)?;

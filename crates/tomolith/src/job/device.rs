@@ -40,15 +40,18 @@ pub(crate) fn printers(
     base: &Path,
     lights: &[Light],
 ) -> Result<Option<Vec<Printer>>> {
-    let Some(printer) = &spec.printer else {
+    if spec.printer.is_none() {
         return Ok(None);
-    };
-    let one = |(light, named): (&Light, &LightSpec)| {
-        Printer::new(printer, base, &light.pixels, named.rotation)
+    }
+    let one = |(i, (light, named)): (usize, (&Light, &LightSpec))| {
+        let printer = spec.printer_of(i).unwrap_or_default();
+        Printer::new(&printer, base, &light.pixels, named.rotation)
+            .map_err(|e| spec.at_printer_of(i, e))
     };
     lights
         .iter()
         .zip(&spec.light)
+        .enumerate()
         .map(one)
         .collect::<Result<_>>()
         .map(Some)
@@ -89,8 +92,11 @@ pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<O
     let frames = (0..spec.light.len())
         .map(|i| spec.angles_of(i).count())
         .sum();
+    // One bound holds for all lights: that of the darkest
+    let peaks = (0..spec.light.len()).filter_map(|i| exposure(spec, i, gel_dose).peak_mw_per_cm2);
     let exposure = ExposureBudget {
         frames,
+        peak_mw_per_cm2: peaks.reduce(f64::min),
         ..exposure(spec, 0, gel_dose)
     };
     Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
@@ -102,8 +108,7 @@ fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudg
     let (_, frame_arc) = angles.azimuths(spec.light[light].rotation);
     ExposureBudget {
         peak_mw_per_cm2: spec
-            .printer
-            .as_ref()
+            .printer_of(light)
             .and_then(|printer| printer.peak_irradiance_mw_per_cm2),
         rpm: spec.output.rpm,
         frames: angles.count(),

@@ -271,6 +271,13 @@ fn must_tell_turns_apart(spec: &JobSpec, given: &ScheduleSpec) -> Result<()> {
             "a whole number",
         ));
     }
+    if let Some(i) = spec.light.iter().position(|light| light.turns.is_some()) {
+        return Err(Error::config(
+            format!("light[{i}].turns"),
+            "turns of its own, with patterns of their own for every turn of schedule.turns",
+            "schedule.turns for all lights, or schedule.own_patterns = false",
+        ));
+    }
     let broken = |light: &LightSpec| light.angles.turn_after_turn(1).is_none();
     match spec.light.iter().position(broken) {
         Some(i) => Err(Error::config(
@@ -324,7 +331,7 @@ pub(super) fn schedule(spec: &JobSpec) -> Result<Schedule> {
             ..Turns::new(
                 light.angles.count(),
                 given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm),
-                given.turns,
+                light.turns.unwrap_or(given.turns),
             )
         })
         .collect();
@@ -341,6 +348,12 @@ impl JobSpec {
     }
 }
 
+/// The turns of its own of a light that an error calls `light[i`.
+fn turns_of(spec: &JobSpec, light: &str) -> Option<f64> {
+    let i: usize = light.strip_prefix("light[")?.parse().ok()?;
+    spec.light.get(i)?.turns
+}
+
 /// Names the key of the job.
 fn at_schedule(spec: &JobSpec, error: Error) -> Error {
     let Error::Config {
@@ -353,6 +366,9 @@ fn at_schedule(spec: &JobSpec, error: Error) -> Error {
         return error;
     };
     match key.split_once("].") {
+        Some((light, "turns")) if turns_of(spec, light).is_some() => {
+            Error::config(format!("{light}].turns"), found, accepted)
+        }
         Some((light, "power")) => {
             let i: Option<usize> = light.strip_prefix("light[").and_then(|i| i.parse().ok());
             let own = i.and_then(|i| spec.light.get(i)).and_then(|l| l.power);

@@ -134,6 +134,11 @@ impl Job {
         for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
             *file = absolute(&self.base().join(&*file));
         }
+        for light in &mut spec.light {
+            for file in light.printer.gray_curve_file.iter_mut() {
+                *file = absolute(&self.base().join(&*file));
+            }
+        }
         for wall in ["/mesh/outer", "/mesh/inner"] {
             if let Some(file) = spec.vial.kind.pointer_mut(wall) {
                 let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));

@@ -43,24 +43,25 @@ pub(super) fn budget(
     let energy_mj =
         all / energies.len().max(1) as f64 * emitted.white * emitted.pixel_mm2 * emitted.sum;
     let angles = spec.light[i].angles.count().max(1) as f64;
+    let turns = spec.light[i].turns.unwrap_or(given.turns);
     let budget = Budget {
         light_used: emitted.sum / emitted.pixels.max(1) as f64,
         white_mj_per_mm2: Some(emitted.white * all / angles),
         time_s: Some(schedule.end_s()),
-        turns: Some(given.turns),
-        energy_per_turn_mj: Some(energy_mj / given.turns),
+        turns: Some(turns),
+        energy_per_turn_mj: Some(energy_mj / turns),
         energy_mj: Some(energy_mj),
     };
     let irradiance = Irradiance {
         white_mw_per_cm2: 100.0 * emitted.white * unit(&schedule, i),
-        peak_mw_per_cm2: peak(spec),
+        peak_mw_per_cm2: peak(spec, i),
     };
     Ok(Some((budget, irradiance)))
 }
 
-/// The most that the printer gives, mW/cm².
-fn peak(spec: &JobSpec) -> Option<f64> {
-    spec.printer.as_ref()?.peak_irradiance_mw_per_cm2
+/// The most that the printer gives of a light, mW/cm².
+fn peak(spec: &JobSpec, light: usize) -> Option<f64> {
+    spec.printer_of(light)?.peak_irradiance_mw_per_cm2
 }
 
 /// Irradiance of a pattern value of 1 of a light, mW/mm².
@@ -71,11 +72,12 @@ fn unit(schedule: &Schedule, light: usize) -> f64 {
 
 /// Warns of lights that must be brighter than the printer is, so that the times of the schedule cannot be kept.
 pub(super) fn too_bright(spec: &JobSpec, shown: &[Patterns]) -> Result<Vec<String>> {
-    let (Some(_), Some(peak)) = (&spec.schedule, peak(spec)) else {
+    if spec.schedule.is_none() {
         return Ok(Vec::new());
-    };
+    }
     let schedule = schedule(spec)?;
     let of_light = |(i, patterns): (usize, &Patterns)| {
+        let peak = peak(spec, i)?;
         let most = patterns.values.iter().copied().fold(0.0, f32::max);
         let asked = 100.0 * f64::from(most) * unit(&schedule, i);
         let name = spec.light[i].name.as_deref();

@@ -315,6 +315,12 @@ pub struct LightSpec {
     /// How strong a pattern value of 1 is in the print in time, where that differs from `schedule.power`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub power: Option<Power>,
+    /// How many turns it is shown in the print in time, where that differs from `schedule.turns`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turns: Option<f64>,
+    /// What the machine is to this light, where that differs from `[printer]`.
+    #[serde(default, skip_serializing_if = "LightPrinterSpec::is_default")]
+    pub printer: LightPrinterSpec,
     /// Limits of this light's pattern values, where they differ from `[bounds]`.
     #[serde(default, skip_serializing_if = "LightBoundsSpec::is_default")]
     pub bounds: LightBoundsSpec,
@@ -364,6 +370,61 @@ pub struct LightBoundsSpec {
 impl LightBoundsSpec {
     fn is_default(&self) -> bool {
         *self == Self::default()
+    }
+}
+
+/// What the machine is to one light; what is left out is that of `[printer]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LightPrinterSpec {
+    /// Value (level over highest level) and intensity of the device, points [value, intensity].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gray_curve: Option<Vec<[f64; 2]>>,
+    /// The same from a file with two columns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gray_curve_file: Option<PathBuf>,
+    /// Irradiance of the brightest device pixel at the highest level, at the vial.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_irradiance_mw_per_cm2: Option<f64>,
+}
+
+impl LightPrinterSpec {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+
+    fn has_curve(&self) -> bool {
+        self.gray_curve.is_some() || self.gray_curve_file.is_some()
+    }
+}
+
+impl JobSpec {
+    /// The machine as it is to one light; None where the job has none.
+    #[must_use]
+    pub fn printer_of(&self, light: usize) -> Option<PrinterSpec> {
+        let mut printer = self.printer.clone()?;
+        let own = &self.light[light].printer;
+        if own.has_curve() {
+            printer.gray_curve.clone_from(&own.gray_curve);
+            printer.gray_curve_file.clone_from(&own.gray_curve_file);
+        }
+        let peak = own.peak_irradiance_mw_per_cm2;
+        printer.peak_irradiance_mw_per_cm2 = peak.or(printer.peak_irradiance_mw_per_cm2);
+        Some(printer)
+    }
+
+    /// Blames what is wrong with the machine of a light on the light where it is the light that says it.
+    pub(crate) fn at_printer_of(&self, light: usize, mut error: Error) -> Error {
+        let own = &self.light[light].printer;
+        if let Error::Config { key, .. } = &mut error {
+            let is_curve = key.starts_with("printer.gray_curve") && own.has_curve();
+            let is_peak =
+                key.starts_with("printer.peak") && own.peak_irradiance_mw_per_cm2.is_some();
+            if is_curve || is_peak {
+                *key = format!("light[{light}].{key}");
+            }
+        }
+        error
     }
 }
 

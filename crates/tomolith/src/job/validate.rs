@@ -2,7 +2,8 @@
 
 use super::in_time;
 use super::spec::{
-    Angles, BoundsSpec, DoseConvention, JobSpec, LightSpec, OutputSpec, ResinSpec, SelectionSpec,
+    Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
+    ResinSpec, SelectionSpec,
 };
 use super::species::at_species;
 use crate::error::{Error, Result};
@@ -78,6 +79,24 @@ fn printer(spec: &JobSpec) -> Result<()> {
         }
     };
     for (i, light) in spec.light.iter().enumerate() {
+        match spec.printer_of(i) {
+            Some(printer) => printer.ranges().map_err(|e| spec.at_printer_of(i, e))?,
+            None if light.printer != LightPrinterSpec::default() => {
+                return Err(Error::config(
+                    format!("light[{i}].printer"),
+                    "what the machine is to this light, in a job without a machine",
+                    "a table [printer] beside it, which may be empty",
+                ));
+            }
+            None => {}
+        }
+        if light.turns.is_some() && spec.schedule.is_none() {
+            return Err(Error::config(
+                format!("light[{i}].turns"),
+                "turns of the print in time, in a job without a schedule",
+                "a table [schedule] beside it",
+            ));
+        }
         if let Angles::Even { count, arc_deg, .. } = light.angles {
             shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)
                 .map_err(|e| at_speed(spec, i, e))?;
