@@ -1,8 +1,9 @@
 //! What long work carries along: a way to be stopped, and a gauge of how much is done.
 
 use crate::error::{Error, Result};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 /// The whole of a stage on the gauge.
 const WHOLE: u64 = 1 << 52;
@@ -13,8 +14,8 @@ const WHOLE: u64 = 1 << 52;
 /// is not cut further. Parts may run side by side. What a part did not count is done when it is dropped, so the gauge never
 /// falls, and a stage that ends has filled it.
 ///
-/// An optimization is *patient*: the first request ends it after the step at hand, so that nothing is lost; only a second
-/// one breaks into the step.
+/// An optimization is *patient*: the first request ends it after the step at hand, so that nothing is lost, unless that takes
+/// longer than [`PATIENCE`](Run::PATIENCE); then, or at a second request, the step is broken into.
 ///
 /// ```
 /// use tomolith_core::dose::Run;
@@ -38,32 +39,50 @@ pub struct Run {
     used: AtomicU64,
 }
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Signal {
     requests: AtomicU32,
+    /// When the first request came.
+    first: OnceLock<Instant>,
     patient: AtomicBool,
+    patience: Duration,
 }
 
 impl Default for Run {
     fn default() -> Self {
-        Run {
-            signal: Arc::default(),
-            gauge: Arc::default(),
-            share: WHOLE,
-            used: AtomicU64::new(0),
-        }
+        Run::with_patience(Run::PATIENCE)
     }
 }
 
 impl Run {
+    /// How long the first request waits for the end of what is done patiently.
+    pub const PATIENCE: Duration = Duration::from_millis(500);
+
     /// A run without a request to stop.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
+    /// A run whose first request waits so long for the end of what is done patiently.
+    #[must_use]
+    pub fn with_patience(patience: Duration) -> Self {
+        Run {
+            signal: Arc::new(Signal {
+                requests: AtomicU32::new(0),
+                first: OnceLock::new(),
+                patient: AtomicBool::new(false),
+                patience,
+            }),
+            gauge: Arc::default(),
+            share: WHOLE,
+            used: AtomicU64::new(0),
+        }
+    }
+
     /// Requests a stop of everything that carries this run; returns the number of earlier requests.
     pub fn cancel(&self) -> u32 {
+        self.signal.first.get_or_init(Instant::now);
         self.signal.requests.fetch_add(1, Ordering::Relaxed)
     }
 
@@ -76,12 +95,18 @@ impl Run {
     /// Whether work must stop now, in the middle of what it does.
     #[must_use]
     pub fn is_canceled(&self) -> bool {
-        let enough = if self.signal.patient.load(Ordering::Relaxed) {
-            2
-        } else {
-            1
-        };
-        self.signal.requests.load(Ordering::Relaxed) >= enough
+        match self.signal.requests.load(Ordering::Relaxed) {
+            0 => false,
+            1 if self.signal.patient.load(Ordering::Relaxed) => self.patience_left().is_zero(),
+            _ => true,
+        }
+    }
+
+    /// How long what is done patiently may still take; without a request as long as with one that comes now.
+    #[must_use]
+    pub fn patience_left(&self) -> Duration {
+        let waited = self.signal.first.get().map_or(Duration::ZERO, Instant::elapsed);
+        self.signal.patience.saturating_sub(waited)
     }
 
     /// Refuses to go on when work must stop now.
@@ -220,6 +245,24 @@ mod tests {
             drop((parts, stage));
             assert_eq!(run.done(), 1.0);
         }
+    }
+
+    #[test]
+    fn patience_ends_by_itself_or_with_a_second_request() {
+        let canceled = |patience: Duration, requests: usize| {
+            let run = Run::with_patience(patience);
+            run.set_patient(true);
+            (0..requests).for_each(|_| drop(run.cancel()));
+            (run.is_stop_asked(), run.is_canceled())
+        };
+        assert_eq!(canceled(Duration::ZERO, 0), (false, false));
+        assert_eq!(canceled(Duration::ZERO, 1), (true, true));
+        assert_eq!(canceled(Duration::MAX, 1), (true, false));
+        assert_eq!(canceled(Duration::MAX, 2), (true, true));
+        // Whoever is not patient stops at once
+        let run = Run::with_patience(Duration::MAX);
+        run.cancel();
+        assert!(run.is_canceled());
     }
 
     #[test]

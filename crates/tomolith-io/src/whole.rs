@@ -95,7 +95,7 @@ pub fn write_whole_under<T>(
 
 /// Bytes that are handed to the system at a time, and that may wait for the disk: a request to stop waits for no more.
 const AT_A_TIME: usize = 4 << 20;
-const WAITING: usize = 64 << 20;
+const WAITING: usize = 32 << 20;
 
 /// A file being written; writing fails as soon as its run is canceled.
 #[derive(Debug)]

@@ -3,6 +3,9 @@
 //! One file, `state.safetensors`, holds the arrays and, as JSON under the key `tomolith` of its header, everything else. It is
 //! written aside and renamed, so it is always whole: a kill at any moment leaves the old one or the new one.
 //!
+//! A request to stop ends the writing, too, when the run's [patience](Run::PATIENCE) does: the checkpoint that stands stays. A last
+//! one is written where it is expected to be done by then; where none stands, one of the patterns alone is.
+//!
 //! `contents = "all"` holds patterns, dose and the optimizer's memory: the resumed run has the bits of the uninterrupted one.
 //! `contents = "patterns"` holds the patterns alone, a small part of the size: the resumed run begins anew from there.
 //!
@@ -16,20 +19,21 @@
 use super::keep::Best;
 use super::run::Row;
 use super::{CheckpointReader, Counters, Memory, SavedArray};
-use safetensors::tensor::{Dtype, Metadata, View};
+use safetensors::tensor::{Metadata, TensorInfo};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::ranks::{Shares, together};
+use tomolith_core::run::Run;
 use tomolith_core::units::exact;
+use tomolith_io::write_whole_under;
 
 /// What a checkpoint holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -256,6 +260,21 @@ impl Checkpoints {
         })
     }
 
+    /// What the last checkpoint of a run that was asked to stop may hold, to be written within so long a time: everything, where it is
+    /// expected to be there by then; else the patterns, where there is no checkpoint of this run to go on from; else nothing.
+    fn contents_within<F: Field>(&self, left: Duration, saved: &Saved<'_, F>) -> Option<Contents> {
+        let expected = Duration::from_secs_f64(self.bytes(saved) as f64 / RATE);
+        let has_one = self.cost.is_some() || (self.resumes && self.file().exists());
+        // Ranks that share the patterns write them together or not at all
+        if self.shares.is_some() || self.cost.unwrap_or(expected) <= left {
+            Some(self.contents)
+        } else if has_one {
+            None
+        } else {
+            Some(Contents::Patterns)
+        }
+    }
+
     /// Size of the arrays.
     fn bytes<F: Field>(&self, saved: &Saved<'_, F>) -> usize {
         let fields = 1 + usize::from(saved.best_patterns.is_some());
@@ -270,13 +289,24 @@ impl Checkpoints {
         }
     }
 
-    /// Writes a checkpoint where there is room for it; on a full disk the next one comes when it would have come anyway. Tells when
-    /// that begins and when it is over.
+    /// Writes a checkpoint where there is room for it, and time where the run was asked to stop; on a full disk the next one comes when
+    /// it would have come anyway. Tells when that begins and when it is over.
     ///
     /// # Errors
-    /// As [`write`](Self::write), but for a full disk.
-    pub(super) fn try_write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<Option<Room>> {
-        let written = self.write(saved);
+    /// As [`write`](Self::write), but for a full disk and a request to stop.
+    pub(super) fn try_write<F: Field>(
+        &mut self,
+        saved: Saved<'_, F>,
+        run: &Run,
+    ) -> Result<Option<Room>> {
+        let contents = match run.is_stop_asked() {
+            true => self.contents_within(run.patience_left(), &saved),
+            false => Some(self.contents),
+        };
+        let written = match contents {
+            Some(contents) => self.write(saved, contents, run),
+            None => Err(Error::Canceled),
+        };
         let settled = self.settle(written);
         self.agreed(settled)
     }
@@ -289,30 +319,32 @@ impl Checkpoints {
                 return Ok(again.then_some(Room::Again));
             }
             Err(error) if error.is_full_disk() => error,
+            // The one before stays
+            Err(Error::Canceled) => return Ok(None),
             Err(error) => return Err(error),
         };
-        // What was half written would keep the disk full
-        let _ = std::fs::remove_file(self.aside());
-        self.clear_leftovers();
         self.last = Instant::now();
         let before = std::mem::replace(&mut self.is_without_room, true);
         Ok((!before).then_some(Room::None(error)))
     }
 
-    /// Where a checkpoint is written before it takes its place.
-    fn aside(&self) -> PathBuf {
-        self.folder.join("state.safetensors.part")
-    }
-
     /// Writes a checkpoint.
-    pub(super) fn write<F: Field>(&mut self, saved: Saved<'_, F>) -> Result<()> {
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Canceled`], and the one before stays.
+    fn write<F: Field>(
+        &mut self,
+        saved: Saved<'_, F>,
+        contents: Contents,
+        run: &Run,
+    ) -> Result<()> {
         let begin = Instant::now();
         let whole = self.whole(&saved);
         let header = Header {
             format: FORMAT,
             fingerprint: self.fingerprint.clone(),
             job: self.job.clone(),
-            contents: self.contents,
+            contents,
             level: self.level,
             best: saved.best,
             counters: saved.counters,
@@ -327,21 +359,21 @@ impl Checkpoints {
                     let array = SavedArray::of_field(field);
                     ((*name).to_owned(), array)
                 });
-                self.write_file(&header, arrays.collect())?;
+                self.write_file(&header, arrays.collect(), run)?;
             }
             None => {
                 let patterns = SavedArray::of_field(saved.patterns);
                 let mut arrays = vec![("patterns".to_owned(), patterns)];
                 let best = saved.best_patterns.map(SavedArray::of_field);
                 arrays.extend(best.map(|best| ("best".to_owned(), best)));
-                if self.contents == Contents::All {
+                if contents == Contents::All {
                     arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
                     let model = saved.model.map(SavedArray::of_field);
                     arrays.extend(model.map(|array| ("model".to_owned(), array)));
                     let memory = saved.memory.arrays.into_iter();
                     arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
                 }
-                self.write_file(&header, arrays)?;
+                self.write_file(&header, arrays, run)?;
             }
         }
         self.cost = Some(begin.elapsed());
@@ -367,44 +399,57 @@ impl Checkpoints {
         Some(whole)
     }
 
-    /// Removes what a killed run left half written: safetensors writes to `.tmp…` in this folder, which is ours alone.
+    /// Removes what a killed run left half written: it would keep a disk full.
     fn clear_leftovers(&self) {
         let Ok(entries) = std::fs::read_dir(&self.folder) else {
             return;
         };
-        let is_leftover = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with(".tmp");
-        for entry in entries
-            .flatten()
-            .filter(|entry| is_leftover(&entry.file_name()))
-        {
-            let _ = std::fs::remove_file(entry.path());
+        let begin = format!(".{CHECKPOINT}.");
+        for entry in entries.flatten() {
+            if entry.file_name().to_string_lossy().starts_with(&begin) {
+                let _ = std::fs::remove_file(entry.path());
+            }
         }
     }
 
-    /// Writes aside, then renames.
-    fn write_file(&self, header: &Header, arrays: Vec<(String, SavedArray)>) -> Result<()> {
+    /// Writes header and arrays aside, then renames.
+    fn write_file(
+        &self,
+        header: &Header,
+        arrays: Vec<(String, SavedArray)>,
+        run: &Run,
+    ) -> Result<()> {
         let file = self.file();
-        let aside = self.aside();
         std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
         self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
-        let arrays = arrays.into_iter().map(|(name, array)| {
-            (
-                name,
-                Tensor {
-                    shape: [array.len],
-                    array,
-                },
-            )
+        let mut bytes = 0;
+        let tensors = arrays.iter().map(|(name, array)| {
+            let begin = bytes;
+            bytes += array.size();
+            let info = TensorInfo {
+                dtype: array.dtype,
+                shape: vec![array.len],
+                data_offsets: (begin, bytes),
+            };
+            (name.clone(), info)
         });
+        let tensors = tensors.collect();
         let info = HashMap::from([("tomolith".to_owned(), text)]);
-        safetensors::serialize_to_file(arrays, Some(info), &aside).map_err(|e| match e {
-            safetensors::SafeTensorError::IoError(source) => Error::io(&aside, source),
-            other => damaged(&aside, &other.to_string()),
-        })?;
-        let written = File::open(&aside).and_then(|f| f.sync_all());
-        written.map_err(|e| Error::io(&aside, e))?;
-        std::fs::rename(&aside, &file).map_err(|e| Error::io(&file, e))
+        let metadata =
+            Metadata::new(Some(info), tensors).map_err(|e| damaged(&file, &e.to_string()))?;
+        let mut text =
+            serde_json::to_vec(&metadata).map_err(|e| damaged(&file, &e.to_string()))?;
+        // The format aligns its arrays
+        text.resize(text.len().next_multiple_of(8), b' ');
+        write_whole_under(&file, (&run.aside(), bytes), |file| {
+            file.write_all(&(text.len() as u64).to_le_bytes())?;
+            file.write_all(&text)?;
+            for (_, array) in &arrays {
+                file.write_all(&(array.bytes)())?;
+            }
+            Ok(())
+        })
     }
 
     /// The checkpoint of the folder, or None when there is none.
@@ -614,29 +659,6 @@ impl CheckpointReader for Checkpoint {
     }
 }
 
-struct Tensor<'a> {
-    shape: [usize; 1],
-    array: SavedArray<'a>,
-}
-
-impl View for Tensor<'_> {
-    fn dtype(&self) -> Dtype {
-        self.array.dtype
-    }
-
-    fn shape(&self) -> &[usize] {
-        &self.shape
-    }
-
-    fn data(&self) -> Cow<'_, [u8]> {
-        (self.array.bytes)()
-    }
-
-    fn data_len(&self) -> usize {
-        self.array.size()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -679,14 +701,11 @@ mod tests {
         let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
         let failed = |kind: std::io::ErrorKind| Err(Error::io("state", kind.into()));
         let full = || failed(std::io::ErrorKind::StorageFull);
-        // Half of a checkpoint would keep the disk full
-        std::fs::write(checkpoints.aside(), "half").unwrap();
         assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
         assert!(matches!(
             checkpoints.settle(full()),
             Ok(Some(Room::None(_)))
         ));
-        assert!(!checkpoints.aside().exists());
         assert!(matches!(checkpoints.settle(full()), Ok(None)));
         assert!(matches!(checkpoints.settle(Ok(())), Ok(Some(Room::Again))));
         assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
@@ -696,6 +715,115 @@ mod tests {
                 .settle(failed(std::io::ErrorKind::PermissionDenied))
                 .is_err()
         );
+    }
+
+    const VALUES: usize = 3 << 20;
+
+    fn of_field<'a>(field: &'a HostField, history: &'a [Row], memory: Memory<'a>) -> Saved<'a, HostField> {
+        Saved {
+            patterns: field,
+            best: Best::default(),
+            best_patterns: None,
+            dose: field,
+            model: None,
+            memory,
+            counters: Counters::default(),
+            history,
+        }
+    }
+
+    /// Writes a checkpoint whose values are the number of its iteration; the last array does something when its turn comes.
+    fn write(checkpoints: &mut Checkpoints, run: &Run, iteration: usize, at_last: impl Fn()) {
+        let values = vec![iteration as f32; VALUES];
+        let bytes = || {
+            at_last();
+            bytemuck::cast_slice(&values).into()
+        };
+        let array = SavedArray {
+            dtype: safetensors::Dtype::F32,
+            len: VALUES,
+            bytes: Box::new(bytes),
+        };
+        let memory = Memory {
+            numbers: Value::Null,
+            arrays: vec![("pairs".to_owned(), array)],
+        };
+        let row = Row {
+            iteration,
+            loss: 1.0,
+            projected_gradient: None,
+            step: None,
+            forward: 0,
+            adjoint: 0,
+            seconds: 0.0,
+        };
+        let field = HostField::from_slice(&values);
+        let written = checkpoints.try_write(of_field(&field, &[row], memory), run);
+        assert!(matches!(written, Ok(None)));
+    }
+
+    /// Iteration and contents of the checkpoint that stands, which is whole and alone.
+    fn standing(checkpoints: &Checkpoints) -> Option<(usize, Contents)> {
+        let files = std::fs::read_dir(&checkpoints.folder).map_or(0, Iterator::count);
+        let mut found = checkpoints.open().unwrap()?;
+        assert_eq!(files, 1);
+        let mut field = HostField::from_slice(&vec![0.0; VALUES]);
+        found.read_field("patterns", &mut field).unwrap();
+        assert!(field.as_slice().iter().all(|v| *v == found.iteration() as f32));
+        Some((found.iteration(), found.contents()))
+    }
+
+    #[test]
+    fn a_request_to_stop_ends_the_writing_and_the_checkpoint_that_stands_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let new = || Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
+        let mut checkpoints = new();
+        let run = Run::with_patience(Duration::ZERO);
+        run.set_patient(true);
+        write(&mut checkpoints, &run, 1, || ());
+        assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
+        // The request comes when two thirds of the arrays are on the disk
+        write(&mut checkpoints, &run, 2, || drop(run.cancel()));
+        assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
+        // There is no time for a last one, nor need: one stands
+        write(&mut checkpoints, &run, 3, || ());
+        assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
+        // What a killed run left behind goes with the next
+        let left = format!(".{CHECKPOINT}.1-1.partial");
+        std::fs::write(folder.path().join(left), "half").unwrap();
+        write(&mut checkpoints, &Run::new(), 4, || ());
+        assert_eq!(standing(&checkpoints), Some((4, Contents::All)));
+    }
+
+    #[test]
+    fn the_last_checkpoint_is_whole_where_there_is_time_and_else_of_the_patterns() {
+        let new = |folder: &tempfile::TempDir| {
+            Checkpoints::new(folder.path(), 0, &Params::default()).unwrap()
+        };
+        let last = |patience: Duration| {
+            let folder = tempfile::tempdir().unwrap();
+            let mut checkpoints = new(&folder);
+            let run = Run::with_patience(patience);
+            run.set_patient(true);
+            run.cancel();
+            write(&mut checkpoints, &run, 1, || ());
+            standing(&checkpoints)
+        };
+        assert_eq!(last(Duration::MAX), Some((1, Contents::All)));
+        assert_eq!(last(Duration::ZERO), None);
+        // 25 MB are expected to take 84 ms
+        let folder = tempfile::tempdir().unwrap();
+        let field = HostField::from_slice(&vec![0.0; VALUES]);
+        let contents = |checkpoints: &Checkpoints, ms: u64| {
+            let saved = of_field(&field, &[], Memory::default());
+            checkpoints.contents_within(Duration::from_millis(ms), &saved)
+        };
+        let mut checkpoints = new(&folder);
+        assert_eq!(contents(&checkpoints, 90), Some(Contents::All));
+        assert_eq!(contents(&checkpoints, 80), Some(Contents::Patterns));
+        checkpoints.cost = Some(Duration::from_millis(70));
+        assert_eq!(contents(&checkpoints, 80), Some(Contents::All));
+        assert_eq!(contents(&checkpoints, 60), None);
     }
 
     #[test]

@@ -65,7 +65,7 @@ impl KeptBy {
 }
 
 /// The best iterate so far, as a checkpoint holds it.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 pub(super) struct Best {
     iteration: usize,
     /// Its loss.

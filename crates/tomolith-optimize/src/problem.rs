@@ -211,6 +211,12 @@ impl<'a, F: Field> Problem<'a, F> {
         self.target.is_some()
     }
 
+    /// What stops the work.
+    #[must_use]
+    pub fn run(&self) -> &'a Run {
+        self.run
+    }
+
     /// Whether the user asked to stop.
     #[must_use]
     pub fn is_stop_asked(&self) -> bool {

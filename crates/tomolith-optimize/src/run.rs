@@ -9,6 +9,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
+use tomolith_core::run::Run;
 use tomolith_core::units::exact;
 
 /// `[stop]` of a job: when to stop. A loss of zero always stops.
@@ -283,7 +284,7 @@ pub fn run_after<F: Field>(
             if let Some(checkpoints) = checkpoints.as_deref_mut() {
                 let memory = problem.model().memory();
                 let saved = state.saved(problem, optimizer, x, memory.as_ref());
-                keep(checkpoints, saved, observers)?;
+                keep(checkpoints, saved, problem.run(), observers)?;
             }
             break Ok(reason);
         }
@@ -297,7 +298,7 @@ pub fn run_after<F: Field>(
             let memory = problem.model().memory();
             let saved = state.saved(problem, optimizer, x, memory.as_ref());
             if checkpoints.is_due(&saved) {
-                keep(checkpoints, saved, observers)?;
+                keep(checkpoints, saved, problem.run(), observers)?;
             }
         }
     };
@@ -321,9 +322,10 @@ pub fn run_after<F: Field>(
 fn keep<F: Field>(
     checkpoints: &mut Checkpoints,
     saved: Saved<'_, F>,
+    run: &Run,
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<()> {
-    if let Some(room) = checkpoints.try_write(saved)? {
+    if let Some(room) = checkpoints.try_write(saved, run)? {
         observers
             .iter_mut()
             .for_each(|observer| observer.on_room(&room));
