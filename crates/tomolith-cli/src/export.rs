@@ -5,6 +5,7 @@ use crate::screen::{Screen, say};
 use clap::Args;
 use std::path::PathBuf;
 use tomolith::Result;
+use tomolith::models::Run;
 use tomolith::job::export::{Exported, export as of_run, job_of_run};
 use tomolith::report::number::significant;
 
@@ -33,10 +34,10 @@ pub(crate) struct ExportArguments {
 }
 
 /// `tomolith export`.
-pub(crate) fn export(given: &ExportArguments) -> Result<()> {
+pub(crate) fn export(given: &ExportArguments, cancel: &Run) -> Result<()> {
     let job = job_of_run(&given.run, given.printer.as_deref(), &given.set)?;
     let mut screen = Screen::new(given.manner);
-    let exported = of_run(&job, &given.run, &given.output, &mut screen)?;
+    let exported = of_run(&job, &given.run, &given.output, &mut screen, cancel)?;
     drop(screen);
     if given.manner.json {
         let mut line = serde_json::to_value(&exported).unwrap_or_default();

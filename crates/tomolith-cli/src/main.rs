@@ -29,7 +29,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::thread;
 use std::time::{Duration, Instant};
+use tomolith::io::give_up;
 use tomolith::job::{self, Job};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
@@ -70,23 +72,23 @@ fn main() -> ExitCode {
             )
         }
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
-        Command::Voxelize(given) => quick(given.sampling.manner, || voxelize::voxelize(given)),
-        Command::Phantom(given) => quick(given.sampling.manner, || voxelize::phantom(given)),
-        Command::Metrics(given) => quick(given.manner, || metrics::metrics(given)),
-        Command::Export(given) => quick(given.manner, || export::export(given)),
-        Command::ExportMatrix(given) => quick(given.manner, || {
+        Command::Voxelize(given) => quick(given.sampling.manner, |run| voxelize::voxelize(given, run)),
+        Command::Phantom(given) => quick(given.sampling.manner, |run| voxelize::phantom(given, run)),
+        Command::Metrics(given) => quick(given.manner, |_| metrics::metrics(given)),
+        Command::Export(given) => quick(given.manner, |run| export::export(given, run)),
+        Command::ExportMatrix(given) => quick(given.manner, |run| {
             let job = read(&given.job, None)?;
-            export_matrix::export_matrix(given, &job, &cancel_on_ctrl_c(given.manner))
+            export_matrix::export_matrix(given, &job, run)
         }),
-        Command::Trace(given) => quick(given.manner, || {
+        Command::Trace(given) => quick(given.manner, |run| {
             let job = read(&given.job, None)?;
-            trace::run(given, &job, &cancel_on_ctrl_c(given.manner))
+            trace::run(given, &job, run)
         }),
-        Command::Import(given) => quick(given.manner, || import::import(given)),
-        Command::Calibrate(given) => quick(given.manner(), || calibrate::calibrate(given)),
-        Command::Expose(given) => quick(given.manner, || expose::expose(given)),
-        Command::Analyze(given) => quick(given.manner(), || analyze::analyze(given)),
-        Command::Compare(given) => quick(given.manner, || compare::compare(given)),
+        Command::Import(given) => quick(given.manner, |_| import::import(given)),
+        Command::Calibrate(given) => quick(given.manner(), |_| calibrate::calibrate(given)),
+        Command::Expose(given) => quick(given.manner, |_| expose::expose(given)),
+        Command::Analyze(given) => quick(given.manner(), |_| analyze::analyze(given)),
+        Command::Compare(given) => quick(given.manner, |_| compare::compare(given)),
     };
     let code = match done {
         Ok(true) => ExitCode::SUCCESS,
@@ -127,9 +129,30 @@ fn refused_output(error: &std::io::Error) -> ExitCode {
     ExitCode::from(REFUSED)
 }
 
-/// A command that is met when it ends without an error.
-fn quick(manner: Manner, work: impl FnOnce() -> Result<()>) -> (Manner, Result<bool>) {
-    (manner, prepare(manner).and_then(|()| work()).map(|()| true))
+/// A command that is met when it ends without an error. Asked to stop it ends where it looks for the request, or else shortly after,
+/// wherever it is.
+fn quick(manner: Manner, work: impl FnOnce(&Run) -> Result<()>) -> (Manner, Result<bool>) {
+    let run = Arc::new(Run::new());
+    on_ctrl_c(&run, move |earlier| {
+        if earlier == 0 {
+            thread::spawn(move || {
+                thread::sleep(LONGEST);
+                end_here(manner);
+            });
+        }
+    });
+    let done = prepare(manner).and_then(|()| work(&run));
+    (manner, done.map(|()| true))
+}
+
+/// How long a command without stages may take to end after a request to stop.
+const LONGEST: Duration = Duration::from_millis(700);
+
+/// Ends the process in the middle of its work; files keep what they held.
+fn end_here(manner: Manner) -> ! {
+    give_up();
+    trouble::show(&Error::Canceled, manner.json);
+    std::process::exit(i32::from(CANCELED))
 }
 
 /// `tomolith run`: whether the asked quality was met.
@@ -144,7 +167,8 @@ fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     let manner = given.manner.of_rank(ranks);
     let cancel = match ranks {
         None => cancel_on_ctrl_c(manner),
-        Some(_) => cancel_saying(manner, STOPPING_RANKS),
+        // Ranks that wait for each other end their steps together
+        Some(_) => cancel_saying(manner, Run::with_patience(Duration::MAX), STOPPING_RANKS),
     };
     let mut screen = Screen::new(manner);
     let (resume, leaves) = (given.resume, given.keep.into());
@@ -245,36 +269,43 @@ fn prepare(manner: Manner) -> Result<()> {
 const ECHO: Duration = Duration::from_millis(300);
 
 /// What is said when a stop is asked for, by people or by a launcher.
-const STOPPING: &str = "\nstopping after this iteration; Ctrl-C again stops at once";
+const STOPPING: &str = "\nstopping: the iteration at hand is given half a second";
 const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. Where one of them has died the launcher ends the others, and \
     `--resume` goes on from the last checkpoint";
 
-/// The first Ctrl-C asks the run to stop after the step at hand, the second at once, the third ends the process.
+/// The first Ctrl-C asks the run to stop soon, the second at once, the third ends the process.
 fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
-    cancel_saying(manner, STOPPING)
+    cancel_saying(manner, Run::new(), STOPPING)
 }
 
 /// The same, saying so in these words.
-fn cancel_saying(manner: Manner, stopping: &'static str) -> Arc<Run> {
-    let run = Arc::new(Run::new());
+fn cancel_saying(manner: Manner, run: Run, stopping: &'static str) -> Arc<Run> {
+    let run = Arc::new(run);
     let asked = Arc::clone(&run);
-    // Without a handler Ctrl-C still ends the process, only less cleanly
-    let mut last: Option<Instant> = None;
-    let _ = ctrlc::set_handler(move || {
-        // Shells and wrappers may deliver one request twice
-        if last
-            .replace(Instant::now())
-            .is_some_and(|before| before.elapsed() < ECHO)
-        {
-            return;
+    on_ctrl_c(&run, move |earlier| {
+        if earlier >= 2 {
+            end_here(manner);
         }
-        if asked.cancel() >= 2 {
-            std::process::exit(i32::from(CANCELED));
-        }
-        // An optimization ends its step first, which may take a while
+        // An optimization may end its step first
         if !manner.quiet && !asked.is_canceled() {
             screen::mutter(stopping);
         }
     });
     run
+}
+
+/// Passes every Ctrl-C on to a run, and does something more with the number of those before it.
+fn on_ctrl_c(run: &Arc<Run>, mut then: impl FnMut(u32) + Send + 'static) {
+    let run = Arc::clone(run);
+    let mut last: Option<Instant> = None;
+    // Without a handler Ctrl-C still ends the process, only less cleanly
+    let _ = ctrlc::set_handler(move || {
+        // Shells and wrappers may deliver one request twice
+        if last
+            .replace(Instant::now())
+            .is_none_or(|before| before.elapsed() >= ECHO)
+        {
+            then(run.cancel());
+        }
+    });
 }

@@ -81,7 +81,7 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
             let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             dose.values.iter_mut().for_each(|v| *v *= scale);
         }
-        write_values(path, kind, "dose", &dose)?;
+        write_values(path, kind, "dose", &dose, cancel)?;
         if !given.manner.json && !given.manner.quiet {
             say(&format!("dose in {}", path.display()));
         }

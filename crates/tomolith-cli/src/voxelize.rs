@@ -14,8 +14,8 @@ use tomolith::job::Document;
 use tomolith::kind::Section;
 use tomolith::models::Run;
 use tomolith::target::{
-    MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build, default_grid,
-    voxelize as voxelize_target,
+    MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build_under, default_grid,
+    voxelize_under,
 };
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -97,7 +97,7 @@ pub(crate) struct PhantomArguments {
 }
 
 /// `tomolith voxelize`.
-pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
+pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
     let unit = |name: &String| MeshUnit::ALL.into_iter().find(|unit| unit.name() == name);
     if let Some(file) = &given.save_mesh {
         if !file
@@ -118,11 +118,11 @@ pub(crate) fn voxelize(given: &VoxelizeArguments) -> Result<()> {
         repair: (given.repair == "force").then_some(Repair::Force),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling, given.save_mesh.as_deref())
+    sample(spec, &given.sampling, given.save_mesh.as_deref(), run)
 }
 
 /// `tomolith phantom`.
-pub(crate) fn phantom(given: &PhantomArguments) -> Result<()> {
+pub(crate) fn phantom(given: &PhantomArguments, run: &Run) -> Result<()> {
     // The name is looked up first, so that a slip in it is named as such
     Section::new("phantom", Value::String(given.name.clone())).kind(PHANTOMS)?;
     let mut table = Document::toml("command line", "")?;
@@ -134,20 +134,20 @@ pub(crate) fn phantom(given: &PhantomArguments) -> Result<()> {
         phantom: Some(json!({ given.name.as_str(): table.root })),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling, None)
+    sample(spec, &given.sampling, None, run)
 }
 
-fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>) -> Result<()> {
+fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run) -> Result<()> {
     let kind = Kind::of(&given.output)?;
     must_have_folder(&given.output)?;
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
-    let shape = build(&spec, Path::new(""), "target").map_err(as_target_option)?;
+    let shape = build_under(&spec, Path::new(""), "target", run).map_err(as_target_option)?;
     let question = spec.ask_for_unit(shape.bounds_mm(), EXPECTED_MM);
     let question =
         question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
     let grid = grid_of(given, shape.bounds_mm()).map_err(|e| asking(e, question.as_deref()))?;
-    let mut target = voxelize_target(shape.as_ref(), &spec.name(), &grid)?;
+    let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, run)?;
     let volume_mm3 = target
         .inside
         .values
@@ -161,7 +161,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>) -> Result
             .map(|i| f32::from(u8::from(target.is_part(i))))
             .collect();
     }
-    write(&given.output, kind, &target, given.binary)?;
+    write(&given.output, kind, &target, given.binary, run)?;
     if let (Some(file), [mesh]) = (save, &shape.meshes()[..]) {
         write_stl_binary(file, mesh)?;
     }
@@ -174,7 +174,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>) -> Result
         warnings.insert(0, text.to_owned());
     }
     let lost = if is_cut(&grid, shape.bounds_mm()) {
-        Some(lost_share(shape.as_ref(), volume_mm3)?)
+        Some(lost_share(shape.as_ref(), volume_mm3, run)?)
     } else {
         None
     };
@@ -272,12 +272,12 @@ fn is_cut(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
 const MEASURED: usize = 128;
 
 /// Share of a shape's volume that is not among these mm³.
-fn lost_share(shape: &dyn Shape, kept_mm3: f64) -> Result<f64> {
+fn lost_share(shape: &dyn Shape, kept_mm3: f64, run: &Run) -> Result<f64> {
     let whole_mm3 = match shape.volume_mm3() {
         Some(exact) => exact,
         None => {
             let grid = default_grid(shape.bounds_mm(), Resolution::Shape([MEASURED; 3]))?;
-            let inside = shape.sample(&grid)?.values;
+            let inside = shape.sample_under(&grid, run)?.values;
             inside.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
         }
     };
@@ -339,7 +339,7 @@ impl Kind {
     }
 }
 
-fn write(path: &Path, kind: Kind, target: &Target, binary: bool) -> Result<()> {
+fn write(path: &Path, kind: Kind, target: &Target, binary: bool, run: &Run) -> Result<()> {
     let Volume { grid, values } = &target.inside;
     let bytes = || values.iter().map(|&v| v as u8).collect::<Vec<u8>>();
     match kind {
@@ -349,15 +349,15 @@ fn write(path: &Path, kind: Kind, target: &Target, binary: bool) -> Result<()> {
                 grid: grid.clone(),
                 values: bytes(),
             },
-            &Run::new(),
+            run,
         ),
         Kind::Vti if binary => write_vti(
             path,
             grid,
             &[("inside", VtiValues::U8(&bytes()))],
-            &Run::new(),
+            run,
         ),
-        kind => write_values(path, kind, "inside", &target.inside),
+        kind => write_values(path, kind, "inside", &target.inside, run),
     }
 }
 
@@ -367,21 +367,22 @@ pub(crate) fn write_values(
     kind: Kind,
     name: &str,
     volume: &Volume<f32>,
+    run: &Run,
 ) -> Result<()> {
     match kind {
-        Kind::Npy => write_volume(path, volume, &Run::new()),
+        Kind::Npy => write_volume(path, volume, run),
         Kind::Vti => write_vti(
             path,
             &volume.grid,
             &[(name, VtiValues::F32(&volume.values))],
-            &Run::new(),
+            run,
         ),
-        Kind::Png => write_slices(path, volume),
+        Kind::Png => write_slices(path, volume, run),
     }
 }
 
 /// All slices side by side in rows, low z first, +y on top.
-fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
+fn write_slices(path: &Path, volume: &Volume<f32>, run: &Run) -> Result<()> {
     let [nz, ny, nx] = volume.grid.shape;
     let across = (nz as f64 * ny as f64 / nx as f64)
         .sqrt()
@@ -409,7 +410,7 @@ fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
         values: &levels,
     };
     let aside = path.with_extension("png.folder");
-    write_frames(&aside, &[set], &Run::new())?;
+    write_frames(&aside, &[set], run)?;
     let moved = std::fs::rename(aside.join("frame_0000.png"), path);
     std::fs::remove_dir_all(&aside).map_err(|e| Error::io(&aside, e))?;
     moved.map_err(|e| Error::io(path, e))

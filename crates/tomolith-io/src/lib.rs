@@ -21,4 +21,4 @@ pub mod stl;
 pub mod vti;
 pub mod whole;
 
-pub use whole::{write_folder_whole, write_whole, write_whole_under};
+pub use whole::{give_up, write_folder_whole, write_whole, write_whole_under};

@@ -2,7 +2,8 @@
 //!
 //! A file is written aside in the same folder under a hidden name, brought to the disk, then renamed over its place.
 //! Whatever stops the program meanwhile, the place holds the old content or the new one. What is left aside
-//! (`.NAME.PID-N.partial`) by a killed program can be deleted.
+//! (`.NAME.PID-N.partial`) by a killed program can be deleted; a program that ends itself in the middle of its work first calls
+//! [`give_up`].
 //!
 //! ```
 //! use std::io::Write;
@@ -13,11 +14,14 @@
 //! assert_eq!(std::fs::read(&path).unwrap(), b"iteration\n");
 //! ```
 
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{BufWriter, Seek, SeekFrom, Write};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::{Run, Steps};
 
@@ -74,7 +78,7 @@ pub fn write_whole_under<T>(
     let aside = aside(path)?;
     let written = (|| {
         let watched = Watched {
-            file: File::create(&aside)?,
+            file: File::create(&*aside)?,
             steps: run.steps(bytes),
             waiting: 0,
         };
@@ -83,12 +87,12 @@ pub fn write_whole_under<T>(
         file.flush()?;
         file.get_ref().file.sync_all()?;
         drop(file);
-        fs::rename(&aside, path)?;
+        fs::rename(&*aside, path)?;
         Ok(result)
     })();
     written.map_err(|refused: Refused| {
         // The first error is the one to report; a leftover does no harm
-        let _ = fs::remove_file(&aside);
+        let _ = fs::remove_file(&*aside);
         run.check().err().unwrap_or_else(|| refused.at(path))
     })
 }
@@ -141,14 +145,15 @@ pub fn write_folder_whole<T>(
     path: &Path,
     fill: impl FnOnce(&Path) -> Result<T, Refused>,
 ) -> Result<T> {
-    let (new, old) = (aside(path)?, aside(path)?);
+    // The old content is nobody's to remove before the new one is there
+    let (new, old) = (aside(path)?, hidden(path)?);
     let written = (|| {
-        fs::create_dir(&new)?;
+        fs::create_dir(&*new)?;
         let result = fill(&new)?;
         if path.exists() {
             fs::rename(path, &old)?;
         }
-        if let Err(error) = fs::rename(&new, path) {
+        if let Err(error) = fs::rename(&*new, path) {
             let _ = fs::rename(&old, path);
             return Err(error.into());
         }
@@ -158,13 +163,56 @@ pub fn write_folder_whole<T>(
         Ok(result)
     })();
     written.map_err(|refused: Refused| {
-        let _ = fs::remove_dir_all(&new);
+        let _ = fs::remove_dir_all(&*new);
         refused.at(path)
     })
 }
 
+/// What this program has aside, or None after it gave up.
+static ASIDE: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(Some(BTreeSet::new()));
+
+fn asides() -> MutexGuard<'static, Option<BTreeSet<PathBuf>>> {
+    ASIDE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes whatever other threads are writing: each of those files holds what it held before. The program must end at once, and can
+/// write nothing any more.
+pub fn give_up() {
+    for path in asides().take().into_iter().flatten() {
+        // What cannot be removed does no harm
+        let _ = fs::remove_file(&path).or_else(|_| fs::remove_dir_all(&path));
+    }
+}
+
+/// A hidden name that nobody else uses, known to [`give_up`].
+struct Aside(PathBuf);
+
+impl Deref for Aside {
+    type Target = Path;
+
+    fn deref(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        if let Some(known) = asides().as_mut() {
+            known.remove(&self.0);
+        }
+    }
+}
+
+/// A hidden name beside `path` to write to.
+fn aside(path: &Path) -> Result<Aside> {
+    let aside = hidden(path)?;
+    let mut known = asides();
+    known.as_mut().ok_or(Error::Canceled)?.insert(aside.clone());
+    Ok(Aside(aside))
+}
+
 /// A hidden name beside `path` that no other writer uses.
-fn aside(path: &Path) -> Result<PathBuf> {
+fn hidden(path: &Path) -> Result<PathBuf> {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let name = path.file_name().ok_or_else(|| {
         Error::io(

@@ -120,12 +120,13 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
 /// Writes frames, movie and `exposure.json` of a run's patterns for the machine of `job` into a new folder.
 ///
 /// # Errors
-/// As [`Printer::new`](crate::exposure::Printer::new); [`Error::Config`] when the folder is not empty.
+/// As [`Printer::new`](crate::exposure::Printer::new); [`Error::Config`] when the folder is not empty; [`Error::Canceled`].
 pub fn export(
     job: &Job,
     run: &Path,
     folder: &Path,
     progress: &mut dyn Progress,
+    cancel: &Run,
 ) -> Result<Exported> {
     must_be_free(folder)?;
     let spec = &job.spec;
@@ -164,7 +165,7 @@ pub fn export(
     let part = spec.target.name();
     make_parent(folder)?;
     let movies = write_folder_whole(folder, |aside| {
-        Ok(shown.write(aside, &part, &sets, progress, &Run::new())?)
+        Ok(shown.write(aside, &part, &sets, progress, cancel)?)
     })?;
     let mut movies = movies.into_iter();
     let lights = sets.iter().zip(shown.lights()).map(|(set, light)| {

@@ -162,7 +162,7 @@ pub(crate) fn optimize(
         let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
         match ran {
             Ok(outcome) if outcome.reason == StopReason::Canceled => {
-                keep(scene, &raw, place, progress)?;
+                keep(scene, &raw, place, progress, cancel)?;
                 return Err(at_section("optimizer", Error::Canceled));
             }
             Ok(outcome) if is_last => {
@@ -176,7 +176,7 @@ pub(crate) fn optimize(
                 let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
                     Ok(levels) => levels,
                     Err(error) => {
-                        keep(scene, &raw, place, progress)?;
+                        keep(scene, &raw, place, progress, cancel)?;
                         return Err(at_section("optimizer", error));
                     }
                 };
@@ -201,7 +201,7 @@ pub(crate) fn optimize(
             // A checkpoint that does not fit: nothing was done
             Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
             Err(error) => {
-                keep(scene, &raw, place, progress)?;
+                keep(scene, &raw, place, progress, cancel)?;
                 return Err(at_section("optimizer", error));
             }
         }
@@ -246,9 +246,10 @@ impl<'a> Stage<'a> {
         let voxels = if level.grid == scene.grid {
             Cow::Borrowed(voxels)
         } else {
-            Cow::Owned(scene.voxels(&level.grid)?)
+            Cow::Owned(scene.voxels_under(&level.grid, &cancel.aside())?)
         };
-        let others = scene.others.iter().map(|other| other.voxels(&level.grid));
+        let others = scene.others.iter();
+        let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
         let others = others.collect::<Result<Vec<_>>>()?;
         let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
         let optics = OpticalScene {

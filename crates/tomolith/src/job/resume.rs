@@ -15,6 +15,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::io::Read;
 use std::path::Path;
+use std::time::Duration;
 
 /// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
 /// writes its own, and one of another job is removed.
@@ -75,15 +76,24 @@ pub(super) fn begin_anew(error: Error) -> Error {
 /// The best patterns of a run that did not end well, in the checkpoint folder.
 const KEPT: &str = "patterns.npz";
 
-/// Writes the best patterns of a run that did not end well.
+/// How long writing them may take after a request to stop, which has waited for the step at hand already.
+const PATIENCE: Duration = Duration::from_millis(400);
+
+/// Writes the best patterns of a run that did not end well; of one that was asked to stop, where there is time for them.
 pub(super) fn keep(
     scene: &Scene,
     raw: &[Patterns],
     folder: &Path,
     progress: &mut dyn Progress,
+    cancel: &Run,
 ) -> Result<()> {
     if !scene.is_first() {
         return Ok(());
+    }
+    let run = Run::with_patience(PATIENCE);
+    if cancel.is_stop_asked() {
+        run.set_patient(true);
+        run.cancel();
     }
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     let path = folder.join(KEPT);
@@ -96,17 +106,26 @@ pub(super) fn keep(
             raw: None,
         })
         .collect();
-    write_patterns(&path, &pairs, &Run::new())?;
-    let is_saved = folder.join(CHECKPOINT).exists();
-    let resume = if is_saved {
-        "`--resume` goes on from the last checkpoint"
-    } else {
-        "there is no checkpoint to resume; `[start.patterns]` with this file begins from them"
+    let written = match write_patterns(&path, &pairs, &run) {
+        Err(Error::Canceled) => false,
+        written => written.map(|()| true)?,
     };
-    let text = format!(
-        "the best patterns so far are in {}; {resume}",
-        path.display()
-    );
+    let is_saved = folder.join(CHECKPOINT).exists();
+    let place = path.display();
+    let text = match (written, is_saved) {
+        (true, true) => format!(
+            "the best patterns so far are in {place}; `--resume` goes on from the last checkpoint"
+        ),
+        (true, false) => format!(
+            "the best patterns so far are in {place}; there is no checkpoint to resume; `[start.patterns]` with this file begins from them"
+        ),
+        (false, true) => format!(
+            "writing the best patterns to {place} would have taken too long; `--resume` goes on from the last checkpoint"
+        ),
+        (false, false) => format!(
+            "writing the best patterns to {place} would have taken too long, and there is no checkpoint to resume"
+        ),
+    };
     progress.event(&Event::Note { text });
     Ok(())
 }

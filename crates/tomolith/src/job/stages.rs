@@ -156,7 +156,8 @@ fn judge(
     );
     if judged.is_err() {
         // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
-        keep(&scene, &optimized.raw, &folder.checkpoint(), clock.progress)?;
+        let place = folder.checkpoint();
+        keep(&scene, &optimized.raw, &place, clock.progress, &stage)?;
     }
     let judged = judged?;
     let done = Done {
@@ -264,7 +265,7 @@ fn finish(done: Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Sum
     let written = written.and_then(|headline| stage.check().map(|()| headline));
     if let (Err(error), Some(optimized)) = (&written, &done.optimized) {
         let place = folder.checkpoint();
-        let kept = keep(&done.scene, &optimized.raw, &place, clock.progress);
+        let kept = keep(&done.scene, &optimized.raw, &place, clock.progress, &stage);
         // Where the disk is full, what could not be written first is the news
         if matches!(error, Error::Canceled) {
             kept?;
