@@ -682,3 +682,33 @@ fn a_full_standard_output_is_told() {
         );
     }
 }
+
+/// Asked to stop in the middle of a large file, a command without stages ends with 130 and leaves what was there.
+#[test]
+#[cfg(unix)]
+fn ctrl_c_ends_the_writing_of_voxels_and_leaves_nothing_half_written() {
+    let bench = Bench::new();
+    fs::remove_file(bench.path("job.toml")).unwrap();
+    fs::write(bench.path("c.npy"), "old").unwrap();
+    let line = "phantom cylinder --shape 350 350 350 --output c.npy";
+    let mut child = Command::new(env!("CARGO_BIN_EXE_tomolith"))
+        .current_dir(bench.temp.path())
+        .args(line.split(' '))
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let names = || {
+        let entries = fs::read_dir(bench.temp.path()).unwrap();
+        let names = entries.map(|e| e.unwrap().file_name().into_string().unwrap());
+        names.collect::<Vec<_>>()
+    };
+    while names().len() < 2 && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let pid = child.id().to_string();
+    let kill = Command::new("kill").args(["-INT", &pid]).status();
+    assert!(kill.unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(names(), ["c.npy"]);
+    assert_eq!(fs::read(bench.path("c.npy")).unwrap(), b"old");
+}

@@ -6,7 +6,7 @@
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
-    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Run,
+    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Refines, Run,
 };
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
@@ -40,11 +40,11 @@ pub fn choose(
     grid: &VolumeGrid,
 ) -> Result<Family> {
     let Some(family) = asked else {
-        let covers = |family: &Family| family.unsupported(scene, grid).is_none();
+        let covers = |family: &Family| unsupported(family.as_ref(), scene, grid).is_none();
         let none = || Error::config("model", "no model covers these optics", "other optics");
         return unasked().find(covers).ok_or_else(none);
     };
-    match family.unsupported(scene, grid) {
+    match unsupported(family.as_ref(), scene, grid) {
         None => Ok(Arc::clone(family)),
         Some(reason) => Err(Error::config(
             format!("model.{}", family.name()),
@@ -54,6 +54,20 @@ pub fn choose(
     }
 }
 
+/// Why a family does not cover a scene on a grid: its own reason, or voxels of which it knows the width alone.
+fn unsupported(
+    family: &dyn ModelFamily,
+    scene: &OpticalScene<'_>,
+    grid: &VolumeGrid,
+) -> Option<&'static str> {
+    let takes_any = family.capabilities().refines == Refines::Voxels;
+    let not_cubes = || {
+        let is_cube = (grid.height_mm - grid.pitch_mm).abs() <= 1e-9 * grid.pitch_mm;
+        (!takes_any && !is_cube).then_some("its voxels are cubes, and these are not as high as wide")
+    };
+    family.unsupported(scene, grid).or_else(not_cubes)
+}
+
 /// Why a family was taken, for people.
 fn why(family: &dyn ModelFamily, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> String {
     if !unasked().any(|other| other.name() == family.name()) {
@@ -61,7 +75,7 @@ fn why(family: &dyn ModelFamily, scene: &OpticalScene<'_>, grid: &VolumeGrid) ->
     }
     let mut reasons = Vec::new();
     for other in unasked().take_while(|other| other.name() != family.name()) {
-        match other.unsupported(scene, grid) {
+        match unsupported(other.as_ref(), scene, grid) {
             Some(reason) if reasons.contains(&reason) => {}
             Some(reason) => reasons.push(reason),
             None => return family.despite(other.name(), scene),
@@ -250,6 +264,28 @@ mod tests {
         ] {
             let found = planned(asked.as_ref(), scene, light());
             assert!(found.contains(expected), "{found} instead of {expected}");
+        }
+    }
+
+    #[test]
+    fn voxels_that_are_no_cubes_are_for_parallel_light_alone() {
+        let grid = VolumeGrid::centered([6, 8, 8], 0.1).divided(2, 1);
+        let level = [Optics::collimated(0.1)];
+        let scene = OpticalScene {
+            lights: &[light()],
+            ..around(&level, None)
+        };
+        let planned = |asked| plan(asked, scene, &grid, None, &Run::new());
+        assert!(planned(None).unwrap().reason.starts_with("parallel"));
+        let families: [Family; 4] = [
+            Arc::new(rays::Params::default()),
+            Arc::new(monte_carlo::Params::default()),
+            Arc::new(wave::Params::default()),
+            Arc::new(incoherent_cone::Params::default()),
+        ];
+        for family in families {
+            let refusal = planned(Some(&family)).map(drop).unwrap_err().to_string();
+            assert!(refusal.contains("not as high as wide"), "{refusal}");
         }
     }
 

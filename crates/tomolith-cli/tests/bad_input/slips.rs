@@ -246,6 +246,12 @@ pub(super) const WRONG: &[Wrong] = &[
         &["grid.pitch_mm", "MB needed, 1 MB available"],
     ),
     (
+        "[[light]]",
+        "[resources]\nmemory_gb = 0.0001\n\n[[light]]",
+        "pitch_mm",
+        &["grid.pitch_mm", "MB needed, less than 1 MB available"],
+    ),
+    (
         "pitch_mm = 0.1\n\n",
         "pitch_mm = 0\n\n",
         "pitch_mm = 0\n",
@@ -646,6 +652,12 @@ pub(super) const WRONG: &[Wrong] = &[
         "size_mm = 9.0",
         "[target]",
         &["target", "reaches 4.5", "the resin ends at 3"],
+    ),
+    (
+        "size_mm = 2.0",
+        "size_mm = 9.123456789012345",
+        "[target]",
+        &["target", "reaches 4.56173 mm from the axis"],
     ),
     (
         "[48, 24]",

@@ -70,13 +70,14 @@ impl Optics {
         let resin = self.vial.resin_wall().inscribed_radius();
         let over = out - resin * (1.0 + 1e-9);
         if over > self.wall_tolerance_mm {
+            // As short as the two can be told apart
+            let [reaches, ends] = match [out, resin].map(concise) {
+                [reaches, ends] if reaches == ends => [out, resin].map(exact),
+                short => short,
+            };
             return Err(Error::config(
                 "target",
-                format!(
-                    "reaches {} mm from the axis, but the resin ends at {} mm",
-                    exact(out),
-                    exact(resin)
-                ),
+                format!("reaches {reaches} mm from the axis, but the resin ends at {ends} mm"),
                 "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial; \
                  target.wall_tolerance_mm lets it reach a little into the wall",
             ));

@@ -9,8 +9,8 @@ use crate::units::concise;
 pub(super) fn of_light(shown: &[Patterns]) -> Option<String> {
     let is_dark = |patterns: &Patterns| patterns.values.iter().all(|&value| value == 0.0);
     shown.iter().all(is_dark).then(|| {
-        "the patterns are dark everywhere, so there is no dose and nothing turns solid: use another [start], more \
-         stop.iterations, or other thresholds of the objective"
+        "the patterns are dark everywhere, so there is no dose and nothing turns solid: give others, or make them anew with \
+         another [start], more stop.iterations, or other thresholds of the objective"
             .to_owned()
     })
 }

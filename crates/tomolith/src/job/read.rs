@@ -113,7 +113,8 @@ impl Job {
             .objective
             .iter_mut()
             .chain(spec.objectives.iter_mut().flatten());
-        for table in tables.chain([&mut spec.response]).chain(&mut spec.model) {
+        let tables = tables.chain([&mut spec.response, &mut spec.start]);
+        for table in tables.chain(&mut spec.model) {
             each_file(table, &|file| absolute(&self.base().join(file)));
         }
         for species in &mut spec.species {

@@ -73,11 +73,20 @@ pub fn require(
     match available_mb {
         Some(available_mb) if needed_mb > available_mb => Err(Error::config(
             key,
-            format!("{what}: {needed_mb} MB needed, {available_mb} MB available"),
+            compared(what, needed_mb, available_mb),
             accepted,
         )),
         _ => Ok(()),
     }
+}
+
+/// What is needed beside what there is.
+pub(super) fn compared(what: &str, needed_mb: u64, available_mb: u64) -> String {
+    let available = match available_mb {
+        0 => "less than 1".to_owned(),
+        mb => mb.to_string(),
+    };
+    format!("{what}: {needed_mb} MB needed, {available} MB available")
 }
 
 #[cfg(test)]
@@ -101,6 +110,8 @@ mod tests {
     fn too_much_is_refused_with_the_estimate() {
         require("grid", "memory", 10, Some(10), "").unwrap();
         require("grid", "memory", 10, None, "").unwrap();
+        let message = require("grid", "memory", 10, Some(0), "").unwrap_err();
+        assert!(message.to_string().contains("10 MB needed, less than 1 MB available"));
         let message = require(
             "grid.pitch_mm",
             "memory for the optimization",

@@ -9,7 +9,9 @@ use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::refinement::{self, Level};
 use super::resolve::{JobKinds, counted_as, try_kinds};
-use super::resources::{available_disk_mb, free_memory_mb, memory_budget_mb, require};
+use super::resources::{
+    available_disk_mb, compared, free_memory_mb, memory_budget_mb, require,
+};
 use super::scenarios::{self, Scenario};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, in_time, light, multiresolution, property, species};
@@ -612,7 +614,7 @@ fn at_grid(spec: &JobSpec, error: Error) -> Error {
         } => Error::config(
             grid_key(spec),
             match available_mb {
-                Some(mb) => format!("{what}: {needed_mb} MB needed, {mb} MB available"),
+                Some(mb) => compared(&what, needed_mb, mb),
                 None => {
                     format!("{what}: {needed_mb} MB needed, but the system refused to allocate it")
                 }

@@ -777,7 +777,7 @@ pub struct StopSpec {
     /// Norm of the projected gradient, relative to that of the start, at which it ends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projected_gradient: Option<f64>,
-    /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper).
+    /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub change: Option<f64>,
     /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex

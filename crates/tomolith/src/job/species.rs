@@ -440,12 +440,16 @@ mod tests {
     }
 
     #[test]
-    fn a_resolved_job_finds_the_files_of_its_species_from_anywhere() {
+    fn a_resolved_job_finds_its_start_and_the_files_of_its_species_from_anywhere() {
         let changes = [
             "species[1].target={ image = \"stiff.png\", size_mm = 1.0, height_mm = 1.0 }",
             "species[1].response={ table = { file = \"curve.csv\" } }",
+            "start={ patterns = { file = \"earlier.npz\" } }",
         ];
         let job = Job::from_document(document(&changes)).unwrap();
+        let start = job.resolved().start;
+        let start = start.pointer("/patterns/file").and_then(serde_json::Value::as_str);
+        assert_eq!(start, job.base().join("earlier.npz").to_str());
         let resolved = &job.resolved().species[1];
         let image = resolved.target.as_ref().unwrap().image.clone().unwrap();
         let curve = resolved.response.as_ref().unwrap().pointer("/table/file");

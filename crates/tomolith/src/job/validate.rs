@@ -401,19 +401,14 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         )?;
     }
     let stop = &spec.stop;
-    optional(stop.change, |v| positive("stop.change", v, ""))?;
-    optional(stop.gap, |v| {
-        within(
-            "stop.gap",
-            v,
-            1e-6,
-            0.99,
-            "a part of the loss, 0.000001 to 0.99",
-        )
+    optional(stop.change, |v| not_negative("stop.change", v, ""))?;
+    optional(stop.gap.filter(|gap| *gap != 0.0), |v| {
+        let accepted = "a part of the loss, 0.000001 to 0.99, or 0: never";
+        within("stop.gap", v, 1e-6, 0.99, accepted)
     })?;
     not_negative("stop.loss", stop.loss, "")?;
     optional(stop.projected_gradient, |v| {
-        positive("stop.projected_gradient", v, "")
+        not_negative("stop.projected_gradient", v, "")
     })?;
     optional(stop.iou, |v| {
         within("stop.iou", v, 0.0, 1.0, "a number from 0 to 1")
@@ -550,6 +545,9 @@ mod tests {
         };
         check(&[]).unwrap();
         check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();
+        // Never, as where they are left out
+        let never = ["stop.change=0", "stop.gap=0", "stop.projected_gradient=0"];
+        check(&never).unwrap();
         for (change, key) in [
             ("grid.pitch_mm=0", "grid.pitch_mm"),
             ("grid.pitch_mm=\"-1 mm\"", "grid.pitch_mm"),
@@ -595,7 +593,7 @@ mod tests {
             ("multiresolution.levels=9", "multiresolution.levels"),
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
-            ("stop.gap=0", "stop.gap"),
+            ("stop.gap=1e-9", "stop.gap"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),
             ("stop.projected_gradient=-1", "stop.projected_gradient"),
