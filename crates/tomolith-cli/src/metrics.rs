@@ -98,7 +98,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         print = print.with_gray(&target, given.epsilon)?;
     }
     if let Some(threshold) = given.threshold {
-        print = print.with_threshold(threshold)?;
+        print = print.with_threshold(threshold).map_err(as_option)?;
     }
     let evaluation = evaluate(&print);
     let options = Options {
@@ -195,6 +195,14 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
         }),
         None => Ok((shape, values)),
     }
+}
+
+/// An error about a job's threshold, as one about the option.
+fn as_option(mut error: Error) -> Error {
+    if let Error::Config { key, .. } = &mut error {
+        "--threshold".clone_into(key);
+    }
+    error
 }
 
 /// Gray values as the dose should have them: 0 to 1.

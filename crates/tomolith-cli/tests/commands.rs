@@ -238,6 +238,11 @@ fn anybodys_arrays_are_measured() {
             .expect(2, "metrics dose.npy target.npy --trim-percent -1")
             .contains("trim_percent: found -1")
     );
+    assert!(
+        bench
+            .expect(2, "metrics dose.npy target.npy --threshold NaN")
+            .contains("× --threshold: found NaN")
+    );
 }
 
 #[test]
