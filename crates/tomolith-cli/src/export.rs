@@ -5,8 +5,8 @@ use crate::screen::{Screen, say};
 use clap::Args;
 use std::path::PathBuf;
 use tomolith::Result;
-use tomolith::models::Run;
 use tomolith::job::export::{Exported, export as of_run, job_of_run};
+use tomolith::models::Run;
 use tomolith::report::number::significant;
 
 const EXPORT: &str = "\

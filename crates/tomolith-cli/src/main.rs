@@ -72,8 +72,12 @@ fn main() -> ExitCode {
             )
         }
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
-        Command::Voxelize(given) => quick(given.sampling.manner, |run| voxelize::voxelize(given, run)),
-        Command::Phantom(given) => quick(given.sampling.manner, |run| voxelize::phantom(given, run)),
+        Command::Voxelize(given) => {
+            quick(given.sampling.manner, |run| voxelize::voxelize(given, run))
+        }
+        Command::Phantom(given) => {
+            quick(given.sampling.manner, |run| voxelize::phantom(given, run))
+        }
         Command::Metrics(given) => quick(given.manner, |_| metrics::metrics(given)),
         Command::Export(given) => quick(given.manner, |run| export::export(given, run)),
         Command::ExportMatrix(given) => quick(given.manner, |run| {

@@ -351,12 +351,7 @@ fn write(path: &Path, kind: Kind, target: &Target, binary: bool, run: &Run) -> R
             },
             run,
         ),
-        Kind::Vti if binary => write_vti(
-            path,
-            grid,
-            &[("inside", VtiValues::U8(&bytes()))],
-            run,
-        ),
+        Kind::Vti if binary => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))], run),
         kind => write_values(path, kind, "inside", &target.inside, run),
     }
 }

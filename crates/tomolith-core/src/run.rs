@@ -105,7 +105,11 @@ impl Run {
     /// How long what is done patiently may still take; without a request as long as with one that comes now.
     #[must_use]
     pub fn patience_left(&self) -> Duration {
-        let waited = self.signal.first.get().map_or(Duration::ZERO, Instant::elapsed);
+        let waited = self
+            .signal
+            .first
+            .get()
+            .map_or(Duration::ZERO, Instant::elapsed);
         self.signal.patience.saturating_sub(waited)
     }
 

@@ -33,5 +33,8 @@ fn who_gives_up_leaves_what_was_there_and_nothing_half_written() {
     assert_eq!(names(), ["a.txt", "frames"]);
     assert_eq!(fs::read(&file).unwrap(), b"old");
     assert!(frames.join("old").exists());
-    assert!(matches!(write_whole(&file, |_| Ok(())), Err(Error::Canceled)));
+    assert!(matches!(
+        write_whole(&file, |_| Ok(())),
+        Err(Error::Canceled)
+    ));
 }

@@ -6,7 +6,8 @@
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
-    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Refines, Run,
+    DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Refines,
+    Run,
 };
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
@@ -63,7 +64,8 @@ fn unsupported(
     let takes_any = family.capabilities().refines == Refines::Voxels;
     let not_cubes = || {
         let is_cube = (grid.height_mm - grid.pitch_mm).abs() <= 1e-9 * grid.pitch_mm;
-        (!takes_any && !is_cube).then_some("its voxels are cubes, and these are not as high as wide")
+        (!takes_any && !is_cube)
+            .then_some("its voxels are cubes, and these are not as high as wide")
     };
     family.unsupported(scene, grid).or_else(not_cubes)
 }

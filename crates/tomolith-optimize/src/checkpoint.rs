@@ -438,8 +438,7 @@ impl Checkpoints {
         let info = HashMap::from([("tomolith".to_owned(), text)]);
         let metadata =
             Metadata::new(Some(info), tensors).map_err(|e| damaged(&file, &e.to_string()))?;
-        let mut text =
-            serde_json::to_vec(&metadata).map_err(|e| damaged(&file, &e.to_string()))?;
+        let mut text = serde_json::to_vec(&metadata).map_err(|e| damaged(&file, &e.to_string()))?;
         // The format aligns its arrays
         text.resize(text.len().next_multiple_of(8), b' ');
         write_whole_under(&file, (&run.aside(), bytes), |file| {
@@ -719,7 +718,11 @@ mod tests {
 
     const VALUES: usize = 3 << 20;
 
-    fn of_field<'a>(field: &'a HostField, history: &'a [Row], memory: Memory<'a>) -> Saved<'a, HostField> {
+    fn of_field<'a>(
+        field: &'a HostField,
+        history: &'a [Row],
+        memory: Memory<'a>,
+    ) -> Saved<'a, HostField> {
         Saved {
             patterns: field,
             best: Best::default(),
@@ -769,7 +772,12 @@ mod tests {
         assert_eq!(files, 1);
         let mut field = HostField::from_slice(&vec![0.0; VALUES]);
         found.read_field("patterns", &mut field).unwrap();
-        assert!(field.as_slice().iter().all(|v| *v == found.iteration() as f32));
+        assert!(
+            field
+                .as_slice()
+                .iter()
+                .all(|v| *v == found.iteration() as f32)
+        );
         Some((found.iteration(), found.contents()))
     }
 

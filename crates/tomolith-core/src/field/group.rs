@@ -30,6 +30,14 @@ impl Group {
         Group([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
     }
 
+    /// The first `len` numbers, and zeros after them.
+    #[inline(always)]
+    pub(crate) fn first(self, len: usize) -> Self {
+        let mut values = self.to_array();
+        values[len..].fill(0.0);
+        Group::of(&values)
+    }
+
     /// Whether any bit is set in any of the numbers.
     #[inline(always)]
     pub(crate) fn any_bits(self) -> bool {

@@ -448,6 +448,11 @@ impl BlockRef<'_> {
                 let step = fields
                     .projected(x, d.map(|d| stretch * d))
                     .zip(held, without);
+                // What is no element lies below its bound, but goes nowhere
+                let [projected, step] = match out.len() {
+                    LANES => [projected, step],
+                    len => [projected, step].map(|group| group.first(len)),
+                };
                 let values: [f32; LANES] = bytemuck::cast(step.0);
                 out.copy_from_slice(&values[..out.len()]);
                 slope += gradient.products(step);
@@ -620,6 +625,26 @@ mod tests {
     }
 
     /// Both passes against sums written down one element at a time; two lights, lengths that are no multiples of anything.
+    #[test]
+    fn lanes_beyond_the_last_element_are_no_part_of_the_sums() {
+        let bounds = Bounds::of_pieces([(17, 0.1, 0.5)]);
+        let pairs = HostPairs::new(1, &bounds);
+        let direction = Direction {
+            scale: 1.0,
+            along_s: vec![0.0],
+            along_y: vec![0.0],
+            stretch: 1.0,
+        };
+        let mut x = HostField::zeros(17);
+        x.fill(0.25);
+        let mut gradient = x.zeros_like();
+        gradient.as_mut_slice()[16] = 0.125;
+        let mut out = x.zeros_like();
+        let sums = pairs.direction(&direction, &x, &gradient, &bounds, &mut out);
+        let squares = [sums.square, sums.gradient_square];
+        assert_eq!((squares, sums.slope), ([0.125 * 0.125; 2], -0.125 * 0.125));
+    }
+
     #[test]
     fn both_passes_agree_with_plain_sums() {
         let lens = [70_003usize, 1_017];

@@ -192,8 +192,8 @@ pub(crate) fn exposed(
 /// shows: a folder of frames, a `frames.npz`, a movie. And what people should know of them.
 ///
 /// # Errors
-/// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine.
-pub(crate) fn read(scene: &Scene, given: &Path) -> Result<(Written, Vec<String>)> {
+/// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine; [`Error::Canceled`].
+pub(crate) fn read(scene: &Scene, given: &Path, run: &Run) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));
     let path = within.iter().find(|path| path.exists());
@@ -201,10 +201,11 @@ pub(crate) fn read(scene: &Scene, given: &Path) -> Result<(Written, Vec<String>)
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
     for i in 0..scene.spec.light.len() {
         let Some(found) = frames_of(scene, i, path, &mut notes)? else {
-            return wanted_of(path, &scene.optics, &names(&scene.spec))
-                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw))
+            return wanted_of(path, &scene.optics, &names(&scene.spec), run)
+                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw, run))
                 .map(|written| (written, notes));
         };
+        run.check()?;
         frames.push(found);
     }
     let light = |(i, frames): (usize, &Quantized)| match &scene.printers {
@@ -234,14 +235,20 @@ pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
 }
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown.
-fn of_patterns(scene: &Scene, shown: Vec<Patterns>, raw: Option<Vec<Patterns>>) -> Result<Written> {
+fn of_patterns(
+    scene: &Scene,
+    shown: Vec<Patterns>,
+    raw: Option<Vec<Patterns>>,
+    run: &Run,
+) -> Result<Written> {
+    run.check()?;
     if scene.printers.is_some() {
         return Written::of_raw(raw.unwrap_or(shown), scene);
     }
     let bits = scene.spec.evaluate.bit_depth;
     let frames = shown
         .iter()
-        .map(|patterns| quantize(patterns, bits))
+        .map(|patterns| run.check().and_then(|()| quantize(patterns, bits)))
         .collect::<Result<_>>()?;
     Ok(Written {
         shown,
@@ -255,10 +262,12 @@ pub(crate) fn wanted_of(
     path: &Path,
     optics: &Optics,
     names: &[Option<&str>],
+    run: &Run,
 ) -> Result<(Vec<Patterns>, Option<Vec<Patterns>>)> {
     let arrays = read_patterns(path)?;
     let (mut shown, mut raw) = (Vec::new(), Vec::new());
     for (light, name) in optics.lights.iter().zip(names) {
+        run.check()?;
         let found = arrays
             .iter()
             .find(|a| a.light.as_deref() == *name)

@@ -134,8 +134,9 @@ pub fn export(
     let printers =
         device::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
     let names = device::names(spec);
-    let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names)?;
+    let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
+    cancel.check()?;
     let frames: Vec<Quantized> = match &printers {
         Some(printers) => device::exposed(printers, &wanted, bits)?,
         None => wanted

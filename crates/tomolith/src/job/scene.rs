@@ -9,9 +9,7 @@ use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::refinement::{self, Level};
 use super::resolve::{JobKinds, counted_as, try_kinds};
-use super::resources::{
-    available_disk_mb, compared, free_memory_mb, memory_budget_mb, require,
-};
+use super::resources::{available_disk_mb, compared, free_memory_mb, memory_budget_mb, require};
 use super::scenarios::{self, Scenario};
 use super::spec::{GridSpec, JobSpec};
 use super::{cells, clip, in_time, light, multiresolution, property, species};

@@ -448,7 +448,9 @@ mod tests {
         ];
         let job = Job::from_document(document(&changes)).unwrap();
         let start = job.resolved().start;
-        let start = start.pointer("/patterns/file").and_then(serde_json::Value::as_str);
+        let start = start
+            .pointer("/patterns/file")
+            .and_then(serde_json::Value::as_str);
         assert_eq!(start, job.base().join("earlier.npz").to_str());
         let resolved = &job.resolved().species[1];
         let image = resolved.target.as_ref().unwrap().image.clone().unwrap();

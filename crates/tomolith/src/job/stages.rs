@@ -203,7 +203,7 @@ fn simulate_stages(
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let mut scene = Scene::new(job, cancel)?;
-    let (patterns, notes) = device::read(&scene, source)?;
+    let (patterns, notes) = device::read(&scene, source, cancel)?;
     scene.notes.extend(notes);
     cancel.check()?;
     let folder = open(job, &scene, clock.progress)?;
