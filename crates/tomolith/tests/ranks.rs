@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
+use std::time::Duration;
 use tomolith::io::npy::read_patterns;
 use tomolith::job::{self, Document, Event, Job, Leaves, Progress, Silent, Summary};
 use tomolith::models::Run;
@@ -55,7 +56,7 @@ fn on_ranks(
     let work = |rank: Threads| {
         let job = jobs(rank.rank());
         let ranks: Arc<dyn Communicator> = Arc::new(rank);
-        let run = Run::new();
+        let run = Run::with_patience(Duration::MAX);
         let mut watch = Stopper { run: &run, stop };
         let told: &mut dyn Progress = match ranks.is_first() {
             true => &mut watch,

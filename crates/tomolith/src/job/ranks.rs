@@ -29,7 +29,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Runs a job as [`run_leaving`](super::run_leaving) does, on several ranks that all call this; the summary is rank 0's. Requests to stop are
-/// shared, so that all ranks stop after the same step.
+/// shared, so that all ranks stop after the same step: the patience of their runs must have no end
+/// (`Run::with_patience(Duration::MAX)`), as one that breaks into its step leaves the others waiting.
 ///
 /// # Errors
 /// As [`run`](super::run); [`Error::Config`] for what cannot be shared, and for fewer frames than ranks, before any work; [`Error::Rank`] where another
