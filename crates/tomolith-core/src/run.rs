@@ -256,7 +256,9 @@ mod tests {
         let canceled = |patience: Duration, requests: usize| {
             let run = Run::with_patience(patience);
             run.set_patient(true);
-            (0..requests).for_each(|_| drop(run.cancel()));
+            for _ in 0..requests {
+                run.cancel();
+            }
             (run.is_stop_asked(), run.is_canceled())
         };
         assert_eq!(canceled(Duration::ZERO, 0), (false, false));

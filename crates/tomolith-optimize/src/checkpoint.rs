@@ -791,7 +791,9 @@ mod tests {
         write(&mut checkpoints, &run, 1, || ());
         assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
         // The request comes when two thirds of the arrays are on the disk
-        write(&mut checkpoints, &run, 2, || drop(run.cancel()));
+        write(&mut checkpoints, &run, 2, || {
+            run.cancel();
+        });
         assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
         // There is no time for a last one, nor need: one stands
         write(&mut checkpoints, &run, 3, || ());
