@@ -277,7 +277,7 @@ mod tests {
             lights: &[light()],
             ..around(&level, None)
         };
-        let planned = |asked| plan(asked, scene, &grid, None, &Run::new());
+        let planned = |asked: Option<&Family>| plan(asked, scene, &grid, None, &Run::new());
         assert!(planned(None).unwrap().reason.starts_with("parallel"));
         let families: [Family; 4] = [
             Arc::new(rays::Params::default()),
