@@ -16,15 +16,14 @@
 //! ```
 
 use super::npy::Sink;
-use super::whole::{Refused, write_whole};
-use ndarray::{Array1, ArrayView1, Ix1, OwnedRepr};
-use ndarray_npy::{ReadNpyExt, ReadableElement, WritableElement, WriteNpyExt};
+use super::npz::ArchiveWriter;
+use super::numbers::{Kind, Numbers, whole_numbers};
+use super::whole::write_whole;
 use std::fs::File;
-use std::io::{BufReader, Read, Write};
+use std::io::{BufReader, Read};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipArchive, ZipWriter};
+use zip::ZipArchive;
 
 /// What a file must hold.
 const ACCEPTED: &str =
@@ -157,28 +156,25 @@ impl Csr {
     /// # Errors
     /// [`Error::Io`].
     pub fn write(&self, path: &Path) -> Result<()> {
-        let io = |e: zip::result::ZipError| Refused::Io(std::io::Error::other(e));
         write_whole(path, |file| {
             let mut sink = Sink::new(file);
-            let mut zip = ZipWriter::new(&mut sink);
-            let shape = [self.rows() as i64, self.columns as i64];
-            start(&mut zip, "format").map_err(io)?;
-            zip.write_all(&npy_of_text("csr"))?;
-            add(&mut zip, "shape", &shape)?;
+            let mut npz = ArchiveWriter::new(&mut sink);
+            npz.add_text("format", "csr")?;
+            npz.add("shape", &[2], &[self.rows() as i64, self.columns as i64])?;
             // SciPy wants both of one type: int32 where that is enough
             if i32::try_from(self.entries().max(self.columns)).is_ok() {
                 let starts: Vec<i32> = self.starts.iter().map(|&s| s as i32).collect();
                 let indices: Vec<i32> = self.indices.iter().map(|&i| i as i32).collect();
-                add(&mut zip, "indptr", &starts)?;
-                add(&mut zip, "indices", &indices)?;
+                npz.add("indptr", &[starts.len()], &starts)?;
+                npz.add("indices", &[indices.len()], &indices)?;
             } else {
                 let starts: Vec<i64> = self.starts.iter().map(|&s| s as i64).collect();
                 let indices: Vec<i64> = self.indices.iter().map(|&i| i64::from(i)).collect();
-                add(&mut zip, "indptr", &starts)?;
-                add(&mut zip, "indices", &indices)?;
+                npz.add("indptr", &[starts.len()], &starts)?;
+                npz.add("indices", &[indices.len()], &indices)?;
             }
-            add(&mut zip, "data", &self.values)?;
-            zip.finish().map_err(io)?;
+            npz.add("data", &[self.values.len()], &self.values)?;
+            npz.finish()?;
             Ok(sink.done()?)
         })
     }
@@ -211,8 +207,10 @@ impl Csr {
         let indices =
             whole_numbers(&bytes("indices")?).ok_or_else(|| bad("no indices".to_owned()))?;
         let data = bytes("data")?;
-        let values = array::<f32>(&data)
-            .or_else(|| Some(array::<f64>(&data)?.iter().map(|&v| v as f32).collect()))
+        let values = Numbers::parse(&data[..], data.len() as u64).ok();
+        let values = values
+            .filter(|numbers| matches!(numbers.kind, Kind::Float(4 | 8)))
+            .map(|numbers| numbers.values)
             .ok_or_else(|| bad("data that is neither f32 nor f64".to_owned()))?;
         let [rows, columns] = shape[..] else {
             return Err(bad(format!("shape {shape:?}")));
@@ -258,45 +256,6 @@ fn bad(path: &Path, found: String) -> Error {
     }
 }
 
-fn start<W: Write + std::io::Seek>(
-    zip: &mut ZipWriter<W>,
-    name: &str,
-) -> zip::result::ZipResult<()> {
-    let options = SimpleFileOptions::default()
-        .compression_method(CompressionMethod::Stored)
-        .large_file(true);
-    zip.start_file(format!("{name}.npy"), options)
-}
-
-fn add<W: Write + std::io::Seek, T: WritableElement>(
-    zip: &mut ZipWriter<W>,
-    name: &str,
-    values: &[T],
-) -> std::result::Result<(), Refused> {
-    start(zip, name).map_err(|e| Refused::Io(std::io::Error::other(e)))?;
-    ArrayView1::from(values)
-        .write_npy(zip)
-        .map_err(|e| Refused::Io(std::io::Error::other(e)))
-}
-
-/// A `.npy` of one string of bytes, as NumPy writes it.
-fn npy_of_text(text: &str) -> Vec<u8> {
-    let mut header = format!(
-        "{{'descr': '|S{}', 'fortran_order': False, 'shape': (), }}",
-        text.len()
-    );
-    // Magic, version and length take ten bytes; the values begin at a multiple of 64
-    while (10 + header.len() + 1) % 64 != 0 {
-        header.push(' ');
-    }
-    header.push('\n');
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    bytes.extend((header.len() as u16).to_le_bytes());
-    bytes.extend(header.as_bytes());
-    bytes.extend(text.as_bytes());
-    bytes
-}
-
 /// The text of a `.npy` of one string: of bytes, or of 4-byte characters.
 fn text_of_npy(bytes: &[u8]) -> String {
     let header = bytes
@@ -307,23 +266,10 @@ fn text_of_npy(bytes: &[u8]) -> String {
     letters.map(|&b| char::from(b)).collect()
 }
 
-fn array<T: ReadableElement>(bytes: &[u8]) -> Option<Vec<T>> {
-    let array = ndarray::ArrayBase::<OwnedRepr<T>, Ix1>::read_npy(bytes).ok()?;
-    let array: Array1<T> = array;
-    Some(array.into_raw_vec_and_offset().0)
-}
-
-/// Whole numbers ≥ 0 of either width.
-fn whole_numbers(bytes: &[u8]) -> Option<Vec<usize>> {
-    let wide = |v: Vec<i32>| v.into_iter().map(i64::from).collect();
-    let numbers: Vec<i64> = array::<i64>(bytes).or_else(|| array::<i32>(bytes).map(wide))?;
-    let numbers = numbers.into_iter().map(|v| usize::try_from(v).ok());
-    numbers.collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::npz::header;
 
     #[test]
     fn entries_in_any_order_make_the_matrix_and_its_transpose() {
@@ -361,7 +307,10 @@ mod tests {
         // The last of them
         let text = Csr::read(&path).unwrap_err().to_string();
         assert!(text.contains("an entry NaN in row 1, column 0"), "{text}");
-        assert_eq!(text_of_npy(&npy_of_text("csc")), "csc");
+        assert_eq!(
+            text_of_npy(&[header("S3", &[]), b"csc".to_vec()].concat()),
+            "csc"
+        );
         std::fs::write(&path, b"no zip at all").unwrap();
         assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));
     }

@@ -14,6 +14,7 @@ pub mod mesh;
 pub mod movie;
 pub mod mp4;
 pub mod npy;
+mod npz;
 mod numbers;
 pub mod ply;
 pub mod stack;

@@ -7,8 +7,6 @@
 //! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
 //! Fortran order, stored or compressed.
 //!
-//! Limits: one array of an `.npz` may hold up to 4 GiB.
-//!
 //! ```
 //! use tomolith_core::dose::Run;
 //! use tomolith_core::grid::{PatternGrid, Patterns};
@@ -21,10 +19,10 @@
 //! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
 //! ```
 
+pub use super::npz::Element;
+use super::npz::{ArchiveWriter, write_array};
 use super::numbers::{Archive, Numbers, bad, tuple};
-use super::whole::{Refused, write_whole_under};
-use ndarray::ArrayView3;
-use ndarray_npy::{NpzWriter, WritableElement, WriteNpyExt};
+use super::whole::write_whole_under;
 use std::io::{Seek, SeekFrom, Write};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
@@ -55,11 +53,14 @@ pub struct PatternArrays {
     pub raw: Option<Vec<f32>>,
 }
 
-fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayView3<'a, T>> {
-    ArrayView3::from_shape(shape, values).map_err(|_| Error::Shape {
+fn must_fit(path: &Path, shape: [usize; 3], values: usize) -> Result<()> {
+    if shape.iter().product::<usize>() == values {
+        return Ok(());
+    }
+    Err(Error::Shape {
         what: path.display().to_string(),
         expected: shape.to_vec(),
-        found: vec![values.len()],
+        found: vec![values],
     })
 }
 
@@ -67,12 +68,11 @@ fn view<'a, T>(path: &Path, shape: [usize; 3], values: &'a [T]) -> Result<ArrayV
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when values and grid do not fit.
-pub fn write_volume<T: WritableElement>(path: &Path, volume: &Volume<T>, run: &Run) -> Result<()> {
-    let array = view(path, volume.grid.shape, &volume.values)?;
-    write_whole_under(path, (run, size_of_val(&volume.values[..])), |file| {
-        array
-            .write_npy(file)
-            .map_err(|e| Refused::Io(std::io::Error::other(e)))
+pub fn write_volume<T: Element>(path: &Path, volume: &Volume<T>, run: &Run) -> Result<()> {
+    let (shape, values) = (volume.grid.shape, &volume.values[..]);
+    must_fit(path, shape, values.len())?;
+    write_whole_under(path, (run, size_of_val(values)), |file| {
+        Ok(write_array(file, &shape, values)?)
     })
 }
 
@@ -149,17 +149,16 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Res
     let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
     write_whole_under(path, (run, bytes), |file| {
         let mut sink = Sink::new(file);
-        let mut npz = NpzWriter::new(&mut sink);
+        let mut npz = ArchiveWriter::new(&mut sink);
         for pair in lights {
             for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
                 let Some(patterns) = patterns else { continue };
-                let array = view(path, patterns.grid.shape(), &patterns.values)?;
-                npz.add_array(array_name(kind, pair.light), &array)
-                    .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+                let shape = patterns.grid.shape();
+                must_fit(path, shape, patterns.values.len())?;
+                npz.add(&array_name(kind, pair.light), &shape, &patterns.values)?;
             }
         }
-        npz.finish()
-            .map_err(|e| Refused::Io(std::io::Error::other(e)))?;
+        npz.finish()?;
         Ok(sink.done()?)
     })
 }
@@ -328,7 +327,7 @@ fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], V
 mod tests {
     use super::*;
     use ndarray::{Array3, ShapeBuilder};
-    use ndarray_npy::NpzReader;
+    use ndarray_npy::{NpzReader, NpzWriter};
     use std::fs::File;
     use tomolith_core::grid::PatternGrid;
 
@@ -486,8 +485,9 @@ mod tests {
         let array = Array3::<f32>::zeros((4, 5, 6));
         let write = |room: usize| {
             let mut sink = Sink::new(Small(std::io::Cursor::default(), room));
-            let mut npz = NpzWriter::new(&mut sink);
-            npz.add_array("patterns", &array).unwrap();
+            let mut npz = ArchiveWriter::new(&mut sink);
+            let values = array.as_slice().unwrap();
+            npz.add("patterns", array.shape(), values).unwrap();
             npz.finish().unwrap();
             (sink.failed.map(|e| e.kind()), sink.inner.0.into_inner())
         };

@@ -11,10 +11,10 @@ use tomolith_core::error::{Error, Result};
 
 /// An array in C order.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Numbers {
+pub(super) struct Numbers<T = f32> {
     pub(super) shape: Vec<usize>,
     pub(super) kind: Kind,
-    pub(super) values: Vec<f32>,
+    pub(super) values: Vec<T>,
 }
 
 /// Type of the numbers in the file.
@@ -53,7 +53,25 @@ impl Numbers {
     }
 
     /// The content of an `.npy` file of so many bytes.
-    fn parse(mut file: impl Read, length: u64) -> Result<Self, String> {
+    pub(super) fn parse(file: impl Read, length: u64) -> Result<Self, String> {
+        Self::parse_as(file, length, Element::value)
+    }
+}
+
+/// The content of an `.npy` file of whole numbers that are not negative.
+pub(super) fn whole_numbers(content: &[u8]) -> Option<Vec<usize>> {
+    let numbers = Numbers::parse_as(content, content.len() as u64, Element::integer).ok()?;
+    let is_whole = matches!(numbers.kind, Kind::Signed(_) | Kind::Unsigned(_));
+    let values = numbers.values.into_iter().map(|v| usize::try_from(v).ok());
+    is_whole.then(|| values.collect())?
+}
+
+impl<T: Copy> Numbers<T> {
+    fn parse_as(
+        mut file: impl Read,
+        length: u64,
+        value: fn(Element, &[u8]) -> T,
+    ) -> Result<Self, String> {
         let header = Header::read(&mut file)?;
         let count = header
             .shape
@@ -83,7 +101,7 @@ impl Numbers {
             file.read_exact(now).map_err(|e| format!("damaged: {e}"))?;
             values.extend(
                 now.chunks_exact(size)
-                    .map(|bytes| header.element.value(bytes)),
+                    .map(|bytes| value(header.element, bytes)),
             );
         }
         if header.is_fortran {
@@ -114,7 +132,7 @@ pub(super) fn bad(path: &Path, found: impl Into<String>, accepted: &str) -> Erro
 }
 
 /// Values whose first index runs fastest, with the last one fastest.
-fn in_c_order(shape: &[usize], values: &[f32]) -> Vec<f32> {
+fn in_c_order<T: Copy>(shape: &[usize], values: &[T]) -> Vec<T> {
     let mut index = vec![0; shape.len()];
     let mut place = 0;
     (0..values.len())
@@ -176,22 +194,33 @@ impl Element {
         })
     }
 
-    fn value(self, bytes: &[u8]) -> f32 {
+    /// The bits of a number.
+    fn word(self, bytes: &[u8]) -> u64 {
         let join = |word: u64, &byte: &u8| word << 8 | u64::from(byte);
-        let word = if self.is_big_endian {
+        if self.is_big_endian {
             bytes.iter().fold(0, join)
         } else {
             bytes.iter().rev().fold(0, join)
+        }
+    }
+
+    /// The whole number of such a kind.
+    fn integer(self, bytes: &[u8]) -> i64 {
+        // The sign goes to the top and comes back
+        let unused = match self.kind {
+            Kind::Signed(bytes) => 64 - 8 * bytes,
+            _ => 0,
         };
+        (self.word(bytes) << unused).cast_signed() >> unused
+    }
+
+    fn value(self, bytes: &[u8]) -> f32 {
+        let word = self.word(bytes);
         match self.kind {
             Kind::Float(2) => half(word as u16),
             Kind::Float(4) => f32::from_bits(word as u32),
             Kind::Float(_) => f64::from_bits(word) as f32,
-            Kind::Signed(bytes) => {
-                // The sign goes to the top and comes back
-                let unused = 64 - 8 * bytes;
-                ((word << unused).cast_signed() >> unused) as f32
-            }
+            Kind::Signed(_) => self.integer(bytes) as f32,
             Kind::Unsigned(_) => word as f32,
             Kind::Bool => f32::from(u8::from(word != 0)),
         }

@@ -27,11 +27,9 @@
 //! ```
 
 use super::frames::{FrameSet, Frames, rescale};
+use super::npz::ArchiveWriter;
 use super::numbers::{Archive, Kind, bad};
-use super::whole::{Refused, write_whole_under};
-use ndarray::{Array1, Array3};
-use ndarray_npy::{NpzWriter, WritableElement};
-use std::io::{Seek, Write};
+use super::whole::write_whole_under;
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::run::Run;
@@ -49,57 +47,31 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()
         set.check()?;
     }
     write_whole_under(path, (run, 0), |file| {
-        let mut npz = NpzWriter::new(file);
+        let mut npz = ArchiveWriter::new(file);
         for set in lights {
             let name = |what| name_of(what, set.light);
+            let shape = set.grid.shape();
             let depth = if set.bits > 8 { 16 } else { 8 };
             let levels = set
                 .values
                 .iter()
                 .map(|&level| rescale(level, set.bits, depth));
             if depth == 8 {
-                let levels = levels.map(|level| level as u8).collect();
-                add_levels(&mut npz, &name("frames"), set, levels)?;
+                let levels: Vec<u8> = levels.map(|level| level as u8).collect();
+                npz.add(&name("frames"), &shape, &levels)?;
             } else {
-                add_levels(&mut npz, &name("frames"), set, levels.collect())?;
+                npz.add(&name("frames"), &shape, &levels.collect::<Vec<u16>>())?;
             }
-            add(&mut npz, &name("bits"), vec![i64::from(set.bits)])?;
-            add(
-                &mut npz,
-                &name("full_scale"),
-                vec![f64::from(set.full_scale)],
-            )?;
-            add(&mut npz, &name("azimuth_rad"), set.grid.azimuths.clone())?;
+            npz.add(&name("bits"), &[1], &[i64::from(set.bits)])?;
+            npz.add(&name("full_scale"), &[1], &[f64::from(set.full_scale)])?;
+            let azimuths = &set.grid.azimuths;
+            npz.add(&name("azimuth_rad"), &[azimuths.len()], azimuths)?;
             let pitch = set.grid.square_pitch_mm();
             let pitch = pitch.map_or_else(|| set.grid.pitch_mm.to_vec(), |pitch| vec![pitch]);
-            add(&mut npz, &name("pitch_mm"), pitch)?;
+            npz.add(&name("pitch_mm"), &[pitch.len()], &pitch)?;
         }
-        npz.finish().map_err(other)?;
-        Ok(())
+        Ok(npz.finish()?)
     })
-}
-
-fn other(error: impl std::error::Error + Send + Sync + 'static) -> Refused {
-    Refused::Io(std::io::Error::other(error))
-}
-
-fn add_levels<W: Write + Seek, T: WritableElement>(
-    npz: &mut NpzWriter<W>,
-    name: &str,
-    set: &FrameSet<'_>,
-    levels: Vec<T>,
-) -> Result<(), Refused> {
-    let array = Array3::from_shape_vec(set.grid.shape(), levels).map_err(other)?;
-    npz.add_array(name, &array).map_err(other)
-}
-
-fn add<W: Write + Seek, T: WritableElement>(
-    npz: &mut NpzWriter<W>,
-    name: &str,
-    values: Vec<T>,
-) -> Result<(), Refused> {
-    npz.add_array(name, &Array1::from_vec(values))
-        .map_err(other)
 }
 
 /// Reads the frames of one light.
@@ -140,6 +112,7 @@ pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
 mod tests {
     use super::*;
     use crate::frames::top_level;
+    use ndarray::Array3;
     use ndarray_npy::NpzReader;
     use std::fs::File;
     use tomolith_core::grid::PatternGrid;

@@ -42,8 +42,6 @@
 
 use super::Problem;
 use rayon::prelude::*;
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -52,6 +50,7 @@ use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::grid::Patterns;
+use tomolith_fourier::{Complex, ComplexToReal, FftError, RealToComplex};
 
 /// The window of the ramp filter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -185,7 +184,7 @@ pub fn filter_rows(patterns: &mut Patterns, filter: Filter) -> Result<()> {
     if patterns.values.is_empty() || filter == Filter::None {
         return Ok(());
     }
-    let ramp = Ramp::new(columns, filter)?;
+    let ramp = Ramp::new(columns, filter);
     patterns.values.par_chunks_mut(columns).try_for_each_init(
         || ramp.buffers(),
         |buffers, row| {
@@ -210,34 +209,19 @@ type Buffers = (Vec<f32>, Vec<Complex<f32>>);
 
 impl Ramp {
     #[expect(clippy::cast_possible_truncation, reason = "patterns are f32")]
-    fn new(columns: usize, filter: Filter) -> Result<Self> {
+    fn new(columns: usize, filter: Filter) -> Self {
         let padded = (2 * columns).next_power_of_two();
-        let mut kernel = vec![0.0f64; padded];
-        kernel[0] = 0.25;
-        for n in (1..padded / 2).step_by(2) {
-            kernel[n] = -1.0 / (PI * n as f64).powi(2);
-            kernel[padded - n] = kernel[n];
-        }
-        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(padded);
-        let mut spectrum = transform.make_output_vec();
-        transform
-            .process(&mut kernel, &mut spectrum)
-            .map_err(wrong_length)?;
-        let response = spectrum.iter().enumerate().map(|(k, ramp)| {
+        let factor = |(k, ramp): (usize, f64)| {
             let window = window(filter, k as f64 / padded as f64);
-            (2.0 * ramp.re * window / padded as f64) as f32
-        });
-        let response = response.collect();
-        let mut planner = RealFftPlanner::<f32>::new();
-        let (forward, inverse) = (
-            planner.plan_fft_forward(padded),
-            planner.plan_fft_inverse(padded),
-        );
-        Ok(Ramp {
+            (2.0 * ramp * window / padded as f64) as f32
+        };
+        let response = ramp_spectrum(padded).enumerate().map(factor).collect();
+        let (forward, inverse) = tomolith_fourier::real(padded);
+        Ramp {
             forward,
             inverse,
             response,
-        })
+        }
     }
 
     fn buffers(&self) -> Buffers {
@@ -265,8 +249,21 @@ impl Ramp {
     }
 }
 
+/// The Fourier transform of the ramp's kernel, 1/4 in the middle and −1/(πn)² at odd n, on `padded` places: frequencies 0 to `padded / 2`.
+fn ramp_spectrum(padded: usize) -> impl Iterator<Item = f64> {
+    let cosines: Vec<f64> = (0..padded)
+        .map(|j| (2.0 * PI * j as f64 / padded as f64).cos())
+        .collect();
+    let odd = (1..padded / 2).step_by(2);
+    let kernel: Vec<_> = odd.map(|n| (n, (PI * n as f64).powi(-2))).collect();
+    (0..=padded / 2).map(move |k| {
+        let terms = kernel.iter().map(|&(n, v)| cosines[k * n % padded] * v);
+        0.25 - 2.0 * terms.sum::<f64>()
+    })
+}
+
 /// The plans made the buffers, so this does not happen; a library does not panic over it either.
-fn wrong_length(error: realfft::FftError) -> Error {
+fn wrong_length(error: FftError) -> Error {
     Error::Unsupported {
         what: "the Fourier transform of a row".to_owned(),
         reason: error.to_string(),

@@ -20,11 +20,11 @@
 //! ```
 
 use rayon::prelude::*;
-use rustdct::{DctPlanner, TransformType2And3};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{HostField, LANES};
+use tomolith_fourier::TransformType2And3;
 
 /// Transforms for one layout.
 #[derive(Clone)]
@@ -99,11 +99,10 @@ impl Spectral {
     /// Transforms for volumes of this layout (without cells).
     #[must_use]
     pub fn new(layout: &DoseLayout) -> Self {
-        let mut planner = DctPlanner::new();
         let plans = layout
             .grid
             .shape
-            .map(|n| (n > 1).then(|| planner.plan_dct2(n)));
+            .map(|n| (n > 1).then(|| tomolith_fourier::cosine(n)));
         Spectral {
             layout: layout.clone(),
             plans,

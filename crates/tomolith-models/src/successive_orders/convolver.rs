@@ -5,10 +5,8 @@
 //! order, so the bits do not depend on the number of threads.
 
 use rayon::prelude::*;
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
+use tomolith_fourier::{Complex, ComplexToReal, Fft, RealToComplex};
 
 /// Half the Fourier transform of a padded field.
 pub(super) type Spectrum = Vec<Complex<f32>>;
@@ -39,16 +37,14 @@ impl Convolver {
     /// For fields of these cells (x, y, z) whose z lines are `row` elements apart.
     pub(super) fn new(cells: [usize; 3], row: usize) -> Self {
         let padded = cells.map(|n| smooth_even(2 * n - 1));
-        let mut plans = FftPlanner::new();
-        let mut both = |n: usize| [plans.plan_fft_forward(n), plans.plan_fft_inverse(n)];
-        let mut real = RealFftPlanner::new();
+        let (to_z, from_z) = tomolith_fourier::real(padded[2]);
         Convolver {
             cells,
             row,
-            along_x: both(padded[0]),
-            along_y: both(padded[1]),
-            to_z: real.plan_fft_forward(padded[2]),
-            from_z: real.plan_fft_inverse(padded[2]),
+            along_x: tomolith_fourier::complex(padded[0]),
+            along_y: tomolith_fourier::complex(padded[1]),
+            to_z,
+            from_z,
             padded,
         }
     }

@@ -9,10 +9,10 @@ use crate::DoseLayout;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use rayon::prelude::*;
-use realfft::num_complex::Complex;
 use std::sync::Arc;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_fourier::Complex;
 use tomolith_optics::vial::Vial;
 
 /// Orders are summed until one adds less than this part of all.

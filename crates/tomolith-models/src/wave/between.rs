@@ -17,9 +17,9 @@ use super::number::Number;
 use super::resample::mirrored;
 use super::sampling::Sampling;
 use super::spectrum::zero;
-use rustfft::num_complex::Complex;
 use std::ops::Range;
 use tomolith_core::field::LANES;
+use tomolith_fourier::Complex;
 
 /// A sum of fields: which, and the weights of their real and imaginary parts.
 #[derive(Clone, Debug, Default)]

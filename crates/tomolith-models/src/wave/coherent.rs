@@ -14,8 +14,8 @@ use super::between::Between;
 use super::light::Way;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, complex, zero};
-use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
+use tomolith_fourier::Complex;
 
 /// Where W falls.
 #[derive(

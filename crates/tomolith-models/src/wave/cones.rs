@@ -16,8 +16,8 @@ use super::light::Way;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
-use rustfft::num_complex::Complex;
 use std::f64::consts::{PI, TAU};
+use tomolith_fourier::Complex;
 
 /// Directions of the light of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,10 +8,10 @@ use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
 use crate::{PatternLayout, Run};
 use rayon::prelude::*;
-use rustfft::num_complex::Complex;
 use std::ops::Range;
 use std::sync::Mutex;
 use tomolith_core::error::{Error, Result};
+use tomolith_fourier::Complex;
 
 /// Lanes of a row that are gathered at a time.
 const LANES_AT_ONCE: usize = 256;

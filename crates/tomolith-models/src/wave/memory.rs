@@ -9,8 +9,8 @@
 
 use super::number::Number;
 use super::spectrum::Windows;
-use rustfft::num_complex::Complex;
 use std::mem::size_of;
+use tomolith_fourier::Complex;
 
 /// Samples of frames that lie in memory together, in bytes: about a volume of 256³.
 const TOGETHER: usize = 64 << 20;

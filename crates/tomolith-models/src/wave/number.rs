@@ -1,13 +1,17 @@
 //! The two kinds of number that the kernels are written for: f32 at work, f64 as the reference.
 
 use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
-use rustfft::FftNum;
+use std::sync::Arc;
 use tomolith_core::field::LANES;
+use tomolith_fourier::{Fft, FftNum};
 
 /// A real number of the wave model.
 pub(super) trait Number: FftNum + Default {
     /// The nearest number of this kind.
     fn of(value: f64) -> Self;
+
+    /// Fourier transforms of a length, there and back.
+    fn transforms(length: usize) -> [Arc<dyn Fft<Self>>; 2];
 
     /// out[z] += Σ weights[i]·source[slots[i]][z], with `entries` = (slots, weights) and `place` = (numbers of a row, first lane, lanes);
     /// `out` begins at the first lane.
@@ -34,9 +38,18 @@ fn add_plainly<T: Number>(
     }
 }
 
+#[cfg(test)]
 impl Number for f64 {
     fn of(value: f64) -> Self {
         value
+    }
+
+    fn transforms(length: usize) -> [Arc<dyn Fft<f64>>; 2] {
+        let mut plans = rustfft::FftPlanner::new();
+        [
+            plans.plan_fft_forward(length),
+            plans.plan_fft_inverse(length),
+        ]
     }
 
     fn add_rows(
@@ -53,6 +66,10 @@ impl Number for f32 {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn of(value: f64) -> Self {
         value as f32
+    }
+
+    fn transforms(length: usize) -> [Arc<dyn Fft<f32>>; 2] {
+        tomolith_fourier::complex(length)
     }
 
     fn add_rows(

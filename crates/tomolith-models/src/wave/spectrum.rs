@@ -9,11 +9,11 @@ use super::number::Number;
 use super::resample::Places;
 use super::sampling::Sampling;
 use super::window::{Side, operations};
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_fourier::Complex;
+use tomolith_fourier::Fft;
 
 /// Transforms of the frames of one light.
 pub(super) struct Windows<T: Number> {
@@ -181,10 +181,9 @@ impl<T: Number> Windows<T> {
             .map(|f| complex((TAU * f as f64 / window[1] * shift).sin_cos(), scale))
             .collect();
         let (last, samples) = lateral(&sampling, u);
-        let mut plans = FftPlanner::new();
-        let mut both = |n: [usize; 2]| {
-            let forward = n.map(|n| plans.plan_fft_forward(n));
-            (forward, n.map(|n| plans.plan_fft_inverse(n)))
+        let both = |lengths: [usize; 2]| {
+            let [[forward_u, inverse_u], [forward_z, inverse_z]] = lengths.map(T::transforms);
+            ([forward_u, forward_z], [inverse_u, inverse_z])
         };
         let (forward, inverse) = both(sampling.padded);
         let (fine_forward, fine_inverse) = both([sampling.across.computed.count, fine_z]);

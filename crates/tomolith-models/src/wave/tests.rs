@@ -2,12 +2,12 @@
 
 use super::light::Way;
 use super::*;
-use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 use tomolith_core::check;
 use tomolith_core::check::noise;
 use tomolith_core::field::Field;
 use tomolith_core::grid::PatternGrid;
+use tomolith_fourier::Complex;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::index_matched::IndexMatched;
 
