@@ -182,7 +182,9 @@ const CHOICES: [&str; 2] = ["string or map", "map with a single key"];
 fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path) -> Option<String> {
     let mut value = value.clone();
     *value_at_mut(&mut value, path)? = Value::String("?".to_owned());
-    let message = serde_json::from_value::<T>(value).err()?.to_string();
+    // Read as the section was: what is derived for `T` is compiled once
+    let error = serde_path_to_error::deserialize::<_, T>(value).err()?;
+    let message = error.inner().to_string();
     let names = message.strip_prefix("unknown variant `?`, expected ")?;
     let names: Vec<&str> = names.split('`').skip(1).step_by(2).collect();
     Some(names.join(", "))

@@ -76,8 +76,7 @@ impl Job {
                 *file = file.file_name().map(Into::into).unwrap_or_default();
             }
         }
-        let mut tables =
-            serde_json::to_value(spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+        let mut tables = spec.to_value()?;
         as_floats(&mut tables);
         if let Some(map) = tables.as_object_mut() {
             map.retain(|key, _| !ASIDE.contains(&key.as_str()));

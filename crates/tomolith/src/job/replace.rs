@@ -50,7 +50,9 @@ pub(super) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
 
 /// All tables of a job but where it is written.
 fn tables(spec: &JobSpec) -> Value {
-    let mut tables = serde_json::to_value(with_every_default(spec.clone())).unwrap_or_default();
+    let mut tables = with_every_default(spec.clone())
+        .to_value()
+        .unwrap_or_default();
     if let Some(map) = tables.as_object_mut() {
         map.remove("output");
         map.remove("resources");

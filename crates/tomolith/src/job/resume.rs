@@ -132,8 +132,7 @@ pub(super) fn keep(
 
 /// The tables of a job that a checkpoint depends on, with every default written out.
 pub(super) fn tables(spec: &JobSpec) -> Result<Value> {
-    let mut tables = serde_json::to_value(with_every_default(spec.clone()))
-        .map_err(|e| Error::config("", e.to_string(), "a job"))?;
+    let mut tables = with_every_default(spec.clone()).to_value()?;
     if let Some(map) = tables.as_object_mut() {
         for unimportant in [
             "stop",

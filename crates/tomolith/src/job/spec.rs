@@ -1345,7 +1345,17 @@ impl JobSpec {
     /// # Errors
     /// [`Error::Config`] when a value cannot be written as TOML.
     pub fn to_toml(&self) -> Result<String> {
-        toml::to_string(self)
+        toml::to_string(self.erased())
             .map_err(|e| Error::config("", e.to_string(), "a job that TOML can hold"))
+    }
+
+    /// The job as a value.
+    pub(super) fn to_value(&self) -> Result<Value> {
+        serde_json::to_value(self.erased()).map_err(|e| Error::config("", e.to_string(), "a job"))
+    }
+
+    /// Writes the job in any format: what is derived for its tables is compiled once, not once a format.
+    fn erased(&self) -> &dyn erased_serde::Serialize {
+        self
     }
 }
