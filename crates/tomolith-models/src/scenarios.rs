@@ -14,7 +14,7 @@
 //! of a dose for each, one after the other.
 
 use crate::HostModel;
-use crate::spectral::farthest;
+use crate::several;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
@@ -105,10 +105,6 @@ impl Scenarios {
         let block = field.as_mut_slice()[self.outputs[k].range()].iter_mut();
         block.zip(q.as_slice()).for_each(|(sum, q)| *sum += q);
     }
-
-    fn part(&self, run: &Run) -> Run {
-        run.part(1.0 / self.models.len() as f64)
-    }
 }
 
 /// Runs of pixels that two layouts of the same images both have, in the fields of either.
@@ -152,7 +148,11 @@ impl DoseModel for Scenarios {
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         let mut q = self.models[0].new_dose()?;
         for (k, model) in self.models.iter().enumerate() {
-            model.dose(&self.shown(k, x)?, &mut q, &self.part(run))?;
+            model.dose(
+                &self.shown(k, x)?,
+                &mut q,
+                &several::part(&self.models, run),
+            )?;
             dose.as_mut_slice()[self.outputs[k].range()].copy_from_slice(q.as_slice());
         }
         Ok(())
@@ -169,7 +169,7 @@ impl DoseModel for Scenarios {
         for (k, model) in self.models.iter().enumerate() {
             let mut own = model.new_patterns()?;
             let (shown, c) = (self.shown(k, x)?, self.block(k, cotangent));
-            model.pullback(&shown, &c, &mut own, &self.part(run))?;
+            model.pullback(&shown, &c, &mut own, &several::part(&self.models, run))?;
             self.gather(k, &own, grad);
         }
         Ok(())
@@ -191,44 +191,29 @@ impl DoseModel for Scenarios {
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let mut all: Vec<HostField> = Vec::new();
-        for (k, model) in self.models.iter().enumerate() {
-            let (x, d) = (self.shown(k, x)?, self.shown(k, d)?);
-            let Some(own) = model.along(&x, &d, run)? else {
-                return Ok(None);
-            };
-            for (power, q) in own.iter().enumerate() {
-                if power == all.len() {
-                    all.push(self.new_dose()?);
-                }
-                self.add(k, q, &mut all[power]);
-            }
-        }
-        Ok(Some(all))
+        let own = |k: usize| Ok([self.shown(k, x)?, self.shown(k, d)?]);
+        let add = |k: usize, q: &HostField, sum: &mut HostField| self.add(k, q, sum);
+        several::along(&self.models, own, || self.new_dose(), add, run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        farthest(self.models.iter().map(|model| model.z_coupling()))
+        several::z_coupling(&self.models)
     }
 
     fn is_linear(&self) -> bool {
-        self.models.iter().all(|model| model.is_linear())
+        several::is_linear(&self.models)
     }
 
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let mut any = false;
-        for (k, model) in self.models.iter().enumerate() {
-            any |= model.renew(iteration, &self.shown(k, x)?, run)?;
-        }
-        Ok(any)
+        several::renew(&self.models, iteration, |k| self.shown(k, x), run)
     }
 
     fn is_renewed(&self) -> bool {
-        self.models.iter().any(|model| model.is_renewed())
+        several::is_renewed(&self.models)
     }
 
     fn updates(&self) -> u64 {
-        self.models.iter().map(|model| model.updates()).sum()
+        several::updates(&self.models)
     }
 
     fn describe(&self) -> String {

@@ -24,7 +24,7 @@
 //! One call of every light's model, and one pass over its dose per species that it drives. Memory: patterns and dose of one light at a
 //! time.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, own_frames};
+use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, own_frames, several};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
@@ -147,20 +147,6 @@ impl SpectralMixing {
     }
 }
 
-/// The coupling that reaches farthest.
-pub(crate) fn farthest(couplings: impl Iterator<Item = ZCoupling>) -> ZCoupling {
-    let reach = |coupling: ZCoupling| match coupling {
-        ZCoupling::None => 0.0,
-        ZCoupling::Halo(mm) => mm,
-        ZCoupling::Full => f64::INFINITY,
-    };
-    match couplings.map(reach).fold(0.0, f64::max) {
-        0.0 => ZCoupling::None,
-        mm if mm.is_finite() => ZCoupling::Halo(mm),
-        _ => ZCoupling::Full,
-    }
-}
-
 impl DoseModel for SpectralMixing {
     type Field = HostField;
 
@@ -188,7 +174,7 @@ impl DoseModel for SpectralMixing {
         dose.fill(0.0);
         let mut q = self.lights[0].new_dose()?;
         for (i, light) in self.lights.iter().enumerate() {
-            let part = run.part(1.0 / self.lights.len() as f64);
+            let part = several::part(&self.lights, run);
             light.dose(&self.own(i, x), &mut q, &part)?;
             self.add(i, &q, dose);
         }
@@ -206,7 +192,7 @@ impl DoseModel for SpectralMixing {
         for (i, light) in self.lights.iter().enumerate() {
             self.unmix(i, cotangent, &mut c);
             let mut own = light.new_patterns()?;
-            let part = run.part(1.0 / self.lights.len() as f64);
+            let part = several::part(&self.lights, run);
             light.pullback(&self.own(i, x), &c, &mut own, &part)?;
             grad.as_mut_slice()[self.patterns[i].range()].copy_from_slice(own.as_slice());
         }
@@ -251,43 +237,29 @@ impl DoseModel for SpectralMixing {
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let mut mixed: Vec<HostField> = Vec::new();
-        for (i, light) in self.lights.iter().enumerate() {
-            let Some(own) = light.along(&self.own(i, x), &self.own(i, d), run)? else {
-                return Ok(None);
-            };
-            for (power, q) in own.iter().enumerate() {
-                if power == mixed.len() {
-                    mixed.push(self.new_dose()?);
-                }
-                self.add(i, q, &mut mixed[power]);
-            }
-        }
-        Ok(Some(mixed))
+        let own = |i: usize| Ok([self.own(i, x), self.own(i, d)]);
+        let add = |i: usize, q: &HostField, doses: &mut HostField| self.add(i, q, doses);
+        several::along(&self.lights, own, || self.new_dose(), add, run)
     }
 
     fn z_coupling(&self) -> ZCoupling {
-        farthest(self.lights.iter().map(|light| light.z_coupling()))
+        several::z_coupling(&self.lights)
     }
 
     fn is_linear(&self) -> bool {
-        self.lights.iter().all(|light| light.is_linear())
+        several::is_linear(&self.lights)
     }
 
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let mut any = false;
-        for (i, light) in self.lights.iter().enumerate() {
-            any |= light.renew(iteration, &self.own(i, x), run)?;
-        }
-        Ok(any)
+        several::renew(&self.lights, iteration, |i| Ok(self.own(i, x)), run)
     }
 
     fn is_renewed(&self) -> bool {
-        self.lights.iter().any(|light| light.is_renewed())
+        several::is_renewed(&self.lights)
     }
 
     fn updates(&self) -> u64 {
-        self.lights.iter().map(|light| light.updates()).sum()
+        several::updates(&self.lights)
     }
 
     fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {

@@ -21,6 +21,7 @@ pub mod voxel_weights;
 pub mod window;
 
 pub use band::{Band, BandObjective, Bands};
+pub use process_window::FoundWindow;
 pub use species::{Join, PerBlock};
 use std::sync::Arc;
 pub use sum::Sum;
@@ -56,6 +57,10 @@ pub trait Objective<F: Field>: Send + Sync {
     /// Whether L is a mean over voxels and not a sum, so that it stays the same on finer voxels.
     fn is_mean(&self) -> bool {
         false
+    }
+    /// The process window of a dose as the objective measures it; None where it does not look for one.
+    fn window(&self, _dose: &F) -> Option<FoundWindow> {
+        None
     }
     /// Weighs voxels and widens their bands, once, before any work.
     ///

@@ -4,32 +4,41 @@
 //! and the gap between them is what is maximized, so that one run takes the place of the map. The scale of the doses is fixed by the
 //! part's upper end, which is 1.
 //!
-//! **Equation** s is the share of a voxel that is part (0 or 1 with `surface = "voxel"`), N = Σs and N' = Σ(1 − s), ν is `outliers`
+//! **Equation** s is the share of a voxel that is part (0 or 1 with `surface = "voxel"`), N = Σs and N' = Σ(1 − s), ν is `outliers`; νN and νN'
+//! are at least one voxel
 //!
 //! ```text
 //! A  = max over u  u − 1/(νN)·Σ s·h(u − m)              mean of the lowest doses of the part, ν of it
 //! B  = min over l  l + 1/(νN')·Σ (1 − s)·h(m − l)       mean of the highest doses of the void, ν of it
-//! L  = 1 − (A − B) + 1/(νN)·Σ s·h(m − 1) + 20·h(1 − ipdr − A)
-//! h(e) = 0 for e ≤ 0,  e²/2τ for e < τ,  e − τ/2 beyond            τ is `softness`
+//! R  = min over t  t + 1/(νN)·Σ s·h(m − t)  −  A        mean of the highest doses of the part − mean of its lowest, with ρ for τ
+//! L  = 1 − (A − B) + 1/(νN)·Σ s·h(m − 1) + 20·h(R − ipdr + ρ)                             ρ for τ in the last h
+//! h(e) = 0 for e ≤ 0,  e²/2τ for e < τ,  e − τ/2 beyond            τ is `softness`, ρ is ipdr/10, at most τ
 //! ```
 //!
 //! With τ → 0 the tail means A and B are the conditional values at risk of either region, whose optimal u and l are the quantiles: at
 //! most νN of the part lies below u and at most νN' of the void above l. So u − l is the process window min in − max out of trimmed
-//! regions, and 1 − L never promises more of it than there is. The third term lets at most the share ν of the part exceed 1; the last one
-//! bounds the dose range in the part. For doses of the identity response L is convex, so that a duality gap bounds every process window
-//! that any patterns reach. `measure = "gamma"` counts the outliers of the void in voxels of the part (νN in place of νN'): an error of
+//! regions, and 1 − L never promises more of it than there is. The third term lets at most the share ν of the part exceed 1. For doses of
+//! the identity response L is convex, so that a duality gap bounds every process window that any patterns reach.
+//!
+//! The last term is an exact penalty, which makes `ipdr` a bound: from R = ipdr on it costs 20 for each unit, more than the window that a
+//! wider range brings, so that the optimum lies within (its cost begins ρ before the bound, where it takes the place of a multiplier up to
+//! 20). Tail means hold what they are means of: the dose range without ν of the part at either end is at most R + ρ. What was reached is
+//! [`FoundWindow::range`].
+//!
+//! `measure = "gamma"` counts the outliers of the void in voxels of the part (νN in place of νN'): an error of
 //! ν in the IoU is then the same at either threshold, and u − l is the range of thresholds whose IoU stays within about ν of the best
 //! one (Γ at ν = 0.05).
 //!
 //! **Source** tail means by an extra unknown: Rockafellar and Uryasev, Journal of Risk 2 (2000) 21, eqs. 4 and 5; a margin whose outliers
 //! are a share ν: Schölkopf, Smola, Williamson and Bartlett, Neural Computation 12 (2000) 1207; process window and dose range, trimmed:
-//! Pellizzon et al., arXiv 2602.12178, eqs. 10 and 11 and section 2.1; Γ: Nicolet et al. (2024), table 2. The form of L is ours.
+//! Pellizzon et al., arXiv 2602.12178, eqs. 10 and 11 and section 2.1; Γ: Nicolet et al. (2024), table 2; exact penalties: Nocedal and
+//! Wright, Numerical Optimization (2006), theorem 17.3. The form of L is ours.
 //!
-//! **Derivative** u and l are at their optimum, so ∂L/∂m follows with both held: −(1 + 20·h')/(νN)·s·h'(u − m) and so on.
+//! **Derivative** u, l and t are at their optimum, so ∂L/∂m follows with all held: −1/(νN)·s·h'(u − m) and so on.
 //!
 //! **Parameters** see [`Params`]. **Limits** weights per voxel count, tolerances do not: there is no band to widen. A gray target has no
 //! part. Regions of different exposure have no common window. **Cost** a pass over doses and shares for each trial of u and l, which
-//! begin where the last ones ended: about two passes of 8 bytes per voxel. Doses on a device are copied to the host.
+//! begin where the last ones ended: about two passes of 8 bytes per voxel, with twice the work where there is a bound of the range. Doses on a device are copied to the host.
 
 use super::preset::{Shares, SurfaceHandling};
 use super::{BoxedObjective, BuildObjective, Objective, ObjectiveInput, VoxelWeights};
@@ -65,7 +74,7 @@ pub struct Params {
     pub measure: WindowMeasure,
     /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.5 (default 0.05)
     pub outliers: f64,
-    /// Largest dose range in the part, trimmed by the outliers, above 0 and at most 1 (default: any)
+    /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ipdr: Option<f64>,
     /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.2)
@@ -120,7 +129,7 @@ pub const NAME: &str = "process_window";
 pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
     Kind {
         name: NAME,
-        summary: "the widest process window itself, up to a share of outliers, with a bound of the dose range in the part",
+        summary: "the widest process window itself, up to a share of outliers, within a bound of the dose range in the part",
         example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
         schema: || schemars::schema_for!(Params),
         build: |section, input: &ObjectiveInput| {
@@ -146,8 +155,12 @@ fn build<F: Field>(params: Params, input: &ObjectiveInput) -> BoxedObjective<F> 
 const GRID: f64 = 1.0 / (1 << 20) as f64;
 /// The response that the part's upper end has.
 const CEILING: f64 = 1.0;
-/// Price of a dose range above its bound, per unit of process window.
+/// Price of a dose range above its bound, per unit of process window: more than any range is worth that was met.
 const PRICE: f64 = 20.0;
+/// Softness of the dose range, of its bound.
+const SOFTNESS_OF_RANGE: f64 = 0.1;
+/// Halvings of a range of doses until its ends are one.
+const HALVINGS: usize = 48;
 /// Passes over the voxels after which a threshold is taken as it is.
 const MOST_PASSES: usize = 100;
 /// Elements that are written at a time.
@@ -173,8 +186,16 @@ struct ProcessWindow {
     /// 1/(νN) and 1/(νN').
     prices: [f64; 2],
     /// Where the thresholds were last, on the grid: where the next search begins. What it finds does not depend on it.
-    last: [AtomicI64; 2],
+    last: [AtomicI64; 4],
 }
+
+/// Tails: the low end of the part and the high end of the void; both ends of the part once more, for the bound of its range; what exceeds the
+/// ceiling, whose threshold is given.
+const TAILS: usize = 5;
+const LOW: usize = 0;
+const VOID: usize = 1;
+const RANGE: [usize; 2] = [2, 3];
+const ABOVE: usize = 4;
 
 /// Sums over one tail at two neighboring thresholds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -294,10 +315,60 @@ struct Mean {
 struct Found {
     loss: f64,
     change: f64,
-    /// u and −l.
-    thresholds: [f64; 2],
-    /// 1 + 20·h': what the part's tail costs.
-    price_of_part: f64,
+    /// u and −l; those of the range, the upper one negative.
+    thresholds: [f64; 4],
+    /// 20·h': what the dose range costs.
+    price_of_range: f64,
+}
+
+/// The process window that doses have without the objective's own share of outliers, exactly.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FoundWindow {
+    /// Share ν of the part that is left out at either end; of the void as much, or with "gamma" as many voxels.
+    pub outliers: f64,
+    /// The soft thresholds [l, u] that the objective found.
+    pub thresholds: [f64; 2],
+    /// All of the part but the outliers lies above.
+    pub part_above: f64,
+    /// All of the part but the outliers lies below.
+    pub part_below: f64,
+    /// All of the void but the outliers lies below.
+    pub void_below: f64,
+    /// `part_above` − `void_below`.
+    pub window: f64,
+    /// `part_below` − `part_above`.
+    pub range: f64,
+    /// The bound of the range that was asked for.
+    pub ipdr: Option<f64>,
+}
+
+impl FoundWindow {
+    /// In words.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let bound = self.ipdr;
+        let bound = bound.map_or_else(String::new, |ipdr| format!(" (bound {})", exact(ipdr)));
+        format!(
+            "without {} % of outliers the part lies above {:.4} and the void below {:.4}: process window {:.4}, dose range {:.4}{bound}",
+            exact(100.0 * self.outliers),
+            self.part_above,
+            self.void_below,
+            self.window,
+            self.range
+        )
+    }
+
+    /// What to say where the dose range is above its bound.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        let ipdr = self.ipdr.filter(|ipdr| self.range > *ipdr)?;
+        Some(format!(
+            "the dose range in the part is {:.4}, above its bound ipdr = {}: no patterns that were found reach it. Allow more iterations \
+             (stop.iterations), or a larger ipdr",
+            self.range,
+            exact(ipdr)
+        ))
+    }
 }
 
 impl ProcessWindow {
@@ -313,22 +384,9 @@ impl ProcessWindow {
             params,
             response,
             prices: [0.0; 2],
-            last: [0.8, -0.6].map(|start: f64| AtomicI64::new((start / GRID) as i64)),
+            last: [0.8, -0.6, 0.8, -0.9].map(|start: f64| AtomicI64::new((start / GRID) as i64)),
         };
         objective.count()?;
-        if objective.prices[0] > 1.0 {
-            return Err(Error::config(
-                "outliers",
-                format!(
-                    "{}: less than one voxel of the part",
-                    exact(objective.params.outliers)
-                ),
-                format!(
-                    "{} or more",
-                    exact(objective.prices[0] * objective.params.outliers)
-                ),
-            ));
-        }
         Ok(objective)
     }
 
@@ -339,43 +397,67 @@ impl ProcessWindow {
             if total <= 0.0 {
                 return Err(Error::Unsupported {
                     what: "a process window".to_owned(),
-                    reason: format!("no voxel of the {what} counts"),
+                    reason: format!(
+                        "no voxel of the {what} counts; regions, weights and targets that leave some of part and void"
+                    ),
                 });
             }
         }
         let outliers = self.params.outliers;
+        // Less than a voxel has no tail
+        let at_least_one = |voxels: f64, of: f64| voxels.max(1.0).min(0.5 * of);
+        let of_part = at_least_one(outliers * part, part);
         let of_void = match self.params.measure {
-            WindowMeasure::Pw => outliers * void,
-            WindowMeasure::Gamma => (outliers * part).min(0.5 * void),
+            WindowMeasure::Pw => at_least_one(outliers * void, void),
+            WindowMeasure::Gamma => at_least_one(outliers * part, void),
         };
-        self.prices = [1.0 / (outliers * part), 1.0 / of_void];
+        self.prices = [1.0 / of_part, 1.0 / of_void];
         Ok(())
     }
 
-    /// Sums over both tails at their thresholds, and over what exceeds the ceiling; `at` gives response and change of an element.
-    fn pass(&self, at: &(impl Fn(usize) -> [f64; 2] + Sync), thresholds: [i64; 2]) -> [Tail; 3] {
-        let [part, void] = thresholds.map(|k| k as f64 * GRID);
-        let softness = self.params.softness;
+    /// ρ where the range is bounded.
+    fn softness_of_range(&self) -> Option<f64> {
+        let of = |ipdr: f64| (SOFTNESS_OF_RANGE * ipdr).clamp(0.001, self.params.softness);
+        self.params.ipdr.map(of)
+    }
+
+    /// Thresholds that are looked for.
+    fn searched(&self) -> usize {
+        if self.params.ipdr.is_some() { 4 } else { 2 }
+    }
+
+    /// Sums over the tails at their thresholds, and over what exceeds the ceiling; `at` gives response and change of an element.
+    fn pass(
+        &self,
+        at: &(impl Fn(usize) -> [f64; 2] + Sync),
+        thresholds: [i64; 4],
+    ) -> [Tail; TAILS] {
+        let [part, void, low, high] = thresholds.map(|k| k as f64 * GRID);
+        let (softness, of_range) = (self.params.softness, self.softness_of_range());
         let blocks = (0..self.elements.len()).into_par_iter().step_by(BLOCK);
         let sums = blocks.map(|begin| {
-            let mut tails = [Tail::default(); 3];
+            let mut tails = [Tail::default(); TAILS];
             for i in begin..(begin + BLOCK).min(self.elements.len()) {
                 let Some([w_part, w_void]) = self.shares.weights(i) else {
                     continue;
                 };
                 let [m, change] = at(i);
                 if w_part > 0.0 {
-                    tails[0].add(w_part, part - m, change, softness);
-                    tails[2].add(w_part, m - CEILING, change, softness);
+                    tails[LOW].add(w_part, part - m, change, softness);
+                    tails[ABOVE].add(w_part, m - CEILING, change, softness);
+                    if let Some(softness) = of_range {
+                        tails[RANGE[0]].add(w_part, low - m, change, softness);
+                        tails[RANGE[1]].add(w_part, high + m, -change, softness);
+                    }
                 }
                 if w_void > 0.0 {
-                    tails[1].add(w_void, void + m, -change, softness);
+                    tails[VOID].add(w_void, void + m, -change, softness);
                 }
             }
             tails
         });
-        let sums: Vec<[Tail; 3]> = sums.collect();
-        let none = [Tail::default(); 3];
+        let sums: Vec<[Tail; TAILS]> = sums.collect();
+        let none = [Tail::default(); TAILS];
         sums.iter().fold(none, |all, more| {
             std::array::from_fn(|i| all[i].plus(&more[i]))
         })
@@ -383,14 +465,16 @@ impl ProcessWindow {
 
     /// L and its change where `at` says what the elements have.
     fn find(&self, at: impl Fn(usize) -> [f64; 2] + Sync) -> Found {
-        let mut searches: [Search; 2] = std::array::from_fn(|i| {
-            Search::new(1.0 / self.prices[i], self.last[i].load(Ordering::Relaxed))
-        });
-        let mut tails = [Tail::default(); 3];
+        let [of_part, of_void] = self.prices.map(|price| 1.0 / price);
+        let goals = [of_part, of_void, of_part, of_part];
+        let mut searches: [Search; 4] =
+            std::array::from_fn(|i| Search::new(goals[i], self.last[i].load(Ordering::Relaxed)));
+        let count = self.searched();
+        let mut tails = [Tail::default(); TAILS];
         for passes in 0..MOST_PASSES {
-            tails = self.pass(&at, [searches[0].at, searches[1].at]);
+            tails = self.pass(&at, searches.each_ref().map(|search| search.at));
             let mut are_there = true;
-            for (search, tail) in searches.iter_mut().zip(&tails) {
+            for (search, tail) in searches.iter_mut().zip(&tails).take(count) {
                 are_there &= search.is_there(tail.counts, passes);
             }
             if are_there {
@@ -400,17 +484,28 @@ impl ProcessWindow {
         for (last, search) in self.last.iter().zip(&searches) {
             last.store(search.at, Ordering::Relaxed);
         }
-        let [part, void] = [0, 1].map(|i| searches[i].mean(&tails[i]));
-        let above = &tails[2];
-        let price = self.prices[0];
-        let missing = self.params.ipdr.map(|ipdr| CEILING - ipdr - part.value);
-        let (range, slope) = hinge(missing.unwrap_or(0.0), self.params.softness);
-        let price_of_part = 1.0 + PRICE * slope;
+        let means: [Mean; 4] = std::array::from_fn(|i| searches[i].mean(&tails[i]));
+        let [part, void, low, high] = means;
+        let (above, price) = (&tails[ABOVE], self.prices[0]);
+        let (mut range, mut price_of_range) = (0.0, 0.0);
+        if let Some((ipdr, softness)) = self.params.ipdr.zip(self.softness_of_range()) {
+            // The mean of the lowest −m is less that of the highest m
+            let beyond = -high.value - low.value - ipdr + softness;
+            let (cost, slope) = hinge(beyond, softness);
+            (range, price_of_range) = (PRICE * cost, PRICE * slope);
+        }
         Found {
-            loss: CEILING - part.value - void.value + price * above.excess + PRICE * range,
-            change: price * above.changes[0] - price_of_part * part.change - void.change,
-            thresholds: [part.threshold, void.threshold],
-            price_of_part,
+            loss: CEILING - part.value - void.value + price * above.excess + range,
+            change: price * above.changes[0]
+                - part.change
+                - void.change
+                - if price_of_range > 0.0 {
+                    price_of_range * (low.change + high.change)
+                } else {
+                    0.0
+                },
+            thresholds: means.map(|mean| mean.threshold),
+            price_of_range,
         }
     }
 
@@ -434,12 +529,48 @@ impl ProcessWindow {
         let Some([w_part, w_void]) = self.shares.weights(i) else {
             return 0.0;
         };
-        let ([m, slope], [part, void]) = (self.response(dose), found.thresholds);
+        let ([m, slope], [part, void, low, high]) = (self.response(dose), found.thresholds);
         let count = |excess: f64| hinge(excess, self.params.softness).1;
-        let of_part = count(m - CEILING) - found.price_of_part * count(part - m);
+        let mut of_part = count(m - CEILING) - count(part - m);
+        if let Some(softness) = self
+            .softness_of_range()
+            .filter(|_| found.price_of_range > 0.0)
+        {
+            let count = |excess: f64| hinge(excess, softness).1;
+            of_part += found.price_of_range * (count(high + m) - count(low - m));
+        }
         let of_void = count(void + m);
         let [price, price_of_void] = self.prices;
         (slope * (price * w_part * of_part + price_of_void * w_void * of_void)) as f32
+    }
+
+    /// The largest v below which lies at most the weight that is left out, of the part (0) or the void (1), where each element has `at`.
+    fn end(&self, region: usize, at: impl Fn(usize) -> f64 + Sync) -> f64 {
+        let weight = |i: usize| self.shares.weights(i).map_or(0.0, |w| w[region]);
+        let counted = (0..self.elements.len())
+            .into_par_iter()
+            .filter(|i| weight(*i) > 0.0);
+        let ends = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        let none = || [f64::INFINITY, f64::NEG_INFINITY];
+        let [mut low, mut high] = counted.map(|i| [at(i); 2]).reduce(none, ends);
+        // Blocks are added in one order
+        let below = |middle: f64| -> f64 {
+            let blocks = (0..self.elements.len()).into_par_iter().step_by(BLOCK);
+            let sums = blocks.map(|begin| {
+                let own = begin..(begin + BLOCK).min(self.elements.len());
+                own.filter(|i| at(*i) < middle).map(weight).sum::<f64>()
+            });
+            sums.collect::<Vec<f64>>().iter().sum()
+        };
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if below(middle) * self.prices[region] <= 1.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
     }
 }
 
@@ -492,12 +623,31 @@ impl<F: Field> Objective<F> for ProcessWindow {
         true
     }
 
+    fn window(&self, dose: &F) -> Option<FoundWindow> {
+        let dose = host(dose);
+        let found = self.at(&dose);
+        let dose = &dose[self.elements.clone()];
+        let response = |i: usize| self.response(dose[i])[0];
+        let part_above = self.end(LOW, response);
+        let part_below = -self.end(LOW, |i| -response(i));
+        let void_below = -self.end(VOID, |i| -response(i));
+        Some(FoundWindow {
+            outliers: self.params.outliers,
+            thresholds: [-found.thresholds[VOID], found.thresholds[LOW]],
+            part_above,
+            part_below,
+            void_below,
+            window: part_above - void_below,
+            range: part_below - part_above,
+            ipdr: self.params.ipdr,
+        })
+    }
+
     fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {
         if !voxel_weights.tolerance.is_empty() {
-            return Err(Error::Unsupported {
-                what: "a tolerance per voxel".to_owned(),
-                reason: "a process window has no bands; weights per voxel count".to_owned(),
-            });
+            let found = "a tolerance beside process_window, which has no bands to widen";
+            let accepted = "no tolerance; region and weights count";
+            return Err(Error::config("tolerance", found, accepted));
         }
         self.shares.scale(&voxel_weights.weight);
         self.count()
@@ -562,21 +712,27 @@ mod tests {
 
     #[test]
     fn a_dose_range_and_a_ceiling_cost_what_the_equation_says() {
+        // Half of the part at 0.7, half at 1: a range of 0.3
         let inside: Vec<f32> = (0..100).map(|i| f32::from(i < 50)).collect();
-        let of = |part: f32, ipdr: Option<f64>| {
+        let of = |low: f32, high: f32, ipdr: Option<f64>| {
             let params = Params {
                 ipdr,
                 softness: 0.001,
                 ..Params::default()
             };
-            let dose: Vec<f32> = inside.iter().map(|s| s * part).collect();
+            let part = |i: usize| if i.is_multiple_of(2) { low } else { high };
+            let dose = inside.iter().enumerate().map(|(i, s)| s * part(i));
+            let dose: Vec<f32> = dose.collect();
             Objective::<HostField>::value(&window(&inside, params), &HostField::from_slice(&dose))
         };
-        let missed = of(0.7, Some(0.2)) - of(0.7, None);
-        assert!((missed - PRICE * 0.1).abs() < 0.02, "{missed}");
-        assert_eq!(of(0.9, Some(0.2)), of(0.9, None));
+        let costs = |ipdr| of(0.7, 1.0, Some(ipdr)) - of(0.7, 1.0, None);
+        assert!((costs(0.2) - PRICE * 0.1).abs() < 0.03, "{}", costs(0.2));
+        assert_eq!(costs(0.31), 0.0);
+        // Twice the dose is twice the range, wherever it lies
+        let doubled = of(1.4, 2.0, Some(0.2)) - of(1.4, 2.0, None);
+        assert!((doubled - PRICE * 0.4).abs() < 0.03, "{doubled}");
         // 0.1 above the ceiling costs 0.1/ν and widens the window by 0.1; the hinge's corner takes half its softness, 0.01 in all
-        let above = of(1.1, None) - of(1.0, None);
+        let above = of(1.1, 1.1, None) - of(1.0, 1.0, None);
         let wanted = (0.1 - 0.0005) / Params::default().outliers - 0.1;
         assert!((above - wanted).abs() < 1e-6, "{above}");
     }
@@ -606,12 +762,63 @@ mod tests {
                 check::objective(&own, &dose).unwrap();
                 // A search that begins elsewhere ends at the same bits
                 let fresh = window(&inside, params);
-                fresh.last[0].store(5 << 20, Ordering::Relaxed);
-                fresh.last[1].store(-(7 << 22), Ordering::Relaxed);
+                for (last, start) in fresh.last.iter().zip([5 << 20, -(7 << 22), -9, 1 << 21]) {
+                    last.store(start, Ordering::Relaxed);
+                }
                 let losses = [&own, &fresh].map(|o| Objective::<HostField>::value(o, &dose));
                 assert_eq!(losses[0].to_bits(), losses[1].to_bits());
             }
         }
+    }
+
+    #[test]
+    fn the_window_is_told_without_outliers_of_which_there_is_one_at_least() {
+        // Ten voxels of the part at 0.5, 0.55, …, 0.95, ten of the void at 0, 0.05, …, 0.45
+        let inside: Vec<f32> = (0..20).map(|i| f32::from(i >= 10)).collect();
+        let dose: Vec<f32> = (0..20).map(|i| 0.05 * i as f32).collect();
+        let told = |outliers, ipdr| {
+            let params = Params {
+                outliers,
+                ipdr,
+                softness: 0.001,
+                ..Params::default()
+            };
+            let objective = window(&inside, params);
+            Objective::<HostField>::window(&objective, &HostField::from_slice(&dose)).unwrap()
+        };
+        // One voxel is left out at every end, of 0.01 as of 0.1; of 0.25 two, and half of a third that counts
+        for (outliers, low, high, void) in [
+            (0.01, 0.55, 0.9, 0.4),
+            (0.1, 0.55, 0.9, 0.4),
+            (0.25, 0.6, 0.85, 0.35),
+        ] {
+            let found = told(outliers, Some(0.3));
+            for (found, expected) in [
+                (found.part_above, low),
+                (found.part_below, high),
+                (found.void_below, void),
+                (found.window, low - void),
+                (found.range, high - low),
+            ] {
+                assert!(
+                    (found - expected).abs() < 1e-6,
+                    "{outliers}: {found}, {expected}"
+                );
+            }
+        }
+        let found = told(0.1, Some(0.3));
+        assert!((found.thresholds[1] - 0.5).abs() < 2e-3, "{found:?}");
+        let text = found.sentence();
+        assert!(
+            text.contains("10 % of outliers") && text.contains("0.3500 (bound 0.3)"),
+            "{text}"
+        );
+        assert!(
+            found
+                .warning()
+                .is_some_and(|text| text.contains("ipdr = 0.3"))
+        );
+        assert_eq!(told(0.1, Some(0.4)).warning(), None);
     }
 
     #[test]
@@ -644,17 +851,6 @@ mod tests {
             };
             assert_eq!(found, key);
         }
-        let half: Vec<f32> = (0..8).map(|i| f32::from(i < 4)).collect();
-        let few = Params {
-            outliers: 0.2,
-            ..Params::default()
-        };
-        let few = ProcessWindow::new(0..8, Shares::of(half), few, Arc::new(Identity));
-        let refused = few.map(drop).unwrap_err().to_string();
-        assert!(
-            refused.contains("less than one voxel") && refused.contains("0.25 or more"),
-            "{refused}"
-        );
         let shares = Shares::of(vec![1.0; 8]);
         let only = ProcessWindow::new(0..8, shares, Params::default(), Arc::new(Identity));
         assert!(matches!(only.map(drop), Err(Error::Unsupported { .. })));

@@ -12,7 +12,7 @@
 //!
 //! **Cost** a copy of each block per call, beside the objectives' own passes.
 
-use super::Objective;
+use super::{FoundWindow, Objective};
 use std::ops::Range;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{Field, HostField};
@@ -119,6 +119,12 @@ impl Objective<HostField> for PerBlock {
 
     fn is_convex(&self) -> bool {
         self.parts.iter().all(|(_, part)| part.is_convex())
+    }
+
+    /// That of the first block: the first species, or the job as it is.
+    fn window(&self, dose: &HostField) -> Option<FoundWindow> {
+        let (range, part) = self.parts.first()?;
+        part.window(&block(dose, range))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A weighted sum of objectives.
 
-use super::Objective;
+use super::{FoundWindow, Objective};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 
@@ -69,5 +69,9 @@ impl<F: Field> Objective<F> for Sum<F> {
 
     fn is_convex(&self) -> bool {
         self.parts.iter().all(|(_, part)| part.is_convex())
+    }
+
+    fn window(&self, dose: &F) -> Option<FoundWindow> {
+        self.parts.iter().find_map(|(_, part)| part.window(dose))
     }
 }

@@ -193,7 +193,7 @@ pub fn read_runs(folders: &[impl AsRef<Path>]) -> Result<Vec<ComparedRun>> {
 /// Every number of every run, as `tomolith compare --json` prints it.
 #[must_use]
 pub fn compare_json(runs: &[ComparedRun]) -> Value {
-    let rows: Vec<Value> = rows()
+    let rows: Vec<Value> = rows(runs)
         .iter()
         .map(|row| json!({ "key": row.key, "name": row.name, "unit": row.unit, "values": runs.iter().map(|run| (row.value)(run)).collect::<Vec<_>>() }))
         .collect();
@@ -437,7 +437,7 @@ type ValueOf = Box<dyn Fn(&ComparedRun) -> Option<f64>>;
 /// A row of numbers.
 struct Row {
     /// What programs call it, the same in every version.
-    key: &'static str,
+    key: String,
     name: String,
     unit: &'static str,
     better: Better,
@@ -445,9 +445,9 @@ struct Row {
 }
 
 /// Every number that the page lists.
-fn rows() -> Vec<Row> {
-    let pointer = |key, name: &str, unit, better, pointer: &'static str| Row {
-        key,
+fn rows(runs: &[ComparedRun]) -> Vec<Row> {
+    let pointer = |key: &str, name: &str, unit, better, pointer: &'static str| Row {
+        key: key.to_owned(),
         name: name.to_owned(),
         unit,
         better,
@@ -458,7 +458,7 @@ fn rows() -> Vec<Row> {
         .map(|kind| {
             let place = format!("/evaluation/{}", kind.name);
             Row {
-                key: kind.name,
+                key: kind.name.to_owned(),
                 name: kind.title.to_owned(),
                 unit: kind.unit,
                 better: kind.better,
@@ -499,7 +499,7 @@ fn rows() -> Vec<Row> {
             "/history/iterations",
         ),
         Row {
-            key: "model_calls",
+            key: "model_calls".to_owned(),
             name: "Model calls".to_owned(),
             unit: "",
             better: Better::Lower,
@@ -508,7 +508,7 @@ fn rows() -> Vec<Row> {
             }),
         },
         Row {
-            key: "optimization_s",
+            key: "optimization_s".to_owned(),
             name: "Time of the optimization".to_owned(),
             unit: "s",
             better: Better::Lower,
@@ -550,7 +550,7 @@ fn rows() -> Vec<Row> {
             "/time/0/best_s",
         ),
         Row {
-            key: "window_s",
+            key: "window_s".to_owned(),
             name: "How long the print in time stays within 0.01 of its best IoU".to_owned(),
             unit: "s",
             better: Better::Higher,
@@ -559,8 +559,57 @@ fn rows() -> Vec<Row> {
                 Some(end(1)? - end(0)?)
             }),
         },
+        pointer(
+            "worst_iou",
+            "The least IoU over scenarios, at the job's threshold",
+            "",
+            Better::Higher,
+            "/scenarios/worst_iou",
+        ),
+        pointer(
+            "scenarios_pw",
+            "Window over scenarios, trimmed",
+            "",
+            Better::Higher,
+            "/scenarios/window",
+        ),
     ]);
+    rows.extend(scenarios(runs).into_iter().map(of_scenario));
     rows
+}
+
+/// The scenarios of all runs, each name once.
+fn scenarios(runs: &[ComparedRun]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    let rows = |run: &ComparedRun| run.report.pointer("/scenarios/rows")?.as_array().cloned();
+    for row in runs.iter().filter_map(rows).flatten() {
+        let name = row["name"].as_str().unwrap_or_default().to_owned();
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// The IoU of a scenario.
+fn of_scenario(name: String) -> Row {
+    let word = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '_'
+        }
+    };
+    Row {
+        key: format!("iou_in_{}", name.chars().map(word).collect::<String>()),
+        name: format!("IoU in {name}, at the job's threshold"),
+        unit: "",
+        better: Better::Higher,
+        value: Box::new(move |run| {
+            let rows = run.report.pointer("/scenarios/rows")?.as_array()?;
+            rows.iter().find(|row| row["name"] == name)?["iou_at_threshold"].as_f64()
+        }),
+    }
 }
 
 /// Name of the model that gave the dose that a run is judged by.
@@ -604,7 +653,7 @@ fn numbers(runs: &[ComparedRun]) -> String {
     let prints: Vec<bool> = runs.iter().map(prints).collect();
     // What one model says of a print is no better than what another says
     let is_fair = (runs.windows(2)).all(|pair| judge_of(&pair[0]) == judge_of(&pair[1]));
-    for row in rows() {
+    for row in rows(runs) {
         let values: Vec<Option<f64>> = runs.iter().map(|run| (row.value)(run)).collect();
         // Nothing is good of a print that is not there
         let of_prints = values.iter().zip(&prints).filter(|(_, prints)| **prints);
@@ -899,6 +948,29 @@ mod tests {
         let alone = "2 species by 2 lights, each alone: parallel (distance-driven kernel)";
         runs[1].report["run"]["models"]["evaluation"] = alone.into();
         assert!(compare_html(&runs).contains("judged by parallel"));
+    }
+
+    #[test]
+    fn scenarios_have_rows_in_runs_that_have_them() {
+        let mut runs = [run("a", 0.9, "10"), run("b", 0.95, "5"), run("c", 0.9, "5")];
+        assert!(!compare_html(&runs).contains("scenario"));
+        let row = |name: &str, iou: f64| json!({ "name": name, "iou_at_threshold": iou });
+        runs[0].report["scenarios"] = json!({
+            "worst_iou": 0.91, "window": -0.02, "rows": [row("the job", 0.99), row("Wide vial", 0.91)]
+        });
+        runs[1].report["scenarios"] = json!({
+            "worst_iou": 0.93, "window": -0.03, "rows": [row("the job", 0.98), row("pale", 0.93)]
+        });
+        let json = compare_json(&runs);
+        let of = |key: &str| {
+            let rows = json["numbers"].as_array().unwrap();
+            rows.iter().find(|row| row["key"] == key).unwrap()["values"].clone()
+        };
+        assert_eq!(of("worst_iou"), json!([0.91, 0.93, null]));
+        assert_eq!(of("scenarios_pw"), json!([-0.02, -0.03, null]));
+        assert_eq!(of("iou_in_wide_vial"), json!([0.91, null, null]));
+        assert_eq!(of("iou_in_pale"), json!([null, 0.93, null]));
+        assert!(compare_html(&runs).contains("IoU in Wide vial, at the job's threshold"));
     }
 
     #[test]

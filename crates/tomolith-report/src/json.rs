@@ -37,6 +37,9 @@
 //! scenarios     where a job has any: of (mean or worst), threshold (the job's), window (least of the part − largest of the void over all of
 //!               them, trimmed), worst_iou (at that threshold), rows (the job, then each scenario: name, iou, iou_at_threshold, gamma,
 //!               part_low, void_high); else null
+//! process_window  of an objective that looks for it, before the patterns are written, on the optimization's voxels: outliers (the share left
+//!               out), thresholds (l and u of the objective), part_above, part_below, void_below (what all but the outliers are), window (part_above
+//!               − void_below), range (part_below − part_above), ipdr (its bound); else null
 //! movies        what a decoder makes of each movie
 //! notes         sentences: choices that were made
 //! warnings      sentences
@@ -143,6 +146,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "history": history,
         "levels": data.levels,
         "scenarios": data.scenarios,
+        "process_window": data.found_window,
         "movies": movies,
         "notes": data.notes,
         "warnings": data.warnings,

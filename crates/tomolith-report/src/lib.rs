@@ -33,6 +33,7 @@ use tomolith_io::mp4::MovieCheck;
 use tomolith_io::write_whole;
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::surface::Deviation;
+use tomolith_objective::FoundWindow;
 use tomolith_optics::exposure::Budget;
 use tomolith_optimize::levels::Gain;
 use tomolith_optimize::{Gap, Kept};
@@ -194,6 +195,8 @@ pub struct ReportData<'a> {
     pub deviation: Option<&'a Deviation>,
     /// The same patterns in the job's scenarios, where it has any.
     pub scenarios: Option<&'a ScenarioTable>,
+    /// The process window that the optimization reached, where an objective looks for it.
+    pub found_window: Option<FoundWindow>,
     /// What was gained on few levels of the machine, where patterns were improved on them.
     pub levels: Option<Gain>,
     /// Movies.
@@ -243,6 +246,7 @@ impl<'a> ReportData<'a> {
             kept: None,
             gap: None,
             scenarios: None,
+            found_window: None,
             deviation: None,
             levels: None,
             movies: Vec::new(),
@@ -430,6 +434,7 @@ mod tests {
                 kept: None,
                 gap: None,
                 scenarios: None,
+                found_window: None,
                 deviation: None,
                 levels: None,
                 movies: Vec::new(),

@@ -6,7 +6,7 @@ use tomolith::metrics::METRICS;
 use tomolith::{Error, Result};
 
 /// Tables of a report, and numbers of an evaluation beside its metrics.
-const TABLES: [&str; 16] = [
+const TABLES: [&str; 17] = [
     "evaluation",
     "optimization",
     "exposure",
@@ -20,6 +20,7 @@ const TABLES: [&str; 16] = [
     "history",
     "levels",
     "scenarios",
+    "process_window",
     "movies",
     "run",
     "part",

@@ -143,6 +143,16 @@ impl Document {
     /// # Errors
     /// [`Error::Config`] that names the override.
     pub fn set(&mut self, assignment: &str) -> Result<()> {
+        let path = self.assign(assignment)?;
+        self.overridden(&path, format!("--set {assignment}"));
+        Ok(())
+    }
+
+    /// Sets one key as [`set`](Self::set) does, on behalf of somebody else than the command line; its path.
+    ///
+    /// # Errors
+    /// As [`set`](Self::set).
+    pub(super) fn assign(&mut self, assignment: &str) -> Result<String> {
         let no = |found: &str, accepted: &str| {
             let option = format!("--set {assignment}");
             Err(Error::config(option, found, accepted))
@@ -168,8 +178,7 @@ impl Document {
         match insert(&mut self.root, &steps, value, "") {
             Ok(path) => {
                 self.replace_kind(&path);
-                self.overridden(&path, format!("--set {assignment}"));
-                Ok(())
+                Ok(path)
             }
             Err([found, accepted]) => no(&found, &accepted),
         }

@@ -5,12 +5,14 @@
 
 use super::benchmark::{CallRates, Rates};
 use super::build::Optics;
+use super::outcome::duration;
 use crate::field::LANES;
 use crate::grid::VolumeGrid;
 use crate::models::layout::row_of;
 use crate::models::rays::matrix_cache::{self, CachedEntries};
 use crate::optics::light::Light;
 use crate::optimize::levels;
+use crate::units::counted;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
 const BYTES_PER_VOXEL: f64 = 21.0;
@@ -53,6 +55,11 @@ const MEASURES_PER_VOXEL: f64 = 2.4;
 const MEASURES_PER_PIXEL: f64 = 1.8;
 /// The same for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
 const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
+/// Seconds that scenarios may take, and share of the memory, before that is worth a warning.
+const LONG_S: f64 = 600.0;
+const LARGE_MEMORY: f64 = 0.25;
+/// Dose and target of a scenario, as objectives with fields.
+pub(super) const FIELDS_PER_SCENARIO: usize = 2;
 /// Passes over the dose of an iteration, the line search's included.
 const PASSES: f64 = 5.0;
 
@@ -89,6 +96,8 @@ pub(crate) struct Extent {
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
+    /// Scenarios beside the job: as many models more.
+    pub(crate) scenarios: usize,
     /// Memory of frames at work, MB: in the optimization, and in the evaluation.
     pub(crate) working_mb: [f64; 2],
 }
@@ -137,8 +146,26 @@ impl Extent {
             cached_entries: None,
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
+            scenarios: 0,
             working_mb: [0.0; 2],
         }
+    }
+
+    /// The same without scenarios.
+    fn of_the_job_alone(&self) -> Self {
+        Extent {
+            scenarios: 0,
+            effort: self.effort / self.models(),
+            fields: self
+                .fields
+                .saturating_sub(FIELDS_PER_SCENARIO * self.scenarios),
+            ..self.clone()
+        }
+    }
+
+    /// Models of the optimization.
+    fn models(&self) -> f64 {
+        1.0 + self.scenarios as f64
     }
 
     /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
@@ -200,12 +227,14 @@ impl Extent {
     /// Memory of the optimization, MB: of the voxels, of the pixels, of frames at work.
     pub(crate) fn optimization(&self) -> [f64; 3] {
         let vectors = (2 * self.memory + VECTORS) as f64;
-        let patterns = self.active_pixels as f64 * 4.0 * vectors;
+        // Each scenario's model is shown a copy, one after the other
+        let shown = if self.scenarios > 0 { 2.0 } else { 0.0 };
+        let patterns = self.active_pixels as f64 * 4.0 * (vectors + shown);
         let per_voxel =
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
             (lanes(&self.finest) * per_voxel + self.of_rows()) / 1e6,
-            (self.scratch(1) + self.bytes_of_walks() + patterns) / 1e6,
+            (self.models() * (self.scratch(1) + self.bytes_of_walks()) + patterns) / 1e6,
             self.working_mb[0],
         ]
     }
@@ -333,6 +362,46 @@ impl Work<'_> {
         4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
 
+    /// A dose of the evaluation, vial turning: that of a scenario.
+    fn turning_s(&self, rates: &Rates) -> f64 {
+        let CallRates {
+            dose,
+            updates_per_frame,
+            ..
+        } = rates.judging;
+        let updates = updates_per_frame * self.extent.frames as f64;
+        let share = self.extent.work(self.extent.refine) / self.extent.work(rates.judging_refine);
+        dose.begin_s + self.sub_angles[1] * share * updates * dose.per_update_s
+    }
+
+    /// What scenarios cost, in words; whether it is much, with a budget of so many MB.
+    pub(crate) fn of_scenarios(
+        &self,
+        rates: &Rates,
+        budget_mb: Option<u64>,
+    ) -> Option<(String, bool)> {
+        let count = self.extent.scenarios;
+        if count == 0 {
+            return None;
+        }
+        let extent = &self.extent.of_the_job_alone();
+        let alone = Work { extent, ..*self }.cost(rates);
+        let all = self.cost(rates);
+        let [seconds, alone_s] = [all, alone].map(|cost| cost.optimization_s + cost.rest_s);
+        let [memory_mb, alone_mb] = [self.extent, extent].map(Extent::optimization_mb);
+        let more_mb = memory_mb.saturating_sub(alone_mb);
+        let text = format!(
+            "{}: an iteration computes {} doses in place of one; with them the run takes {} in place of {}, its optimization {memory_mb} MB in place of {alone_mb} MB",
+            counted(count, "scenario"),
+            count + 1,
+            duration(seconds),
+            duration(alone_s)
+        );
+        let is_large =
+            budget_mb.is_some_and(|budget| more_mb as f64 > LARGE_MEMORY * budget as f64);
+        Some((text, seconds - alone_s > LONG_S || is_large))
+    }
+
     /// Rates times work.
     pub(crate) fn cost(&self, rates: &Rates) -> Cost {
         let Work {
@@ -353,9 +422,7 @@ impl Work<'_> {
             + extent.effort * PASSES * rates.objective_s
             + (4 * extent.memory + VECTORS) as f64 * vectors;
         let optimization_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
-            + OTHER_CALLS * own * dose_s
-            + first_s
-            + model_s
+            + extent.models() * (OTHER_CALLS * own * dose_s + first_s + model_s)
             + if self.levels {
                 let [doses, adjoints] = levels::CALLS.map(|calls| calls as f64);
                 own * (doses * dose_s + adjoints * adjoint_s)
@@ -367,8 +434,9 @@ impl Work<'_> {
             + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
         Cost {
             optimization_s,
-            rest_s: MODELS * judge_s
+            rest_s: (MODELS + extent.scenarios as f64) * judge_s
                 + self.judging_s(rates)
+                + extent.scenarios as f64 * self.turning_s(rates)
                 + measures * rates.measuring_s
                 + voxels * (finer + 1.0) * rates.sampling_s,
         }
@@ -403,6 +471,7 @@ mod tests {
             cached_entries: None,
             glows: false,
             stacked: 0,
+            scenarios: 0,
             working_mb: [0.0; 2],
         }
     }
@@ -495,6 +564,29 @@ mod tests {
             (more - 7.0 * 2.0 * (3.0 + 1.5 + 0.05)).abs() < 1e-9,
             "{more}"
         );
+        // A scenario: three times the effort and models of the optimization, and of the evaluation two models (6.5 s) and two doses on
+        // the finer voxels, at 4 angles of 48 s and 1 s to begin with
+        let scenarios = Extent {
+            scenarios: 2,
+            effort: 3.0,
+            fields: 4,
+            ..extent.clone()
+        };
+        let beside = Work {
+            extent: &scenarios,
+            ..work
+        };
+        let more = beside.cost(&rates());
+        let begun = 2.0 * (4.0 * 3.5 + 6.05 + 0.55);
+        assert!((more.optimization_s - finer.optimization_s - begun).abs() < 1e-9);
+        assert!((more.rest_s - rest - 2.0 * (6.5 + 1.0 + 4.0 * 48.0)).abs() < 1e-9);
+        let (text, is_much) = beside.of_scenarios(&rates(), Some(1000)).unwrap();
+        assert!(
+            text.starts_with("2 scenarios: an iteration computes 3 doses"),
+            "{text}"
+        );
+        assert!(!is_much && beside.of_scenarios(&rates(), Some(0)).unwrap().1);
+        assert_eq!(work.of_scenarios(&rates(), None), None);
         let limited = Work {
             wall_s: Some(1.0),
             ..work

@@ -19,7 +19,7 @@ use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
 use crate::models::{DoseLayout, DoseModel, OpticalScene, PatternLayout, Quantity, Run};
-use crate::objective::{Objective, PerBlock, Sum};
+use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
 use crate::optimize::start::given::Given;
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::optimize::{
@@ -53,6 +53,8 @@ pub(crate) struct Optimized {
     pub(crate) levels: Option<Levelled>,
     /// How long that took, s.
     pub(crate) levels_s: f64,
+    /// The process window of the patterns before they are written, where an objective looks for it.
+    pub(crate) window: Option<FoundWindow>,
     /// That it did nothing, or could not be kept.
     pub(crate) warnings: Vec<String>,
 }
@@ -172,6 +174,11 @@ pub(crate) fn optimize(
                     warnings.push(text.clone());
                     progress.event(&Event::Warning { text });
                 }
+                let window = stage.window(scene, &x, cancel)?;
+                if let Some(text) = window.and_then(|window| window.warning()) {
+                    warnings.push(text.clone());
+                    progress.event(&Event::Warning { text });
+                }
                 let begin = Instant::now();
                 let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
                     Ok(levels) => levels,
@@ -190,6 +197,7 @@ pub(crate) fn optimize(
                     model: stage.reason,
                     qualities: sofar.qualities,
                     metrics_s: sofar.metrics_s,
+                    window,
                     warnings,
                 });
             }
@@ -351,6 +359,16 @@ impl<'a> Stage<'a> {
     pub(super) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
         let normalizes = scene.optimizer()?.normalizes();
         Ok(limits(&scene.spec, self.model.as_ref(), start, normalizes))
+    }
+
+    /// The process window of patterns, where an objective looks for it.
+    fn window(&self, scene: &Scene, x: &HostField, cancel: &Run) -> Result<Option<FoundWindow>> {
+        if !scene.kinds.seeks_window() {
+            return Ok(None);
+        }
+        let mut dose = self.model.new_dose()?;
+        self.model.dose(x, &mut dose, &cancel.aside())?;
+        Ok(self.objective(scene, 0)?.window(&dose))
     }
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.

@@ -2,6 +2,7 @@
 
 pub use super::limits::Fall;
 use crate::metrics::Measure;
+use crate::objective::FoundWindow;
 use crate::optimize::{Gap, Kept, StopReason};
 use crate::report::number::significant;
 use crate::report::{ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable};
@@ -144,6 +145,8 @@ pub struct Summary {
     pub kept: Option<Kept>,
     /// How far their loss is from the lowest; None for a simulation, and where that is not known.
     pub gap: Option<Gap>,
+    /// The process window that the optimization reached, before the patterns are written; None where no objective looks for it.
+    pub found_window: Option<FoundWindow>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
@@ -221,6 +224,9 @@ impl fmt::Display for Summary {
             }
             if let Some(text) = self.gap.and_then(|gap| gap.sentence()) {
                 writeln!(f, "{:>28} {text}", "lowest loss")?;
+            }
+            if let Some(window) = &self.found_window {
+                writeln!(f, "{:>28} {}", "optimized for", window.sentence())?;
             }
         }
         let heads = |f: &mut fmt::Formatter<'_>, name: &str, q: &Quality| {
@@ -428,7 +434,7 @@ pub fn large(number: f64) -> String {
 }
 
 /// Seconds, minutes or hours.
-fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 10.0 => format!("{s:.1} s"),
         s if s < 100.0 => format!("{s:.0} s"),

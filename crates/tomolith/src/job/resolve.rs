@@ -12,7 +12,8 @@ use crate::objective::penalty::{BuildPenalty, PENALTIES, Penalties};
 use crate::objective::preset::SurfaceHandling;
 use crate::objective::voxel_weights::{Common, Ground};
 use crate::objective::{
-    BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, threshold,
+    BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, process_window,
+    threshold,
 };
 use crate::optimize::start::{BuildStart, InitialPatterns, STARTS};
 use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements};
@@ -139,7 +140,9 @@ impl ObjectiveKind {
             self.common.clone().without_fields()
         };
         let voxel_weights = common.voxel_weights(&ground);
-        objective.set_voxel_weights(&voxel_weights.map_err(|e| e.under(&self.path))?)?;
+        let voxel_weights = voxel_weights.map_err(|e| e.under(&self.path))?;
+        let weighed = objective.set_voxel_weights(&voxel_weights);
+        weighed.map_err(|e| at_section(&self.path, e.under(&self.path)))?;
         if on_grid || self.common.knows_tolerance() {
             objective
                 .must_be_reached()
@@ -272,6 +275,12 @@ impl JobKinds {
             own.surface == Some(SurfaceHandling::Fraction) && !own.common.has_fields()
         };
         self.requirements.target.is_none() && self.objectives.iter().all(sees)
+    }
+
+    /// Whether an objective looks for the process window itself.
+    pub(super) fn seeks_window(&self) -> bool {
+        let is_window = |own: &ObjectiveKind| own.of.kind.name == process_window::NAME;
+        self.objectives.iter().any(is_window)
     }
 
     /// Half width ε of the band round gray values, of the first objective that has one.

@@ -6,12 +6,12 @@
 //! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
 //! that cannot light the part in the job as it is stay dark.
 
-use super::document::Document;
+use super::document::{Document, is_within};
 use super::levels;
 use super::read::Job;
 use super::refinement::Level;
 use super::scene::Scene;
-use super::spec::{JobSpec, RobustOf};
+use super::spec::{JobSpec, RobustOf, ScenarioSpec};
 use super::species::planned;
 use crate::error::{Error, Result};
 use crate::grid::Volume;
@@ -44,7 +44,7 @@ pub(super) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario
     must_be_told_apart(&job.spec)?;
     let given = job.spec.scenario.iter().enumerate();
     let scenarios = given.map(|(i, scenario)| {
-        let at = |error| at_scenario(i, error);
+        let at = |error| at_scenario(i, scenario, error);
         let own = changed(job, &scenario.set).map_err(at)?;
         let name = scenario.name.clone();
         let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
@@ -78,30 +78,47 @@ fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
-/// Names the scenario whose key is blamed.
-fn at_scenario(i: usize, error: Error) -> Error {
-    match error {
-        Error::Config {
-            key,
-            found,
-            accepted,
-            nearest,
-            ..
-        } => {
-            // An assignment is blamed as one of the command line
-            let key = key.strip_prefix("--set ").unwrap_or(&key);
-            let key = key.split_once('=').map_or(key, |(key, _)| key);
-            Error::Config {
-                key: format!("scenario[{i}].set.{key}")
-                    .trim_end_matches('.')
-                    .to_owned(),
-                found,
-                accepted,
-                nearest,
-                place: None,
-            }
-        }
-        other => other,
+/// Blames the key of a scenario for what is wrong with its job: the one that leads to what is wrong or is the only one, else all it sets.
+fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
+    let Error::Config {
+        key,
+        found,
+        accepted,
+        nearest,
+        ..
+    } = error
+    else {
+        return error;
+    };
+    // An assignment is blamed as one of the command line
+    let key = key.strip_prefix("--set ").unwrap_or(&key);
+    let key = key.split_once('=').map_or(key, |(key, _)| key);
+    let mut set = Vec::new();
+    let mut remember = |key: &str, _: &Value| {
+        set.push(key.to_owned());
+        Ok(())
+    };
+    let all = scenario.set.iter();
+    for (key, value) in all {
+        let _ = each_leaf(key, value, &mut remember);
+    }
+    // The first of a list needs no index
+    let same = |path: &str| path.replace("[0]", "");
+    let leads = |own: &&String| is_within(&same(key), &same(own)) || is_within(own, key);
+    let (own, found) = match (set.iter().find(leads), set.as_slice()) {
+        (Some(own), _) if is_within(key, own) => (format!(".{key}"), found),
+        (Some(own), _) => (format!(".{own}"), found),
+        (None, _) if key.is_empty() => (String::new(), found),
+        (None, [own]) => (format!(".{own}"), format!("`{key}`: {found}")),
+        (None, _) => (String::new(), format!("`{key}`: {found}")),
+    };
+    let name = scenario.name.as_ref();
+    Error::Config {
+        key: format!("scenario[{i}].set{own}"),
+        found: name.map_or_else(|| found.clone(), |name| format!("in \"{name}\", {found}")),
+        accepted,
+        nearest,
+        place: None,
     }
 }
 
@@ -124,7 +141,7 @@ fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
                 ));
             }
             // Numbers, texts and lists are written alike in JSON and TOML
-            document.set(&format!("{key}={value}"))
+            document.assign(&format!("{key}={value}")).map(drop)
         })?;
     }
     Job::from_document(document)
@@ -389,6 +406,39 @@ mod tests {
     }
 
     #[test]
+    fn what_is_wrong_with_a_scenario_names_file_line_name_and_key() {
+        let refused = |set: &str| {
+            let text = format!("{JOB}\n[[scenario]]\nname = \"wide\"\nset = {{ {set} }}\n");
+            let line = text.lines().count();
+            let job = Job::from_document(Document::toml(Path::new("a.toml"), text).unwrap());
+            let error = ResolvedJob::new(&job.unwrap()).map(drop).unwrap_err();
+            (error.to_string(), format!("(a.toml, line {line})"))
+        };
+        for (set, begin) in [
+            (
+                "\"resin.absorption_per_mm\" = -0.1",
+                "scenario[0].set.resin.absorption_per_mm: in \"wide\", found -0.1",
+            ),
+            (
+                "vial.index_matched.radius_mm = 0.5",
+                "scenario[0].set.vial.index_matched.radius_mm: in \"wide\", `target`: ",
+            ),
+            (
+                "\"vial.index_matched.radius_mm\" = 0.5, \"resin.absorption_per_mm\" = 0.2",
+                "scenario[0].set: in \"wide\", `target`: ",
+            ),
+            (
+                "\"stop.iterations\" = 3",
+                "scenario[0].set.stop.iterations: in \"wide\", no key",
+            ),
+        ] {
+            let (text, line) = refused(set);
+            assert!(text.starts_with(begin) && text.contains(&line), "{text}");
+            assert!(!text.contains("--set"), "{text}");
+        }
+    }
+
+    #[test]
     fn a_scenario_that_makes_the_job_invalid_is_refused_by_its_number_and_key() {
         let refused = |scenario: &str, change: &[&str]| {
             let sets = ["resin.absorption_per_mm = 0.2", scenario];
@@ -402,7 +452,11 @@ mod tests {
                 "vial.index_matched.radius_mm = -1.0",
                 "vial.index_matched.radius_mm",
             ),
-            ("vial.index_matched.radius_mm = 0.5", "target"),
+            // Not a key of the scenario, but its doing
+            (
+                "vial.index_matched.radius_mm = 0.5",
+                "vial.index_matched.radius_mm",
+            ),
             ("resin.absorbtion_per_mm = 0.1", "resin.absorbtion_per_mm"),
             ("stop.iterations = 3", "stop.iterations"),
             ("\"light[0].pixels\" = [30, 12]", "light"),

@@ -3,7 +3,7 @@
 use super::build::Optics;
 use super::compatibility::wall_tolerance_mm;
 use super::device;
-use super::estimate::{self, Extent};
+use super::estimate::{self, Extent, FIELDS_PER_SCENARIO};
 use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
 use super::read::Job;
@@ -197,6 +197,7 @@ impl Scene {
                 + if has_cells { cells::FIELDS } else { 0 },
             canvas: canvases.map(|canvas| canvas.len()).sum(),
             stacked: bytes_stacked(&spec),
+            scenarios: spec.scenario.len(),
             working_mb: [
                 family.cost(&lit, &grid)?.working_bytes as f64 / 1e6,
                 judged_mb(&optics, &grid, refine)?,
@@ -565,9 +566,9 @@ fn with_fields(spec: &JobSpec, kinds: &JobKinds, gray: bool) -> usize {
         .filter(|(_, common)| gray || common.has_fields())
         .count();
     // Dose and target of each further species or scenario; state and snapshots of a print in time
-    let further = spec.species.len().saturating_sub(1) + spec.scenario.len();
     count
-        + PER_SPECIES * further
+        + PER_SPECIES * spec.species.len().saturating_sub(1)
+        + FIELDS_PER_SCENARIO * spec.scenario.len()
         + if spec.schedule.is_some() {
             PER_PRINT
         } else {

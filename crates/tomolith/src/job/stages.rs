@@ -423,6 +423,15 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         wall_s: scene.spec.stop.wall_s,
     };
     let cost = work.cost(&rates);
+    let memory_budget_mb = super::resources::memory_budget_mb(scene.spec.resources.memory_gb);
+    if let Some((text, is_much)) = work.of_scenarios(&rates, memory_budget_mb) {
+        let told = if is_much {
+            &mut warnings
+        } else {
+            &mut scene.notes
+        };
+        told.push(text);
+    }
     let [x, y, z] = [2, 1, 0].map(|axis| scene.grid.shape[axis]);
     let refine = scene.extent.refine;
     Ok(Plan {
@@ -438,7 +447,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             .extent
             .optimization_mb()
             .max(scene.extent.evaluation_mb()),
-        memory_budget_mb: super::resources::memory_budget_mb(scene.spec.resources.memory_gb),
+        memory_budget_mb,
         disk_mb: scene.extent.disk_mb(),
         seconds: cost.optimization_s + cost.rest_s,
         iterations: scene.spec.stop.iterations,
@@ -508,6 +517,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .and_then(|o| Fall::of(&o.outcome.history)),
         kept: optimized.map(|o| o.outcome.kept),
         gap: optimized.and_then(|o| o.outcome.gap()),
+        found_window: optimized.and_then(|o| o.window),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimization: done.judged.optimization.as_ref().map(quality),

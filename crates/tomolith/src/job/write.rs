@@ -309,6 +309,7 @@ fn report(
         history,
         kept: done.optimized.as_ref().map(|o| o.outcome.kept),
         scenarios: judged.scenarios.as_ref(),
+        found_window: done.optimized.as_ref().and_then(|o| o.window),
         gap: done.optimized.as_ref().and_then(|o| o.outcome.gap()),
         levels: done
             .optimized
@@ -529,6 +530,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         }
         if let Some(text) = optimized.outcome.gap().and_then(|gap| gap.sentence()) {
             facts.push(("Lowest loss", text));
+        }
+        if let Some(window) = optimized.window {
+            facts.push(("Process window", window.sentence()));
         }
         if let Some(levels) = &optimized.levels {
             facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
