@@ -585,7 +585,11 @@ mod tests {
             text.starts_with("2 scenarios: an iteration computes 3 doses"),
             "{text}"
         );
-        assert!(!is_much && beside.of_scenarios(&rates(), Some(0)).unwrap().1);
+        let long = Work {
+            iterations: 100,
+            ..beside
+        };
+        assert!(!is_much && long.of_scenarios(&rates(), None).unwrap().1);
         assert_eq!(work.of_scenarios(&rates(), None), None);
         let limited = Work {
             wall_s: Some(1.0),

@@ -1,0 +1,56 @@
+//! The bound of the dose range is one: an optimization ends within it.
+
+use serde_json::json;
+use std::sync::Arc;
+use tomolith_core::check::small::SmallModel;
+use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::Section;
+use tomolith_core::response::Identity;
+use tomolith_objective::{FoundWindow, OBJECTIVES, ObjectiveInput};
+use tomolith_optimize::lbfgs::Lbfgs;
+use tomolith_optimize::{Limits, Problem, Stop, run};
+
+/// What a process window with these keys reaches on a small ring.
+fn reached(keys: serde_json::Value) -> FoundWindow {
+    let model = SmallModel::new(18, 6, 9);
+    let (target, labels) = model.ring();
+    let input = ObjectiveInput {
+        layout: model.layout(),
+        labels: &labels,
+        target: &target,
+        response: Arc::new(Identity),
+    };
+    let row = OBJECTIVES.iter().find(|row| row.name == "process_window");
+    let section = Section::new("objective", keys);
+    let objective = (row.unwrap().build)(&section, &input).unwrap();
+    let limits = [Limits { min: 0.0, max: 0.3 }];
+    let control = Run::new();
+    let mut problem = Problem::new(&model, &*objective, &limits, &control).unwrap();
+    let mut x = DoseModel::new_patterns(&model).unwrap();
+    x.fill(0.05);
+    let stop = Stop {
+        iterations: 400,
+        ..Stop::default()
+    };
+    let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
+    run(&mut problem, &mut lbfgs, &mut x, &stop, None, &mut []).unwrap();
+    let mut dose: HostField = DoseModel::new_dose(&model).unwrap();
+    DoseModel::dose(&model, &x, &mut dose, &control).unwrap();
+    objective.window(&dose).unwrap()
+}
+
+#[test]
+fn a_run_with_a_bound_of_the_dose_range_ends_within_it() {
+    let free = reached(json!({ "outliers": 0.1 }));
+    for share in [0.9, 0.6, 0.3] {
+        let ipdr = share * free.range;
+        let bound = reached(json!({ "outliers": 0.1, "ipdr": ipdr }));
+        assert!(bound.range <= ipdr, "{bound:?}");
+        assert_eq!(bound.warning(), None);
+        // It costs window, and is not met by dark patterns
+        assert!(bound.window < free.window, "{bound:?}, {free:?}");
+        assert!(bound.range > 0.3 * ipdr, "{bound:?}");
+        assert!(bound.part_below > 0.9, "{bound:?}");
+    }
+}
