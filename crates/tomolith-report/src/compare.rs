@@ -970,7 +970,7 @@ mod tests {
         assert_eq!(of("scenarios_pw"), json!([-0.02, -0.03, null]));
         assert_eq!(of("iou_in_wide_vial"), json!([0.91, null, null]));
         assert_eq!(of("iou_in_pale"), json!([null, 0.93, null]));
-        assert!(compare_html(&runs).contains("IoU in Wide vial, at the job's threshold"));
+        assert!(compare_html(&runs).contains("IoU in Wide vial, at the job"));
     }
 
     #[test]
