@@ -448,10 +448,12 @@ mod tests {
         ];
         let job = Job::from_document(document(&changes)).unwrap();
         let start = job.resolved().start;
-        let start = start
-            .pointer("/patterns/file")
-            .and_then(serde_json::Value::as_str);
-        assert_eq!(start, job.base().join("earlier.npz").to_str());
+        let start = start.pointer("/patterns/file");
+        let start = start.and_then(serde_json::Value::as_str).unwrap();
+        assert!(
+            std::path::Path::new(start).is_absolute() && start.ends_with("earlier.npz"),
+            "{start}"
+        );
         let resolved = &job.resolved().species[1];
         let image = resolved.target.as_ref().unwrap().image.clone().unwrap();
         let curve = resolved.response.as_ref().unwrap().pointer("/table/file");
