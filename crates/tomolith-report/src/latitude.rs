@@ -338,7 +338,7 @@ mod tests {
         let window = ExposureWindow::new(&evaluation, &Identity, Some(50.0)).unwrap();
         let text = window.sentence();
         assert!(
-            text.contains("from 99.96 % to 100.02 % of it (from 49.98 s to 50.01 s"),
+            text.contains("from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s"),
             "{text}"
         );
     }

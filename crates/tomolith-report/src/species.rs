@@ -174,16 +174,19 @@ impl Together {
             .filter(|place| place.is_finite())
             .collect();
         places.sort_by(f64::total_cmp);
-        // Two lines that cross meet between the points of the curves
-        let middles: Vec<f64> = places
-            .windows(2)
-            .map(|pair| f64::midpoint(pair[0], pair[1]))
-            .collect();
-        places.extend(middles);
-        places.sort_by(f64::total_cmp);
         let at = |place: f64| -> Option<Vec<f64>> {
             curves.iter().map(|curve| value_at(curve, place)).collect()
         };
+        // The lowest is the largest at a point of a curve, or where two lines cross
+        let crossed: Vec<f64> = places
+            .windows(2)
+            .flat_map(|pair| match (at(pair[0]), at(pair[1])) {
+                (Some(from), Some(to)) => crossings([pair[0], pair[1]], &from, &to),
+                _ => Vec::new(),
+            })
+            .collect();
+        places.extend(crossed);
+        places.sort_by(f64::total_cmp);
         let low =
             |place: f64| at(place).map(|values| values.into_iter().fold(f64::INFINITY, f64::min));
         let known: Vec<[f64; 2]> = places
@@ -215,6 +218,16 @@ impl Together {
             to,
         })
     }
+}
+
+/// Where lines cross that go from some values to others between two places.
+fn crossings([first, last]: [f64; 2], from: &[f64], to: &[f64]) -> Vec<f64> {
+    let pairs = (0..from.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+    let crossing = |(a, b): (usize, usize)| {
+        let (before, after) = (from[a] - from[b], to[a] - to[b]);
+        (before * after < 0.0).then(|| first + (last - first) * before / (before - after))
+    };
+    pairs.filter_map(crossing).collect()
 }
 
 /// The last good place on the way from a good to a bad one.
@@ -297,8 +310,8 @@ mod tests {
         close(one.percent.low, 100.0 * 2.0 / 2.005);
         close(one.percent.high, 100.0 * 2.0 / 1.995);
         let apart = OneExposure::of(&[("a", tent(2.0, 2.0)), ("b", tent(2.5, 1.0))]).unwrap();
-        // 1 − (d − 2)/2 and 1 − (2.5 − d) meet at 7/3; the points of the curves and their middles come near it
-        assert!((apart.gel_dose - 7.0 / 3.0).abs() < 0.2, "{apart:?}");
+        // 1 − (d − 2)/2 and 1 − (2.5 − d) meet at 7/3
+        assert!((apart.gel_dose - 7.0 / 3.0).abs() < 1e-9, "{apart:?}");
         let lowest = apart.iou.iter().copied().fold(1.0, f64::min);
         let limits = apart
             .species
@@ -326,7 +339,8 @@ mod tests {
     fn networks_have_one_best_moment_or_none() {
         let later = tent(30.0, 10.0);
         let moment = OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", later)]).unwrap();
-        assert!(moment.seconds > 20.0 && moment.seconds < 30.0, "{moment:?}");
+        // 1 − (t − 20)/20 and 1 − (30 − t)/10 meet at 80/3
+        assert!((moment.seconds - 80.0 / 3.0).abs() < 1e-9, "{moment:?}");
         let [from, to] = moment.window_s;
         assert!(from < moment.seconds && moment.seconds < to);
         let never = vec![[0.0, 0.0], [40.0, 0.0]];
