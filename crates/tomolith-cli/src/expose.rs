@@ -128,9 +128,10 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         Angles::Even { count, arc_deg, .. } => arc_deg.to_radians() / *count as f64,
         Angles::List(_) => 0.0,
     };
+    let in_time = job.spec.schedule.is_some() || job.spec.material.is_some();
     let plan = ExposurePlan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
     let pw = report["evaluation"]["pw"].as_f64().map(|pw| pw / gel_dose);
-    show(given, &machine, &shown, &plan, pw);
+    show(given, &machine, &shown, &plan, (pw, in_time));
     Ok(())
 }
 
@@ -233,9 +234,15 @@ fn show(
     machine: &Machine,
     shown: &ShownFrames,
     plan: &ExposurePlan,
-    pw: Option<f64>,
+    (pw, in_time): (Option<f64>, bool),
 ) {
     let mut answer = Answer::default();
+    if in_time {
+        answer.warn(
+            "the job has a schedule and a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
+             Take times and energies from the job's print in time (tomolith run or print)",
+        );
+    }
     answer.line(
         "irradiance at white",
         format!("{} mW/cm²", significant(machine.irradiance, 4)),
@@ -243,7 +250,7 @@ fn show(
     answer.line(
         "white",
         format!(
-            "{} mJ/mm² over the print",
+            "{} mJ/mm² of a frame over the print",
             significant(plan.white_mj_per_mm2, 4)
         ),
     );

@@ -55,6 +55,9 @@ use tomolith_core::kind::Kind;
 use tomolith_core::response::Response;
 use tomolith_core::units::exact;
 
+/// With more than this at either end what is left of the part says little of it.
+const MOST_OUTLIERS: f64 = 0.25;
+
 /// What outliers are counted in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -72,7 +75,7 @@ pub enum WindowMeasure {
 pub struct Params {
     /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
     pub measure: WindowMeasure,
-    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.5 (default 0.05)
+    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05)
     pub outliers: f64,
     /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -104,11 +107,11 @@ impl Params {
                 accepted,
             ))
         };
-        if !(self.outliers > 0.0 && self.outliers <= 0.5) {
+        if !(self.outliers > 0.0 && self.outliers <= MOST_OUTLIERS) {
             return refuse(
                 "outliers",
                 self.outliers,
-                "a share above 0 and at most 0.5; 0.02 is two voxels in a hundred",
+                "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred",
             );
         }
         if let Some(ipdr) = self.ipdr.filter(|ipdr| !(*ipdr > 0.0 && *ipdr <= 1.0)) {
@@ -349,12 +352,14 @@ impl FoundWindow {
         let bound = self.ipdr;
         let bound = bound.map_or_else(String::new, |ipdr| format!(" (bound {})", exact(ipdr)));
         format!(
-            "without {} % of outliers the part lies above {:.4} and the void below {:.4}: process window {:.4}, dose range {:.4}{bound}",
+            "without {} % of outliers the part lies above {:.4} and the void below {:.4}: process window {:.4}, dose range {:.4}{bound}; the thresholds found are {:.4} and {:.4}",
             exact(100.0 * self.outliers),
             self.part_above,
             self.void_below,
             self.window,
-            self.range
+            self.range,
+            self.thresholds[0],
+            self.thresholds[1],
         )
     }
 

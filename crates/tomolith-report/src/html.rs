@@ -785,7 +785,7 @@ fn machine(light: &LightReport<'_>) -> String {
         ),
         ("Turns of the vial", number(budget.turns, "")),
         (
-            "White, over the whole print",
+            "White, of a frame over the whole print",
             number(budget.white_mj_per_mm2, "mJ/mm²"),
         ),
         (

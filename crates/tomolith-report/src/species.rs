@@ -193,7 +193,21 @@ impl Together {
             .iter()
             .filter_map(|&place| Some([place, low(place)?]))
             .collect();
-        let best = known.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        // Where the lowest stands still the next lowest decides, then the earliest place
+        let ranked = |place: f64| -> Vec<i64> {
+            let mut values: Vec<i64> = at(place)
+                .into_iter()
+                .flatten()
+                .map(|value| (value * EQUAL).round() as i64)
+                .collect();
+            values.sort_unstable();
+            values
+        };
+        let best = known
+            .iter()
+            .rev()
+            .copied()
+            .max_by_key(|point| ranked(point[0]))?;
         let is_good = |place: f64| low(place).is_some_and(|value| value >= best[1] - TOLERANCE);
         let first_bad = |mut places: Box<dyn Iterator<Item = f64> + '_>| {
             let mut good = best[0];
@@ -219,6 +233,9 @@ impl Together {
         })
     }
 }
+
+/// Values are equal where they agree to a part in so many.
+const EQUAL: f64 = 1e6;
 
 /// Where lines cross that go from some values to others between two places.
 fn crossings([first, last]: [f64; 2], from: &[f64], to: &[f64]) -> Vec<f64> {
@@ -343,6 +360,10 @@ mod tests {
         assert!((moment.seconds - 80.0 / 3.0).abs() < 1e-9, "{moment:?}");
         let [from, to] = moment.window_s;
         assert!(from < moment.seconds && moment.seconds < to);
+        // One stands still after its light has ended: the other says when
+        let still = vec![[0.0, 0.0], [20.0, 0.4], [40.0, 0.4]];
+        let moment = OneMoment::of(&[("a", still), ("b", tent(30.0, 15.0))]).unwrap();
+        assert_eq!((moment.seconds, &moment.limited_by[..]), (30.0, "a"));
         let never = vec![[0.0, 0.0], [40.0, 0.0]];
         assert_eq!(
             OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", never)]),

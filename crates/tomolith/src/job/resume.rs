@@ -10,7 +10,7 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::models::Run;
 use crate::optimize::Checkpoints;
-use crate::optimize::checkpoint::CHECKPOINT;
+use crate::optimize::checkpoint::{CHECKPOINT, Contents};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::io::Read;
@@ -42,7 +42,15 @@ pub(super) fn resumes(
     }
     let checkpoint = checkpoints.open().map_err(begin_anew)?;
     let text = match &checkpoint {
-        Some(checkpoint) => format!("resuming after iteration {}", checkpoint.iteration()),
+        Some(checkpoint) => {
+            let after = format!("resuming after iteration {}", checkpoint.iteration());
+            match checkpoint.contents() {
+                Contents::All => after,
+                Contents::Patterns => format!(
+                    "{after}, from its patterns alone: the method begins anew with them, and the result is not that of an uninterrupted run"
+                ),
+            }
+        }
         None => "no checkpoint to resume: starting anew".to_owned(),
     };
     progress.event(&Event::Note { text });

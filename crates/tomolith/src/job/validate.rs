@@ -90,12 +90,18 @@ fn printer(spec: &JobSpec) -> Result<()> {
             }
             None => {}
         }
-        if light.turns.is_some() && spec.schedule.is_none() {
-            return Err(Error::config(
-                format!("light[{i}].turns"),
-                "turns of the print in time, in a job without a schedule",
-                "a table [schedule] beside it",
-            ));
+        let in_time = [
+            ("turns", light.turns.is_some()),
+            ("power", light.power.is_some()),
+        ];
+        for (key, _) in in_time.iter().filter(|(_, is_given)| *is_given) {
+            if spec.schedule.is_none() {
+                return Err(Error::config(
+                    format!("light[{i}].{key}"),
+                    "a key of the print in time, in a job without a schedule",
+                    "a table [schedule] beside it",
+                ));
+            }
         }
         if let Angles::Even { count, arc_deg, .. } = light.angles {
             shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)
@@ -242,7 +248,10 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
                 if !names.insert(name.clone()) {
                     return Err(Error::config(
                         key,
-                        format!("found {name:?} a second time"),
+                        format!(
+                            "found \"{}\" a second time",
+                            name.as_deref().unwrap_or_default()
+                        ),
                         "names that differ",
                     ));
                 }
@@ -429,7 +438,7 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
         MOST_SUB_ANGLES,
     )?;
     if let Some(refine) = evaluate.refine {
-        count("evaluate.refine", refine, 1, 8)?;
+        count("evaluate.refine", refine, 1, 32)?;
     }
     optional(evaluate.threshold, |v| {
         within("evaluate.threshold", v, 1e-6, 1e6, "a dose, 1e-6 to 1e6")
