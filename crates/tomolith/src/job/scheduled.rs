@@ -47,7 +47,10 @@ pub(super) fn budget(
     let budget = Budget {
         light_used: emitted.sum / emitted.pixels.max(1) as f64,
         white_mj_per_mm2: Some(emitted.white * all / angles),
-        time_s: Some(schedule.end_s()),
+        time_s: Some(match spec.light[i].turns {
+            Some(_) => shone_until(&schedule, i),
+            None => schedule.end_s(),
+        }),
         turns: Some(turns),
         energy_per_turn_mj: Some(energy_mj / turns),
         energy_mj: Some(energy_mj),
@@ -57,6 +60,12 @@ pub(super) fn budget(
         peak_mw_per_cm2: peak(spec, i),
     };
     Ok(Some((budget, irradiance)))
+}
+
+/// When the last frame of a light ends, s.
+fn shone_until(schedule: &Schedule, light: usize) -> f64 {
+    let own = schedule.exposures().iter().filter(|e| e.light == light);
+    own.map(|e| e.begin_s + e.seconds).fold(0.0, f64::max)
 }
 
 /// The most that the printer gives of a light, mW/cm².
