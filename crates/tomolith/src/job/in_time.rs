@@ -533,6 +533,14 @@ pub(super) fn planned_in_time(
     Ok(plan)
 }
 
+/// Whether a job optimizes against a resin with a memory, whose cure is no linear function of the patterns.
+pub(super) fn is_optimized(spec: &JobSpec) -> bool {
+    let has_memory = |material: &MaterialSpec| material.photopolymer.is_some();
+    let against = spec.schedule.as_ref().map(|given| given.optimize);
+    against.is_some_and(|against| against != Against::Dose)
+        && spec.material.as_ref().is_some_and(has_memory)
+}
+
 impl Scene {
     /// Whether patterns are optimized against what they print in time.
     pub(crate) fn is_optimized_in_time(&self) -> bool {

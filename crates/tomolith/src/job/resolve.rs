@@ -1,5 +1,6 @@
 //! The kinds that a job names: built, tried on a few voxels before any work, and refused where they do not go together.
 
+use super::in_time;
 use super::scene::at_section;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
@@ -350,6 +351,7 @@ pub(super) fn try_kinds(
     kinds.penalties(&[])?;
     let is = Are {
         linear: model.is_none_or(|model| model.capabilities().is_linear()),
+        in_time: in_time::is_optimized(spec),
         convex: objective.is_convex(),
         tolerant: gray || tolerates_dose(&objective, &layout, &labels),
     };
@@ -401,6 +403,8 @@ fn solid_at(spec: &JobSpec, response: &dyn Response) -> Result<()> {
 #[derive(Clone, Copy)]
 struct Are {
     linear: bool,
+    /// Whether patterns are optimized against a print with a memory.
+    in_time: bool,
     convex: bool,
     tolerant: bool,
 }
@@ -436,9 +440,10 @@ fn fit_together(spec: &JobSpec, needs: &Requirements, is: Are) -> Result<()> {
     let tolerant = |needs: &Requirements| needs.tolerant;
     let no_dose = "an objective that allows no dose at all in the void ([objective.osmo] and \
                    [objective.threshold] allow some)";
-    let cases: [(Reason, bool, &str); 3] = [
+    let cases: [(Reason, bool, &str); 4] = [
         (convex, !is.convex, not_convex),
         (linear, !is.linear, "waves"),
+        (linear, is.in_time, "a print in time (schedule.optimize)"),
         (tolerant, !is.tolerant, no_dose),
     ];
     for (need, is_there, other) in cases {
