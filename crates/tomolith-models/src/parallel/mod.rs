@@ -59,6 +59,7 @@
 //! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
 //! ```
 
+mod cached;
 pub(crate) mod chains;
 mod comb;
 mod filled;
@@ -66,6 +67,7 @@ mod gather;
 mod heights;
 pub mod kernel;
 mod mapped;
+mod patches;
 mod plan;
 mod plane;
 pub mod radon;
@@ -77,8 +79,9 @@ mod walls;
 
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Refines, Run, Steps, ZCoupling, own_frames,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
+use cached::{Bench, CachedEntries};
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
 use gather::Gatherer;
@@ -135,8 +138,11 @@ impl ModelFamily for Params {
         scene.beyond_slices()
     }
 
-    fn cost(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Result<Cost> {
+    fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
+        let kept = || cached::bytes(scene.lights, scene.vial, grid);
+        let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
+            cached_bytes: is_optimized.then(kept).flatten().unwrap_or_default(),
             runs_along_rows: true,
             ..Cost::default()
         })
@@ -145,7 +151,12 @@ impl ModelFamily for Params {
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
         let lights = scene.lights.to_vec();
-        let model = Parallel::under(scene.vial, lights, self.kernel, grid, input.run)?;
+        let caches = scene.purpose == Purpose::Optimize
+            && cached::bytes(&lights, scene.vial, &grid).is_some();
+        let mut model = Parallel::under(scene.vial, lights, self.kernel, grid, input.run)?;
+        if caches {
+            model = model.cached();
+        }
         Ok(Box::new(model))
     }
 
@@ -165,6 +176,9 @@ pub struct Parallel {
     /// Lanes of pixels, kept between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
+    /// Whether the entries of all frames are kept from the first call on; they, of each light, once they are known.
+    caches: bool,
+    cache: Vec<OnceLock<CachedEntries>>,
 }
 
 /// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
@@ -216,6 +230,8 @@ impl Parallel {
             patterns.push(layout);
         }
         Ok(Parallel {
+            cache: plans.iter().map(|_| OnceLock::new()).collect(),
+            caches: false,
             lights: plans,
             patterns,
             outputs: vec![DoseLayout::new("dose", grid, 0)],
@@ -232,6 +248,25 @@ impl Parallel {
     pub fn with_isa(mut self, isa: Isa) -> Self {
         self.path = KernelPath::of(isa);
         self
+    }
+
+    /// Keeps the entries (column, voxel, weight) of all frames from the first call on: worth it where a dose is asked for again and
+    /// again, and their memory, 8 bytes an entry, is there.
+    #[must_use]
+    pub fn cached(mut self) -> Self {
+        self.caches = !self.is_plane();
+        self
+    }
+
+    /// The entries that are kept of a light; None where none are.
+    fn cache(&self, light: usize, run: &Run) -> Result<Option<&CachedEntries>> {
+        if self.caches && self.cache[light].get().is_none() {
+            // Whoever comes first; all would find the same
+            let plan = &self.lights[light];
+            let found = CachedEntries::of(plan, self.path, &self.tiles, run)?;
+            let _ = self.cache[light].set(found);
+        }
+        Ok(self.cache[light].get())
     }
 
     /// Whether there is a single slice, whose rows have no lanes.
@@ -266,6 +301,7 @@ impl Parallel {
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
+        let cache = self.cache(light, run)?;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
@@ -281,8 +317,9 @@ impl Parallel {
             views,
             source,
             filled: Filled::of(slots, row / LANES, plan.levels.used),
+            cache,
         };
-        let steps = run.steps(self.tiles.len() * plan.groups(lit.views.clone()).count());
+        let steps = run.steps(self.tiles.len() * groups(lit.views.clone()).count());
         let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
@@ -291,7 +328,13 @@ impl Parallel {
             .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
                 let first = i * neighbors;
                 match &plan.levels.spread {
-                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
+                    None => self.gather(
+                        &lit,
+                        first,
+                        tiles,
+                        (&mut desk.gatherer, &mut desk.bench),
+                        &steps,
+                    ),
                     Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
                 }
             });
@@ -310,16 +353,22 @@ impl Parallel {
         lit: &Lit,
         first: usize,
         tiles: &mut [Vec<&mut [f32]>],
-        gatherer: &mut Gatherer,
+        (gatherer, bench): (&mut Gatherer, &mut Bench),
         steps: &Steps<'_>,
     ) {
         let row = lit.plan.levels.row / LANES;
-        for group in lit.plan.groups(lit.views.clone()) {
+        let of_slots = (&lit.source[GUARD * lit.plan.levels.row..], &lit.filled);
+        for group in groups(lit.views.clone()) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
                 if steps.is_canceled() {
                     return;
                 }
                 steps.add(1);
+                if let Some(cache) = lit.cache {
+                    let own = (self.path.isa, lit.plan.columns);
+                    cache.add(own, (index, &group), of_slots, rows, bench);
+                    continue;
+                }
                 let tile = (index, &self.tiles[index]);
                 gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
                 for block in 0..lit.filled.blocks.len() {
@@ -340,6 +389,7 @@ impl Parallel {
     ) {
         let Desk {
             gatherer,
+            bench,
             lanes,
             buffer,
         } = desk;
@@ -357,7 +407,7 @@ impl Parallel {
             of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
             rest = others;
         }
-        self.gather(lit, first, &mut of_lanes, gatherer, steps);
+        self.gather(lit, first, &mut of_lanes, (gatherer, bench), steps);
         for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
             spread.add_to(slices, lanes, buffer);
         }
@@ -377,6 +427,7 @@ impl Parallel {
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
+        let cache = self.cache(light, run)?;
         let nx = self.outputs[0].grid.shape[2];
         let of_rows = plan.levels.spread.as_ref().map(|spread| {
             let columns = cotangent.len() / self.outputs[0].row;
@@ -390,7 +441,7 @@ impl Parallel {
         let chunk = views
             .len()
             .div_ceil(4 * rayon::current_num_threads())
-            .max(1);
+            .next_multiple_of(GROUP);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let per_view = plan.columns * row;
@@ -400,16 +451,23 @@ impl Parallel {
             .enumerate()
             .for_each_init(
                 Default::default,
-                |entries: &mut (TileEntries, NeededEntries), (i, lanes)| {
+                |(entries, bench): &mut ((TileEntries, NeededEntries), Bench), (i, lanes)| {
                     lanes.fill(0.0);
                     let first = views.start + i * chunk;
                     for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                        for group in plan.groups(first..(first + chunk).min(views.end)) {
+                        for group in groups(first..(first + chunk).min(views.end)) {
                             let own = &mut lanes
                                 [(group.start - first) * per_view..(group.end - first) * per_view];
                             for (index, tile) in (i * neighbors..).zip(tiles) {
                                 if run.is_canceled() {
                                     return;
+                                }
+                                if let Some(cache) = cache {
+                                    let at = (index, &group);
+                                    let given = (cotangent, &filled);
+                                    let isa = (self.path.isa, plan.columns);
+                                    cache.collect(isa, at, (tile, nx), given, own, bench);
+                                    continue;
                                 }
                                 plan.collect_tile(
                                     self.path,
@@ -444,12 +502,14 @@ struct Lit<'a> {
     views: Range<usize>,
     source: &'a [f32],
     filled: Filled,
+    cache: Option<&'a CachedEntries>,
 }
 
 /// What a thread needs to add light to tiles.
 #[derive(Default)]
 struct Desk {
     gatherer: Gatherer,
+    bench: Bench,
     /// Tiles as rows of pixels, and what spreading one of them needs.
     lanes: HostField,
     buffer: Vec<f32>,
@@ -459,6 +519,13 @@ struct Desk {
 /// their dose, `row` floats a voxel column. Results do not depend on it.
 fn neighbors(row: usize) -> usize {
     (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
+}
+
+/// Views in groups, which begin at multiples of [`GROUP`].
+fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    let first = views.start / GROUP * GROUP;
+    let within = move |group: usize| group.max(views.start)..(group + GROUP).min(views.end);
+    (first..views.end).step_by(GROUP).map(within)
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.

@@ -4,6 +4,7 @@ use super::chains::{Avx512, Chain};
 use super::comb::Comb;
 use super::filled::{Filled, NeededEntries};
 use super::heights::{Heights, Intervals, Levels};
+use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
@@ -12,7 +13,6 @@ use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::views::Views;
 use super::walls::Walls;
-use super::{GROUP, is_straight};
 use crate::{PatternLayout, Run};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -191,14 +191,6 @@ impl LightPlan {
             lit_by_frame: lit_by(&heights),
             columns: light.pixels.columns,
         }
-    }
-
-    /// Views in groups.
-    pub(super) fn groups(&self, views: Range<usize>) -> impl Iterator<Item = Range<usize>> + use<> {
-        let end = views.end;
-        views
-            .step_by(GROUP)
-            .map(move |first| first..(first + GROUP).min(end))
     }
 
     fn is_lit(&self, slot: usize) -> bool {

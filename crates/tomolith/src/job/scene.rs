@@ -184,14 +184,18 @@ impl Scene {
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
-        let finest = levels[levels.len() - 1].grid.clone();
+        let last = &levels[levels.len() - 1];
+        let finest = last.grid.clone();
+        let turned = OpticalScene {
+            lights: &last.lights,
+            ..lit
+        };
+        let kept = family.cost(&turned, &finest).unwrap_or_default();
         let extent = Extent {
             effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations)
                 * (1 + spec.scenario.len()) as f64,
-            cached_entries: family
-                .cost(&lit, &finest)
-                .ok()
-                .and_then(|cost| cost.cached_entries),
+            cached_entries: kept.cached_entries,
+            cached_bytes: kept.cached_bytes,
             finest,
             fields: with_fields(&spec, &kinds, shape.is_gray())
                 + if has_cells { cells::FIELDS } else { 0 },

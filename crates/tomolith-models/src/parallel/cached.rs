@@ -1,0 +1,357 @@
+//! The matrix of a slice, found once and kept between calls.
+//!
+//! An optimization asks for doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
+//! kept, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
+//! frame bring from a column to a voxel is one entry, so that a frame averaged over four angles costs little more than one that stands
+//! still. Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of
+//! the uninterrupted one.
+//!
+//! # Cost
+//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept.
+
+use super::filled::Filled;
+use super::kernel::{Block, Isa, MAX_BLOCK};
+use super::patches::{self, PatchEntries, VOXELS};
+use super::plan::{KernelPath, LightPlan};
+use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
+use super::{GROUP, groups, is_straight};
+use crate::Run;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+use std::ops::Range;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::LANES;
+use tomolith_core::grid::VolumeGrid;
+use tomolith_optics::light::Light;
+use tomolith_optics::vial::Vial;
+
+/// Most bytes that are kept.
+const MOST: f64 = (1u64 << 30) as f64;
+
+/// Bytes of an entry: a slot, and weights of the patch.
+const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
+
+/// Voxels along the edge of a patch, and patches along that of a tile.
+const EDGE: usize = 2;
+const PATCHES: usize = TILE / EDGE;
+
+/// Bytes that an optimization keeps of these lights; None where that would be too much, or rows have no lanes.
+pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
+    let of_light = |light| expected(light, vial, grid);
+    let bytes = BYTES * lights.iter().map(of_light).sum::<f64>();
+    (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
+}
+
+/// Entries of one light, of about that number: a patch has one in each frame, and as many more as columns cross it and the arc that it
+/// turns through.
+fn expected(light: &Light, vial: &dyn Vial, grid: &VolumeGrid) -> f64 {
+    let [_, ny, nx] = grid.shape.map(|n| n as f64);
+    let pixels = &light.pixels;
+    // Walls that refract bring columns nearer to each other
+    let column_mm = if is_straight(vial, light) {
+        pixels.pitch_mm[0]
+    } else {
+        pixels.pitch_mm[0] / light.resin.refractive_index
+    };
+    let angles = light.sub_angles.max(1) as f64;
+    let radius_mm = f64::hypot(nx, ny) / 2.0 * grid.pitch_mm;
+    let turned_mm = 2.0 / 3.0 * radius_mm * pixels.frame_arc * (1.0 - 1.0 / angles);
+    // Widths as seen from all sides, on average: of a square, and of an arc
+    let wide_mm = 4.0 / PI * EDGE as f64 * grid.pitch_mm + 2.0 / PI * turned_mm;
+    nx * ny / VOXELS as f64 * pixels.frames() as f64 * (1.0 + wide_mm / column_mm)
+}
+
+/// Entries of a light, by tile and group of views.
+pub(super) struct CachedEntries {
+    /// `[tile][group]`
+    groups: Vec<Group>,
+    per_tile: usize,
+}
+
+/// What a group of views brings to a tile, patch by patch; slots are counted from the first one of the group on.
+#[derive(Default)]
+struct Group {
+    slots: Vec<u32>,
+    weights: Vec<[f32; VOXELS]>,
+    /// First entry of each patch, and where the last one's end; empty where nothing lights the tile.
+    starts: Vec<u32>,
+    /// Slots of all entries, each once.
+    lit_by: Vec<u32>,
+}
+
+/// What finding the entries of a tile needs, made once a thread.
+#[derive(Default)]
+struct Finder {
+    found: TileEntries,
+    patches: Vec<Vec<(u32, [f32; VOXELS])>>,
+}
+
+impl Finder {
+    /// The entries of a tile from a group of views.
+    fn group(
+        &mut self,
+        path: KernelPath,
+        plan: &LightPlan,
+        (index, tile): (usize, &Tile),
+        views: Range<usize>,
+    ) -> Group {
+        self.patches.resize(PATCHES * PATCHES, Vec::new());
+        self.patches.iter_mut().for_each(Vec::clear);
+        let mut lit_by = Vec::new();
+        for (i, view) in views.enumerate() {
+            let first = (i * plan.columns) as u32;
+            self.found.clear();
+            for beam in plan.of_view[view].clone() {
+                let meeting = plan.meetings[index * plan.beams.len() + beam];
+                let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
+                plan.enumerate(path, beam, meeting, &local, &mut self.found);
+            }
+            for run in &self.found.runs {
+                lit_by.push(first + run.column);
+                let entries = self.found.of(run);
+                for (&voxel, &weight) in entries.slots.iter().zip(entries.weights) {
+                    let [y, x] = [voxel as usize / TILE, voxel as usize % TILE];
+                    let own = &mut self.patches[y / EDGE * PATCHES + x / EDGE];
+                    let slot = first + run.column;
+                    let of_view = own.iter_mut().rev().take_while(|entry| entry.0 >= first);
+                    let corner = y % EDGE * EDGE + x % EDGE;
+                    match of_view.into_iter().find(|entry| entry.0 == slot) {
+                        Some((_, weights)) => weights[corner] += weight,
+                        None => {
+                            let mut weights = [0.0; VOXELS];
+                            weights[corner] = weight;
+                            own.push((slot, weights));
+                        }
+                    }
+                }
+            }
+        }
+        lit_by.sort_unstable();
+        lit_by.dedup();
+        lit_by.shrink_to_fit();
+        self.packed(lit_by)
+    }
+
+    /// All patches one after the other.
+    fn packed(&self, lit_by: Vec<u32>) -> Group {
+        if lit_by.is_empty() {
+            return Group::default();
+        }
+        let of_patch = |sum: &mut u32, patch: &Vec<_>| {
+            *sum += patch.len() as u32;
+            Some(*sum)
+        };
+        let ends = self.patches.iter().scan(0, of_patch);
+        Group {
+            slots: self.patches.iter().flatten().map(|entry| entry.0).collect(),
+            weights: self.patches.iter().flatten().map(|entry| entry.1).collect(),
+            starts: std::iter::once(0).chain(ends).collect(),
+            lit_by,
+        }
+    }
+}
+
+impl Group {
+    /// All entries of a patch; None where there are none.
+    fn of(&self, patch: usize) -> Option<(&[u32], &[[f32; VOXELS]])> {
+        let own = self.starts[patch] as usize..self.starts[patch + 1] as usize;
+        (!own.is_empty()).then(|| (&self.slots[own.clone()], &self.weights[own]))
+    }
+}
+
+/// What adding light to tiles needs, made once a thread.
+#[derive(Default)]
+pub(super) struct Bench {
+    /// Which entries of a patch are lit.
+    chosen: Vec<u16>,
+    /// Lanes of voxels of a patch that are outside the tile.
+    outside: Vec<f32>,
+}
+
+impl Bench {
+    /// The entries that `keep` wants, slots counted from `first` on.
+    fn choose<'a>(
+        &'a mut self,
+        (slots, weights): (&'a [u32], &'a [[f32; VOXELS]]),
+        first: u32,
+        keep: impl Fn(u32) -> bool,
+    ) -> PatchEntries<'a> {
+        self.chosen.resize(slots.len(), 0);
+        let mut count = 0;
+        for (i, &slot) in slots.iter().enumerate() {
+            // Written either way: no branch to guess
+            self.chosen[count] = i as u16;
+            count += usize::from(keep(slot));
+        }
+        PatchEntries {
+            first,
+            slots,
+            weights,
+            chosen: &self.chosen[..count],
+        }
+    }
+}
+
+impl CachedEntries {
+    /// Finds all entries of a light.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`].
+    pub(super) fn of(
+        plan: &LightPlan,
+        path: KernelPath,
+        tiles: &[Tile],
+        run: &Run,
+    ) -> Result<Self> {
+        let views = 0..plan.of_view.len();
+        let of_tiles = tiles
+            .par_iter()
+            .enumerate()
+            .map_init(Finder::default, |finder, tile| {
+                let groups = groups(views.clone()).take_while(|_| !run.is_canceled());
+                let found = groups.map(|group| finder.group(path, plan, tile, group));
+                found.collect::<Vec<_>>()
+            })
+            .flatten_iter()
+            .collect();
+        if run.is_canceled() {
+            return Err(Error::Canceled);
+        }
+        Ok(CachedEntries {
+            groups: of_tiles,
+            per_tile: groups(views).count(),
+        })
+    }
+
+    /// Bytes of all entries.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        let entries: usize = self.groups.iter().map(|group| group.slots.len()).sum();
+        entries * BYTES as usize
+    }
+
+    fn group(&self, tile: usize, views: &Range<usize>) -> &Group {
+        &self.groups[tile * self.per_tile + views.start / GROUP]
+    }
+
+    /// Adds to the voxels of a tile what views of a group bring; `slots` has the lanes of all slots of the light.
+    pub(super) fn add(
+        &self,
+        (isa, columns): (Isa, usize),
+        (tile, views): (usize, &Range<usize>),
+        (slots, filled): (&[f32], &Filled),
+        rows: &mut [&mut [f32]],
+        bench: &mut Bench,
+    ) {
+        let group = self.group(tile, views);
+        let first = views.start / GROUP * GROUP * columns;
+        let own = slots_of(views, columns);
+        for (i, &block) in filled.blocks.iter().enumerate() {
+            let is_lit = |slot: u32| own.contains(&slot) && filled.any_in(first + slot as usize, i);
+            if !group.lit_by.iter().any(|&slot| is_lit(slot)) {
+                continue;
+            }
+            let source = &slots[first * block.row * LANES..];
+            for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
+                let across = lines[0].len() / (block.row * LANES);
+                for x in 0..across.div_ceil(EDGE) {
+                    let Some(entries) = group.of(y * PATCHES + x) else {
+                        continue;
+                    };
+                    let mut outside = std::mem::take(&mut bench.outside);
+                    let entries = bench.choose(entries, 0, is_lit);
+                    if !entries.chosen.is_empty() {
+                        let out = voxels_of(lines, x * EDGE, block, &mut outside);
+                        patches::gather(isa, out, source, entries, block);
+                    }
+                    bench.outside = outside;
+                }
+            }
+        }
+    }
+
+    /// Adds to the lanes of views of a group, and of no others, what the cotangent of a tile gives (transpose of [`add`](Self::add)).
+    pub(super) fn collect(
+        &self,
+        (isa, columns): (Isa, usize),
+        (index, views): (usize, &Range<usize>),
+        (tile, nx): (&Tile, usize),
+        (cotangent, filled): (&[f32], &Filled),
+        lanes: &mut [f32],
+        bench: &mut Bench,
+    ) {
+        let group = self.group(index, views);
+        let of_tile = filled.of_tile(tile, nx);
+        if group.lit_by.is_empty() || of_tile.is_empty() {
+            return;
+        }
+        let own = slots_of(views, columns);
+        let dark = [0.0; MAX_BLOCK * LANES];
+        for (i, &block) in filled.blocks.iter().enumerate() {
+            if !of_tile.any_in(i) {
+                continue;
+            }
+            for patch in 0..PATCHES * PATCHES {
+                let Some(entries) = group.of(patch) else {
+                    continue;
+                };
+                let voxel = |corner: usize| {
+                    let x = patch % PATCHES * EDGE + corner % EDGE;
+                    let y = patch / PATCHES * EDGE + corner / EDGE;
+                    let voxel = (tile.start[1] + y) * nx + tile.start[0] + x;
+                    let is_inside = x < tile.size[0] && y < tile.size[1];
+                    (is_inside && filled.any_in(voxel, i)).then_some(voxel)
+                };
+                let voxels = [0, 1, 2, 3].map(voxel);
+                if voxels == [None; VOXELS] {
+                    continue;
+                }
+                let values = voxels.map(|voxel| match voxel {
+                    Some(voxel) => {
+                        let from = (voxel * block.row + block.first) * LANES;
+                        &cotangent[from..from + block.count * LANES]
+                    }
+                    None => &dark[..block.count * LANES],
+                });
+                let entries = bench.choose(entries, own.start, |slot| own.contains(&slot));
+                patches::spread(isa, lanes, values, entries, block);
+            }
+        }
+    }
+}
+
+/// Slots of some views of a group, counted from its first one on.
+fn slots_of(views: &Range<usize>, columns: usize) -> Range<u32> {
+    let first = views.start % GROUP;
+    let slot = |view: usize| (view * columns) as u32;
+    slot(first)..slot(first + views.len())
+}
+
+/// The lanes of a patch's voxels; those outside the tile are `outside`'s.
+fn voxels_of<'a>(
+    lines: &'a mut [&mut [f32]],
+    x: usize,
+    block: Block,
+    outside: &'a mut Vec<f32>,
+) -> [&'a mut [f32]; VOXELS] {
+    let (row, len) = (block.row * LANES, block.count * LANES);
+    outside.resize(VOXELS * len, 0.0);
+    let mut spare = outside.chunks_mut(len);
+    let mut of_line = lines.iter_mut().map(|line| {
+        let own = &mut line[x * row..];
+        own.chunks_mut(row).take(EDGE)
+    });
+    let [mut upper, mut lower] = [of_line.next(), of_line.next()];
+    let mut next = |corner: usize| {
+        let line = if corner < EDGE {
+            &mut upper
+        } else {
+            &mut lower
+        };
+        match line.as_mut().and_then(Iterator::next) {
+            Some(voxel) => &mut voxel[block.first * LANES..][..len],
+            None => spare.next().unwrap_or_default(),
+        }
+    };
+    [0, 1, 2, 3].map(&mut next)
+}

@@ -1,0 +1,426 @@
+//! Columns and patches of 2 × 2 voxels: `out[i][z] += Σ weight[i] · source[slot][z]`, and its transpose.
+//!
+//! A pixel is wider than a voxel, so most columns that light a voxel light its neighbors, too. What is read of a column serves four voxels, which are
+//! held in registers: a multiply-add takes a third of the reads of one that serves a single voxel ([`kernel`](super::kernel)). Paths are chosen at
+//! run time as there.
+#![expect(
+    unsafe_code,
+    reason = "kernel file: registers and run-time dispatch need intrinsics"
+)]
+
+use super::kernel::{Block, Isa};
+use tomolith_core::field::LANES;
+
+/// Voxels of a patch, row by row.
+pub(super) const VOXELS: usize = 4;
+
+/// Some of the columns that light a patch: row `slots[i] − first` counts `weights[i]` in its voxels, for all i of `chosen`.
+#[derive(Clone, Copy)]
+pub(super) struct PatchEntries<'a> {
+    pub(super) first: u32,
+    pub(super) slots: &'a [u32],
+    pub(super) weights: &'a [[f32; VOXELS]],
+    pub(super) chosen: &'a [u16],
+}
+
+impl PatchEntries<'_> {
+    fn iter(&self) -> impl Iterator<Item = (usize, &[f32; VOXELS])> {
+        self.chosen.iter().map(|&i| {
+            let i = usize::from(i);
+            (
+                self.slots[i].wrapping_sub(self.first) as usize,
+                &self.weights[i],
+            )
+        })
+    }
+
+    /// Refuses rows outside of so many.
+    fn check(&self, rows: usize) {
+        let highest = self.iter().fold(0, |highest, (slot, _)| slot.max(highest));
+        assert!(
+            highest < rows || self.chosen.is_empty(),
+            "slot outside the rows"
+        );
+    }
+}
+
+/// out[i] += Σ weight[i] · source[slot], over the lanes of the block. `out` holds the block's lanes only; `source` whole rows.
+///
+/// # Panics
+/// When a slot lies outside `source` or an `out` is too short.
+pub(super) fn gather(
+    isa: Isa,
+    mut out: [&mut [f32]; VOXELS],
+    source: &[f32],
+    entries: PatchEntries,
+    block: Block,
+) {
+    assert!(block.first + block.count <= block.row);
+    assert!(out.iter().all(|out| out.len() >= block.count * LANES));
+    entries.check(source.len() / (block.row * LANES));
+    match isa {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX-512F was detected (Isa values other than Scalar come from `available`); slots and block lie inside the slices, as just
+        // asserted.
+        Isa::Avx512 => unsafe { x86::gather(out.map(<[f32]>::as_mut_ptr), source, entries, block) },
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX2 and FMA were detected, as above.
+        Isa::Avx2 => unsafe { x86::gather_avx2(&mut out, source, entries, block) },
+        Isa::Neon => gather_plain::<true>(&mut out, source, entries, block),
+        _ => gather_plain::<false>(&mut out, source, entries, block),
+    }
+}
+
+/// rows[slot] += Σᵢ weight[i] · values[i], over the lanes of the block: the transpose of [`gather`]. `values` hold the block's lanes only;
+/// `rows` are whole.
+///
+/// # Panics
+/// When a slot lies outside `rows` or one of `values` is too short.
+pub(super) fn spread(
+    isa: Isa,
+    rows: &mut [f32],
+    values: [&[f32]; VOXELS],
+    entries: PatchEntries,
+    block: Block,
+) {
+    assert!(block.first + block.count <= block.row);
+    assert!(values.iter().all(|v| v.len() >= block.count * LANES));
+    entries.check(rows.len() / (block.row * LANES));
+    match isa {
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: as in `gather`.
+        Isa::Avx512 => unsafe { x86::spread(rows, values.map(<[f32]>::as_ptr), entries, block) },
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: AVX2 and FMA were detected, as above.
+        Isa::Avx2 => unsafe { x86::spread_avx2(rows, values, entries, block) },
+        Isa::Neon => spread_plain::<true>(rows, values, entries, block),
+        _ => spread_plain::<false>(rows, values, entries, block),
+    }
+}
+
+/// sum + a·b; fused where every machine of the path can.
+#[inline(always)]
+fn add<const FUSED: bool>(a: f32, b: f32, sum: f32) -> f32 {
+    if FUSED {
+        a.mul_add(b, sum)
+    } else {
+        sum + a * b
+    }
+}
+
+/// The plain twin of [`gather`].
+#[inline(always)]
+fn gather_plain<const FUSED: bool>(
+    out: &mut [&mut [f32]; VOXELS],
+    source: &[f32],
+    entries: PatchEntries,
+    block: Block,
+) {
+    for v in 0..block.count {
+        let mut sums = [[0.0; LANES]; VOXELS];
+        for (sum, out) in sums.iter_mut().zip(out.iter()) {
+            sum.copy_from_slice(&out[v * LANES..][..LANES]);
+        }
+        for (slot, weights) in entries.iter() {
+            let column = &source[(slot * block.row + block.first + v) * LANES..][..LANES];
+            for (sum, &weight) in sums.iter_mut().zip(weights) {
+                for (sum, &value) in sum.iter_mut().zip(column) {
+                    *sum = add::<FUSED>(weight, value, *sum);
+                }
+            }
+        }
+        for (sum, out) in sums.iter().zip(out.iter_mut()) {
+            out[v * LANES..][..LANES].copy_from_slice(sum);
+        }
+    }
+}
+
+/// The plain twin of [`spread`].
+#[inline(always)]
+fn spread_plain<const FUSED: bool>(
+    rows: &mut [f32],
+    values: [&[f32]; VOXELS],
+    entries: PatchEntries,
+    block: Block,
+) {
+    for v in 0..block.count {
+        let of_voxel = values.map(|values| &values[v * LANES..][..LANES]);
+        for (slot, weights) in entries.iter() {
+            let column = &mut rows[(slot * block.row + block.first + v) * LANES..][..LANES];
+            for (values, &weight) in of_voxel.iter().zip(weights) {
+                for (sum, &value) in column.iter_mut().zip(*values) {
+                    *sum = add::<FUSED>(weight, value, *sum);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Block, LANES, PatchEntries, VOXELS};
+    use std::arch::x86_64::*;
+
+    /// Vectors that four voxels hold in registers at most.
+    const HELD: usize = 6;
+
+    /// Calls `$f::<N>` with N = `$n`, for 1 ≤ n ≤ [`HELD`].
+    macro_rules! with_count {
+        ($n:expr, $f:ident, $args:tt) => {
+            with_count!(@ $n, $f, $args, [1 2 3 4 5 6])
+        };
+        (@ $n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
+            match $n { $($k => with_count!(! $f, $k, $args),)* _ => {} }
+        };
+        (! $f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
+    }
+
+    /// Vectors of a block in pieces of at most [`HELD`], nearly equal: first and number.
+    fn pieces(count: usize) -> impl Iterator<Item = (usize, usize)> {
+        let parts = count.div_ceil(HELD);
+        (0..parts).map(move |i| {
+            let (first, end) = (i * count / parts, (i + 1) * count / parts);
+            (first, end - first)
+        })
+    }
+
+    /// # Safety
+    /// AVX-512F; slots inside `source`, the block inside rows and every `out`.
+    #[target_feature(enable = "avx512f")]
+    pub(super) unsafe fn gather(
+        out: [*mut f32; VOXELS],
+        source: &[f32],
+        entries: PatchEntries,
+        block: Block,
+    ) {
+        for (first, count) in pieces(block.count) {
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = source.as_ptr().add((block.first + first) * LANES);
+                let out = out.map(|out| out.add(first * LANES));
+                with_count!(count, gather_wide, (out, base, block.row * LANES, entries));
+            }
+        }
+    }
+
+    /// # Safety
+    /// As [`gather`].
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn gather_wide<const N: usize>(
+        out: [*mut f32; VOXELS],
+        base: *const f32,
+        stride: usize,
+        entries: PatchEntries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let mut sums: [[__m512; N]; VOXELS] =
+                out.map(|out| std::array::from_fn(|v| _mm512_loadu_ps(out.add(v * 16))));
+            for &i in entries.chosen {
+                let i = usize::from(i);
+                let from =
+                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
+                let weights = entries.weights.get_unchecked(i);
+                let column: [__m512; N] =
+                    std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16)));
+                for (sums, &weight) in sums.iter_mut().zip(weights) {
+                    let weight = _mm512_set1_ps(weight);
+                    for (sum, &value) in sums.iter_mut().zip(&column) {
+                        *sum = _mm512_fmadd_ps(weight, value, *sum);
+                    }
+                }
+            }
+            for (sums, out) in sums.iter().zip(out) {
+                for (v, &sum) in sums.iter().enumerate() {
+                    _mm512_storeu_ps(out.add(v * 16), sum);
+                }
+            }
+        }
+    }
+
+    /// # Safety
+    /// AVX-512F; slots inside `rows`, the block inside rows and all `values`.
+    #[target_feature(enable = "avx512f")]
+    pub(super) unsafe fn spread(
+        rows: &mut [f32],
+        values: [*const f32; VOXELS],
+        entries: PatchEntries,
+        block: Block,
+    ) {
+        for (first, count) in pieces(block.count) {
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = rows.as_mut_ptr().add((block.first + first) * LANES);
+                let values = values.map(|values| values.add(first * LANES));
+                with_count!(
+                    count,
+                    spread_wide,
+                    (base, values, block.row * LANES, entries)
+                );
+            }
+        }
+    }
+
+    /// # Safety
+    /// As [`spread`].
+    #[target_feature(enable = "avx512f")]
+    #[inline]
+    unsafe fn spread_wide<const N: usize>(
+        base: *mut f32,
+        values: [*const f32; VOXELS],
+        stride: usize,
+        entries: PatchEntries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let values: [[__m512; N]; VOXELS] =
+                values.map(|from| std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16))));
+            for &i in entries.chosen {
+                let i = usize::from(i);
+                let to =
+                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
+                let weights = entries.weights.get_unchecked(i);
+                let mut sums: [__m512; N] =
+                    std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
+                for (values, &weight) in values.iter().zip(weights) {
+                    let weight = _mm512_set1_ps(weight);
+                    for (sum, &value) in sums.iter_mut().zip(values) {
+                        *sum = _mm512_fmadd_ps(weight, value, *sum);
+                    }
+                }
+                for (v, &sum) in sums.iter().enumerate() {
+                    _mm512_storeu_ps(to.add(v * 16), sum);
+                }
+            }
+        }
+    }
+
+    /// # Safety
+    /// AVX2 and FMA.
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) unsafe fn gather_avx2(
+        out: &mut [&mut [f32]; VOXELS],
+        source: &[f32],
+        entries: PatchEntries,
+        block: Block,
+    ) {
+        super::gather_plain::<true>(out, source, entries, block);
+    }
+
+    /// # Safety
+    /// AVX2 and FMA.
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) unsafe fn spread_avx2(
+        rows: &mut [f32],
+        values: [&[f32]; VOXELS],
+        entries: PatchEntries,
+        block: Block,
+    ) {
+        super::spread_plain::<true>(rows, values, entries, block);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith_core::check::noise;
+
+    const ROW: usize = 20;
+
+    /// Rows of lanes, values of the voxels, and columns of which one is left out.
+    fn given(count: usize) -> (Vec<f32>, Vec<f32>, [u32; 4], Vec<[f32; VOXELS]>) {
+        let weights = noise(3, 4 * VOXELS);
+        (
+            noise(1, 5 * ROW * LANES),
+            noise(2, VOXELS * count * LANES),
+            [3, 0, 1, 4],
+            weights
+                .chunks(VOXELS)
+                .map(|w| [w[0], w[1], w[2], w[3]])
+                .collect(),
+        )
+    }
+
+    /// For every path and block: rows and voxels, and what both directions make of them.
+    fn on_every_path(see: impl Fn(Block, [&[f32]; 2], [&[f32]; 2])) {
+        for isa in Isa::available() {
+            for count in [1, 2, 5, 6, 7, 13, 16] {
+                let (rows, values, slots, weights) = given(count);
+                let entries = PatchEntries {
+                    first: 0,
+                    slots: &slots,
+                    weights: &weights,
+                    chosen: &[0, 2, 3],
+                };
+                let block = Block {
+                    row: ROW,
+                    first: ROW - count.max(4),
+                    count,
+                };
+                let mut gathered = values.clone();
+                let mut parts = gathered.chunks_mut(count * LANES);
+                let out = [(); VOXELS].map(|()| parts.next().unwrap());
+                gather(isa, out, &rows, entries, block);
+                let mut summed = rows.clone();
+                let of_voxel = |i| &values[i * count * LANES..(i + 1) * count * LANES];
+                spread(isa, &mut summed, [0, 1, 2, 3].map(of_voxel), entries, block);
+                see(block, [&rows, &values], [&summed, &gathered]);
+            }
+        }
+    }
+
+    #[test]
+    fn every_path_is_the_sum_written_out() {
+        on_every_path(|block, [rows, values], [summed, gathered]| {
+            let (_, _, slots, weights) = given(block.count);
+            let lanes = block.count * LANES;
+            let place = |slot: u32, lane| (slot as usize * ROW + block.first) * LANES + lane;
+            let lit = || [0, 2, 3].map(|i: usize| (slots[i], weights[i]));
+            for lane in 0..lanes {
+                for i in 0..VOXELS {
+                    let sum: f32 = (lit().iter())
+                        .map(|(slot, weights)| weights[i] * rows[place(*slot, lane)])
+                        .sum();
+                    let at = i * lanes + lane;
+                    assert!((gathered[at] - values[at] - sum).abs() < 1e-5);
+                }
+                for (slot, weights) in lit() {
+                    let sum: f32 = (0..VOXELS)
+                        .map(|i| weights[i] * values[i * lanes + lane])
+                        .sum();
+                    let at = place(slot, lane);
+                    assert!((summed[at] - rows[at] - sum).abs() < 1e-5);
+                }
+            }
+            // What is left out, and lanes beside the block, stay as they are
+            let left_out = place(1 - 1, 0)..place(0, lanes);
+            assert_eq!(summed[left_out.clone()], rows[left_out]);
+            assert_eq!(summed[..block.first * LANES], rows[..block.first * LANES]);
+        });
+    }
+
+    #[test]
+    #[should_panic(expected = "slot outside")]
+    fn a_slot_outside_the_rows_is_refused() {
+        // One before the first
+        let entries = PatchEntries {
+            first: 2,
+            slots: &[1],
+            weights: &[[1.0; VOXELS]],
+            chosen: &[0],
+        };
+        let block = Block {
+            row: 1,
+            first: 0,
+            count: 1,
+        };
+        spread(
+            Isa::in_use(),
+            &mut [0.0; 16],
+            [&[0.0; 16]; VOXELS],
+            entries,
+            block,
+        );
+    }
+}
