@@ -153,11 +153,16 @@ fn voxels(time: &TimeReport<'_>, above_um: f64) -> String {
 
 /// Seconds, and minutes where there are some.
 fn minutes(seconds: f64) -> String {
-    let own = format!("{} s", significant(seconds, 3));
+    format!("{} s{}", significant(seconds, 3), in_minutes(seconds))
+}
+
+/// What follows seconds: minutes in brackets where there are some.
+pub(super) fn in_minutes(seconds: f64) -> String {
     if seconds < 60.0 {
-        return own;
+        String::new()
+    } else {
+        format!(" ({})", clock(seconds))
     }
-    format!("{own} ({})", clock(seconds))
 }
 
 /// What happens when, in words.
@@ -282,10 +287,15 @@ fn slider(time: &TimeReport<'_>, number: usize) -> String {
     let mut out = String::from("<h3>As it grows</h3><div class=\"growth\">");
     for (i, (seconds, degree)) in time.snapshots.iter().enumerate() {
         let checked = if i == nearest { " checked" } else { "" };
+        let note = if time.phases_s[1] == Some(*seconds) {
+            ", best"
+        } else {
+            ""
+        };
         let _ = write!(
             out,
             "<input type=\"radio\" name=\"growth{number}\" id=\"growth{number}-{i}\"{checked}>\
-             <label for=\"growth{number}-{i}\">{} s</label><div class=\"grown\">{}</div>",
+             <label for=\"growth{number}-{i}\">{} s{note}</label><div class=\"grown\">{}</div>",
             significant(*seconds, 3),
             growth(time.labels, degree),
         );
