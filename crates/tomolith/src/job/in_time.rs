@@ -401,9 +401,14 @@ fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> R
             && network.bleaching_mm3_per_mj == 0.0
     };
     if given.optimize == Against::Frozen && networks.iter().enumerate().all(takes_nothing) {
+        let is_bare = networks.iter().all(|network| network.inhibitors.is_empty());
+        let none = match is_bare {
+            true => "no network has an inhibitor",
+            false => "every inhibitor is 0 from beginning to end",
+        };
         return Err(Error::config(
             "schedule.optimize",
-            "\"frozen\", and no network has an inhibitor, or only some that are 0 from beginning to end: there is nothing to freeze",
+            format!("\"frozen\", and {none}: there is nothing to freeze"),
             "\"dose\", or inhibitors in material.photopolymer.networks",
         ));
     }
