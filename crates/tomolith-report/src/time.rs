@@ -22,6 +22,8 @@ pub struct TimePoint {
     pub contribution_mj: f64,
     /// Contrast of the dose; NaN while all is the same.
     pub contrast: f64,
+    /// The same as it is printed (S12): NaN where its low class is empty.
+    pub printed_contrast: f64,
     /// Solid ∩ part over solid ∪ part.
     pub jaccard: f64,
     /// Solid share of part and of void.
@@ -75,18 +77,18 @@ impl TimeReport<'_> {
 #[must_use]
 pub fn csv(points: &[TimePoint]) -> String {
     let mut text =
-        "seconds,imbued_mj,contribution_mj,contrast,jaccard,solid_part,solid_void,sent_mj\n"
+        "seconds,imbued_mj,contribution_mj,contrast,contrast_as_printed,jaccard,solid_part,solid_void,sent_mj\n"
             .to_owned();
+    let number = |contrast: f64| match contrast.is_finite() {
+        true => contrast.to_string(),
+        false => String::new(),
+    };
     for p in points {
-        let contrast = if p.contrast.is_finite() {
-            p.contrast.to_string()
-        } else {
-            String::new()
-        };
+        let [contrast, printed] = [p.contrast, p.printed_contrast].map(number);
         // Writing into a string cannot fail
         let _ = writeln!(
             text,
-            "{},{},{},{contrast},{},{},{},{}",
+            "{},{},{},{contrast},{printed},{},{},{},{}",
             p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1], p.sent_mj
         );
     }

@@ -357,6 +357,7 @@ fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
         imbued_mj: p.imbued_mj,
         contribution_mj: p.contribution_mj,
         contrast: p.contrast,
+        printed_contrast: p.printed_contrast,
         jaccard: p.jaccard,
         solid: p.gelled,
         sent_mj,
