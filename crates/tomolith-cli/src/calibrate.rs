@@ -141,7 +141,7 @@ struct KineticsArguments {
 #[derive(Debug, Args)]
 struct DiscsArguments {
     /// Pixels of the device
-    #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"])]
+    #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"], required = true)]
     canvas: Vec<usize>,
     /// Edge of a pixel at the resin
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]

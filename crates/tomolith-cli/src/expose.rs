@@ -100,7 +100,14 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         })?,
     };
     let report = json_of(&given.run, "report.json")?;
-    let gel_dose = [&report["exposure"]["dose"]["best"], &report["evaluation"]["gel_threshold"]]
+    // Several species have one exposure, where a dose makes all of them solid
+    let together = &report["one_exposure"];
+    let gel_doses = [
+        &together["gel_dose"],
+        &report["exposure"]["dose"]["best"],
+        &report["evaluation"]["gel_threshold"],
+    ];
+    let gel_dose = gel_doses
         .into_iter()
         .find_map(Value::as_f64)
         .filter(|dose| *dose > 0.0)
@@ -108,8 +115,9 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
             let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
             Error::config("RUN", found, "a run that prints a part")
         })?;
-    let window = &report["exposure"]["percent"];
-    let window = window.is_object().then(|| Window {
+    let window = [together, &report["exposure"]].map(|of| &of["percent"]);
+    let window = window.into_iter().find(|percent| percent.is_object());
+    let window = window.map(|window| Window {
         low: window["low"].as_f64(),
         high: window["high"].as_f64(),
     });
@@ -130,9 +138,31 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     };
     let in_time = job.spec.schedule.is_some() || job.spec.material.is_some();
     let plan = ExposurePlan::new(&shown, &machine, white, arc, critical, gel_dose, window)?;
-    let pw = report["evaluation"]["pw"].as_f64().map(|pw| pw / gel_dose);
-    show(given, &machine, &shown, &plan, (pw, in_time));
+    show(
+        given,
+        &machine,
+        &shown,
+        &plan,
+        (&windows(&report, gel_dose), in_time),
+    );
     Ok(())
+}
+
+/// Process windows as shares of the dose that gels, of each species where there are several.
+fn windows(report: &Value, gel_dose: f64) -> Vec<(String, f64)> {
+    let of = |name: &Value, evaluation: &Value| {
+        let pw = evaluation["pw"].as_f64()? / gel_dose;
+        Some((name.as_str().unwrap_or_default().to_owned(), pw))
+    };
+    match report["species"].as_array() {
+        Some(species) if species.len() > 1 => species
+            .iter()
+            .filter_map(|one| of(&one["name"], &one["evaluation"]))
+            .collect(),
+        _ => of(&Value::Null, &report["evaluation"])
+            .into_iter()
+            .collect(),
+    }
 }
 
 /// Which of the job's lights is meant.
@@ -234,7 +264,7 @@ fn show(
     machine: &Machine,
     shown: &ShownFrames,
     plan: &ExposurePlan,
-    (pw, in_time): (Option<f64>, bool),
+    (windows, in_time): (&[(String, f64)], bool),
 ) {
     let mut answer = Answer::default();
     if in_time {
@@ -306,15 +336,20 @@ fn show(
             ),
         );
     }
-    if let Some(pw) = pw {
+    for (name, pw) in windows {
+        let of = if name.is_empty() { "" } else { ", " };
         let seconds = significant(pw * plan.time_s, 3);
         answer.line(
             "process window",
             format!(
-                "{} of the gel dose, {seconds} s (min in − max out)",
-                percent(pw)
+                "{} of the gel dose, {seconds} s (min in − max out{of}{name})",
+                percent(*pw)
             ),
         );
+    }
+    // The species with the smallest one decides
+    let least = windows.iter().map(|(_, pw)| *pw).reduce(f64::min);
+    if let Some(pw) = least {
         answer.set("pw_percent", 100.0 * pw);
         answer.set("pw_s", pw * plan.time_s);
     }

@@ -361,6 +361,9 @@ fn discs_are_drawn_and_their_result_is_read() {
         &["--penetration-mm"],
     );
     bench.refuse(&format!("{line} --output print"), &["is not empty"]);
+    let bare = "calibrate discs --pixel-pitch-mm 0.1 --irradiance 20 --from 10 --to 160";
+    let said = bench.expect(2, &format!("{bare} --output other"));
+    assert!(said.contains("--canvas"), "{said}");
     for (change, parts) in [
         ("--to 5", ["--from", "doses from 10 to 5"]),
         (

@@ -227,6 +227,13 @@ fn renamed(key: &str) -> Option<&'static str> {
     row.map(|(_, name)| *name)
 }
 
+/// What makes a dose per area one per volume.
+macro_rules! per_volume {
+    () => {
+        "E mJ/cm² at the face of a resin with the penetration depth D mm are E/(100·D) mJ/mm³ there"
+    };
+}
+
 /// Why the number of a key is not that of another key which differs in its unit; None for keys that differ otherwise.
 fn other_unit(word: &str, name: &str) -> Option<&'static str> {
     let (what, unit) = word.split_once("_per_")?;
@@ -236,7 +243,10 @@ fn other_unit(word: &str, name: &str) -> Option<&'static str> {
     }
     Some(match (unit, meant) {
         ("cm2" | "mm2", "mm3") if what.ends_with("_mj") => {
-            "a dose per area, and one per volume is meant; E mJ/cm² at the face of a resin with the penetration depth D mm are E/(100·D) mJ/mm³ there"
+            concat!(
+                "a dose per area, and one per volume is meant; ",
+                per_volume!()
+            )
         }
         ("cm2", "mm2") => "another unit: 1 per cm² is 0.01 per mm²",
         ("mm2", "cm2") => "another unit: 1 per mm² is 100 per cm²",
@@ -300,6 +310,9 @@ fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error
             found_in_words(found),
             format!("a list, whose tables are written [[{key}]]"),
         ),
+        Some((found, "f64" | "f32")) if found.starts_with("invalid type: string") => {
+            (found_in_words(found), number_of(&key).to_owned())
+        }
         Some((found, expected)) => (found_in_words(found), in_words(expected)),
         None => match message.split_once("; accepted: ") {
             Some((found, accepted)) => (found.to_owned(), accepted.to_owned()),
@@ -330,6 +343,17 @@ fn found_in_words(message: &str) -> String {
     };
     // serde writes 1e+30, a job 1e30
     format!("found {}", found.replace("e+", "e"))
+}
+
+/// What is expected where a number was written as text, most often with a unit.
+fn number_of(key: &str) -> &'static str {
+    if key.ends_with("_mj_per_mm3") {
+        concat!("a number without a unit, in mJ/mm³; ", per_volume!())
+    } else if key.contains("_per_") {
+        "a number without a unit: the key names it"
+    } else {
+        "a number"
+    }
 }
 
 /// What serde expects, without the names of Rust's types.

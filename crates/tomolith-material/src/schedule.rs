@@ -365,23 +365,32 @@ impl Schedule {
         sums
     }
 
+    /// Refuses blocks that are no times, or too many.
+    ///
+    /// # Errors
+    /// [`Error::Config`] at `step_s`.
+    pub fn must_cut(&self, longest_s: f64) -> Result<()> {
+        if longest_s > 0.0 && self.end_s / longest_s <= MOST_EXPOSURES {
+            return Ok(());
+        }
+        Err(Error::config(
+            "step_s",
+            format!(
+                "found {} for a print of {} s",
+                exact(longest_s),
+                exact(self.end_s)
+            ),
+            format!("a time above 0 that cuts the print into at most {MOST_EXPOSURES:e} steps"),
+        ))
+    }
+
     /// The whole time in blocks of at most `longest_s`. They end where frames begin or end, unless a frame (or the dark) is longer: it is cut
     /// into equal parts.
     ///
     /// # Errors
-    /// [`Error::Config`] at `step_s` when it is no time, or there would be too many.
+    /// As [`must_cut`](Self::must_cut).
     pub fn blocks(&self, longest_s: f64) -> Result<Vec<Block>> {
-        if longest_s.is_nan() || longest_s <= 0.0 || self.end_s / longest_s > MOST_EXPOSURES {
-            return Err(Error::config(
-                "step_s",
-                format!(
-                    "found {} for a print of {} s",
-                    exact(longest_s),
-                    exact(self.end_s)
-                ),
-                format!("a time above 0 that cuts the print into at most {MOST_EXPOSURES:e} steps"),
-            ));
-        }
+        self.must_cut(longest_s)?;
         let cuts = self.cuts(longest_s);
         let mut blocks: Vec<Block> = cuts
             .windows(2)

@@ -128,8 +128,18 @@ fn head(data: &ReportData<'_>) -> String {
 
 /// Which of several species the headline is about, and what all of them reach together.
 fn first_of(data: &ReportData<'_>) -> String {
-    let (Some(one), Some(first)) = (data.one_exposure, data.species.first()) else {
+    let Some((first, others)) = data.species.split_first() else {
         return String::new();
+    };
+    let Some(one) = data.one_exposure else {
+        let of = |other: &SpeciesReport<'_>| {
+            format!(" {}: {}", escape(other.name), sentence(other.evaluation))
+        };
+        let others: String = others.iter().map(of).collect();
+        return match others.is_empty() {
+            true => others,
+            false => format!(" That is {}.{others}", escape(first.name)),
+        };
     };
     let of = |(species, iou): (&SpeciesReport<'_>, &f64)| {
         format!("{} <b>{}</b>", escape(species.name), significant(*iou, 4))

@@ -27,7 +27,7 @@
 //! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
 //!               best_jaccard, window_s (within 0.01 of the best), ideal_exposure_s, requirement_mj, largest_share_of_requirement (where it is
 //!               never met), best_mj (energy that all lights have sent to the vial by best_s), evaluation (what is solid at best_s), curves
-//! one_moment    of several networks: seconds (when the lowest Jaccard index is the largest), networks, jaccard, limited_by, window_s; else null
+//! one_moment    of several networks: seconds (when the lowest Jaccard index is the largest), networks, jaccard, limited_by, sent_mj, window_s; else null
 //! properties    of the printed material: name, unit, and min, median, max where something is solid
 //! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
 //!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last);

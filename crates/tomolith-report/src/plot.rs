@@ -357,11 +357,20 @@ impl Plot {
                 x + 17.0,
                 escape(name)
             );
-            // About the width of the text
-            x += 17.0 + 6.3 * name.chars().count() as f64 + 14.0;
+            x += 17.0 + width_of(name) + 14.0;
         }
         out
     }
+}
+
+/// About the width of a text of the legend.
+fn width_of(text: &str) -> f64 {
+    let of_letter = |letter: char| match letter {
+        'f' | 'i' | 'j' | 'l' | 'r' | 't' | 'I' | ' ' | '.' | ',' => 4.4,
+        'm' | 'w' | 'M' | 'W' => 10.2,
+        _ => 7.0,
+    };
+    text.chars().map(of_letter).sum()
 }
 
 #[cfg(test)]

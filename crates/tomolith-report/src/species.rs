@@ -7,6 +7,7 @@
 use super::html::clock;
 use super::latitude::Bracket;
 use super::number::{escape, significant, told_apart};
+use super::time::in_minutes;
 use super::{ReportData, latitude};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -109,14 +110,17 @@ pub struct OneMoment {
     pub jaccard: Vec<f64>,
     /// The network whose index is the lowest.
     pub limited_by: String,
+    /// Energy that all lights have sent to the vial by then, mJ.
+    pub sent_mj: f64,
     /// Within which times the lowest is at most 0.01 worse, s.
     pub window_s: [f64; 2],
 }
 
 impl OneMoment {
-    /// Of the Jaccard index of each network over time, `[s, index]` ascending; None for fewer than two, and where one of them is never solid.
+    /// Of the Jaccard index of each network over time, `[s, index]` ascending, and of the energy that was sent to the vial, `[s, mJ]`; None for fewer
+    /// than two, and where one of them is never solid.
     #[must_use]
-    pub fn of(networks: &[(&str, Vec<[f64; 2]>)]) -> Option<Self> {
+    pub fn of(networks: &[(&str, Vec<[f64; 2]>)], sent: &[[f64; 2]]) -> Option<Self> {
         let curves: Vec<_> = networks.iter().map(|(_, curve)| curve.as_slice()).collect();
         let together = Together::of(&curves)?;
         let lowest = together.values[together.lowest];
@@ -129,6 +133,7 @@ impl OneMoment {
                 .collect(),
             limited_by: networks[together.lowest].0.to_owned(),
             jaccard: together.values,
+            sent_mj: value_at(sent, together.at).unwrap_or(0.0),
             window_s: [together.from.unwrap_or(0.0), together.to.unwrap_or(end)],
         })
     }
@@ -141,8 +146,11 @@ impl OneMoment {
         let [from, to] = self.window_s;
         let said = told_apart(&[from, self.seconds, to], 3);
         format!(
-            "All networks together are best after {} s: Jaccard index {}; {} limits it. The lowest is at most {TOLERANCE} worse from {} s to {} s.",
+            "All networks together are best after {} s{}, when {} mJ have been sent to the vial: Jaccard index {}; {} limits it. The lowest is at most \
+             {TOLERANCE} worse from {} s to {} s.",
             said[1],
+            in_minutes(self.seconds),
+            significant(self.sent_mj, 3),
             all.join(", "),
             self.limited_by,
             said[0],
@@ -355,18 +363,20 @@ mod tests {
     #[test]
     fn networks_have_one_best_moment_or_none() {
         let later = tent(30.0, 10.0);
-        let moment = OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", later)]).unwrap();
-        // 1 − (t − 20)/20 and 1 − (30 − t)/10 meet at 80/3
+        let sent = [[0.0, 0.0], [60.0, 30.0]];
+        let moment = OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", later)], &sent).unwrap();
+        // 1 − (t − 20)/20 and 1 − (30 − t)/10 meet at 80/3, at half a mJ a second
         assert!((moment.seconds - 80.0 / 3.0).abs() < 1e-9, "{moment:?}");
+        assert!((moment.sent_mj - 40.0 / 3.0).abs() < 1e-9, "{moment:?}");
         let [from, to] = moment.window_s;
         assert!(from < moment.seconds && moment.seconds < to);
         // One stands still after its light has ended: the other says when
         let still = vec![[0.0, 0.0], [20.0, 0.4], [40.0, 0.4]];
-        let moment = OneMoment::of(&[("a", still), ("b", tent(30.0, 15.0))]).unwrap();
+        let moment = OneMoment::of(&[("a", still), ("b", tent(30.0, 15.0))], &sent).unwrap();
         assert_eq!((moment.seconds, &moment.limited_by[..]), (30.0, "a"));
         let never = vec![[0.0, 0.0], [40.0, 0.0]];
         assert_eq!(
-            OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", never)]),
+            OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", never)], &sent),
             None
         );
     }

@@ -22,6 +22,8 @@ pub struct TimePoint {
     pub contribution_mj: f64,
     /// Contrast of the dose; NaN while all is the same.
     pub contrast: f64,
+    /// The same as it is printed (S12): NaN where its low class is empty.
+    pub printed_contrast: f64,
     /// Solid ∩ part over solid ∪ part.
     pub jaccard: f64,
     /// Solid share of part and of void.
@@ -75,18 +77,18 @@ impl TimeReport<'_> {
 #[must_use]
 pub fn csv(points: &[TimePoint]) -> String {
     let mut text =
-        "seconds,imbued_mj,contribution_mj,contrast,jaccard,solid_part,solid_void,sent_mj\n"
+        "seconds,imbued_mj,contribution_mj,contrast,contrast_as_printed,jaccard,solid_part,solid_void,sent_mj\n"
             .to_owned();
+    let number = |contrast: f64| match contrast.is_finite() {
+        true => contrast.to_string(),
+        false => String::new(),
+    };
     for p in points {
-        let contrast = if p.contrast.is_finite() {
-            p.contrast.to_string()
-        } else {
-            String::new()
-        };
+        let [contrast, printed] = [p.contrast, p.printed_contrast].map(number);
         // Writing into a string cannot fail
         let _ = writeln!(
             text,
-            "{},{},{},{contrast},{},{},{},{}",
+            "{},{},{},{contrast},{printed},{},{},{},{}",
             p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1], p.sent_mj
         );
     }
@@ -153,11 +155,16 @@ fn voxels(time: &TimeReport<'_>, above_um: f64) -> String {
 
 /// Seconds, and minutes where there are some.
 fn minutes(seconds: f64) -> String {
-    let own = format!("{} s", significant(seconds, 3));
+    format!("{} s{}", significant(seconds, 3), in_minutes(seconds))
+}
+
+/// What follows seconds: minutes in brackets where there are some.
+pub(super) fn in_minutes(seconds: f64) -> String {
     if seconds < 60.0 {
-        return own;
+        String::new()
+    } else {
+        format!(" ({})", clock(seconds))
     }
-    format!("{own} ({})", clock(seconds))
 }
 
 /// What happens when, in words.
@@ -282,10 +289,15 @@ fn slider(time: &TimeReport<'_>, number: usize) -> String {
     let mut out = String::from("<h3>As it grows</h3><div class=\"growth\">");
     for (i, (seconds, degree)) in time.snapshots.iter().enumerate() {
         let checked = if i == nearest { " checked" } else { "" };
+        let note = if time.phases_s[1] == Some(*seconds) {
+            ", best"
+        } else {
+            ""
+        };
         let _ = write!(
             out,
             "<input type=\"radio\" name=\"growth{number}\" id=\"growth{number}-{i}\"{checked}>\
-             <label for=\"growth{number}-{i}\">{} s</label><div class=\"grown\">{}</div>",
+             <label for=\"growth{number}-{i}\">{} s{note}</label><div class=\"grown\">{}</div>",
             significant(*seconds, 3),
             growth(time.labels, degree),
         );

@@ -67,6 +67,8 @@ fn two_species_are_judged_at_one_exposure() {
         "target.gray=false",
         "species[1].target.gray=false",
         "objective=\"threshold\"",
+        "resin.critical_dose_mj_per_mm3=0.5",
+        "printer={ peak_irradiance_mw_per_cm2 = 20.0 }",
     ];
     let (report, folder, said) = report(&changes.map(str::to_owned));
     let together = &report["one_exposure"]["iou"];
@@ -119,11 +121,17 @@ fn two_species_are_judged_at_one_exposure() {
     let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
     assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));
     assert!(report["species"][1]["exposure"]["dose"]["best"].is_number());
+    // What the machine is told brings that dose
+    let text = std::fs::read(folder.path().join("run/exposure.json")).unwrap();
+    let told: Value = serde_json::from_slice(&text).unwrap();
+    let time = |light: usize| told["lights"][light]["budget"]["time_s"].as_f64().unwrap();
+    let best = report["one_exposure"]["time_s"]["best"].as_f64().unwrap();
+    assert!(((time(0) + time(1)) / best - 1.0).abs() < 1e-6, "{best}");
 }
 
 #[test]
 fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
-    let (report, folder, _) = report(&[]);
+    let (report, folder, said) = report(&[]);
     let own = folder.path().join("run");
     for file in [
         "frames/violet",
@@ -141,7 +149,17 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
     let (soft, stiff) = (solid[solid.len() / 20], solid[solid.len() * 19 / 20]);
     assert!(solid[0] >= 5.0 && solid[solid.len() - 1] <= 9100.0);
     assert!(stiff > 30.0 * soft, "{soft} {stiff}");
-    assert!(report["species"].is_array() || report["species"].is_object());
+    // Gray values have no IoU: each species has an exposure of its own
+    assert!(report["one_exposure"].is_null());
+    assert!(
+        said.contains("acrylate: The best exposure has an rms error"),
+        "{said}"
+    );
+    assert!(
+        said.contains("epoxy: The best exposure has an rms error"),
+        "{said}"
+    );
     let html = std::fs::read_to_string(own.join("report.html")).unwrap();
+    assert!(html.contains("That is acrylate. epoxy: The response of"));
     assert!(html.contains("modulus") && html.contains("MPa"));
 }

@@ -719,12 +719,47 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "0.05\n",
+        "0.05\ncritical_dose_mj_per_mm3 = \"80 mJ/cm2\"\n",
+        "critical_dose_mj_per_mm3",
+        &[
+            "resin.critical_dose_mj_per_mm3",
+            "found \"80 mJ/cm2\"",
+            "in mJ/mm³",
+            "E/(100·D) mJ/mm³",
+        ],
+    ),
+    (
+        "0.05\n",
         "0.05\ncritical_dose_mj_per_mm3 = 0.8\n[schedule]\noptimize = \"frozen\"\n",
         "optimize",
         &[
             "schedule.optimize",
             "no network has an inhibitor: there is nothing to freeze",
         ],
+    ),
+    (
+        "[stop]",
+        "[schedule]\noptimize = \"frozen\"\n[[material.photopolymer.networks]]\nname = \"resin\"\n\
+         curing = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }\ninhibitors = [{ initial = { even = 0.0 }, diffusion_mm2_per_s = 1e-4 }]\n[stop]",
+        "optimize",
+        &["schedule.optimize", "0 from beginning to end"],
+    ),
+    (
+        "[stop]",
+        "[schedule]\nlevel_heights = true\n[[material.photopolymer.networks]]\nname = \"resin\"\n\
+         curing = { rate_law = { rate_per_s = 1.0, exponent = 0.5, gel_conversion = 0.2 } }\n[stop]",
+        "level_heights",
+        &[
+            "schedule.level_heights",
+            "resin cures by a rate law with an exponent below 1",
+            "a threshold of the dose",
+        ],
+    ),
+    (
+        "[stop]",
+        "[schedule]\nstep_s = 1e-9\n[[material.photopolymer.networks]]\nname = \"resin\"\ncuring = { threshold = { critical_dose_mj_per_mm3 = 0.4 } }\n[stop]",
+        "step_s",
+        &["schedule.step_s", "found 1e-9", "at most 1e7 steps"],
     ),
     (
         "[stop]",

@@ -48,6 +48,15 @@ pub enum Initial {
 }
 
 impl Initial {
+    /// Whether there is none of it anywhere.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        match self {
+            Initial::Even(value) => *value == 0.0,
+            Initial::Axial(points) => points.iter().all(|point| point[1] == 0.0),
+        }
+    }
+
     pub(super) fn at(&self, z: f64) -> f64 {
         match self {
             Initial::Even(value) => *value,

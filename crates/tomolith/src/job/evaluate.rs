@@ -148,8 +148,11 @@ impl std::fmt::Display for KeepDark {
 }
 
 impl Evaluated {
-    /// Dose at which the print of the headline is solid; None when nothing is.
+    /// Dose at which the print is solid: that of all species together where they have one, else of the headline; None when nothing is.
     pub(crate) fn gel_dose(&self, scene: &Scene) -> Result<Option<f64>> {
+        if let Some(together) = &self.one_exposure {
+            return Ok(Some(together.gel_dose));
+        }
         let response = scene.response();
         let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
         Ok(self.evaluation.gel_threshold.map(dose))
@@ -352,6 +355,10 @@ fn one_exposure(scene: &Scene, evaluations: &[&Evaluation]) -> Option<OneExposur
         let curve: Vec<[f64; 2]> = evaluation.curve.iter().map(dose).collect();
         (scene.species_name(s).unwrap_or_default(), curve)
     };
+    // Gray values have no threshold that one dose could meet
+    if evaluations.iter().any(|own| own.half_width.is_some()) {
+        return None;
+    }
     let species = scene.species().zip(evaluations).enumerate();
     let curves: Vec<_> = species.map(over_doses).collect();
     OneExposure::of(&curves)

@@ -199,6 +199,10 @@ fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option
         let text = text.to_owned();
         progress.event(&Event::Warning { text });
     }
+    let together = &report["one_exposure"]["gel_dose"];
+    if together.is_f64() {
+        return Ok(together.as_f64());
+    }
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };

@@ -10,6 +10,7 @@
 use super::evaluate::{lit_rows, measure_at};
 use super::outcome::TimeSummary;
 use super::refinement::Level;
+use super::resolve::JobKinds;
 use super::scene::{Scene, Voxels, at_section};
 use super::scheduled::sent_mj;
 use super::spec::{Against, Angles, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
@@ -36,7 +37,7 @@ use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;
 use tomolith_material::frozen::Frozen;
 use tomolith_material::mixing::Mixing;
-use tomolith_material::photopolymer::{Curing, Network, Params, Photopolymer};
+use tomolith_material::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use tomolith_material::print::{LightSource, Moment, PrintRun};
 use tomolith_material::printing::Printing;
 use tomolith_material::schedule::{Schedule, Turns};
@@ -105,7 +106,10 @@ impl InTime {
         let networks = self.networks.iter();
         let curves: Vec<(&str, Vec<[f64; 2]>)> =
             networks.map(|n| (n.name.as_str(), of(n))).collect();
-        OneMoment::of(&curves)
+        let first = self.networks.first()?;
+        let moments = first.points.iter().zip(&first.sent_mj);
+        let sent: Vec<[f64; 2]> = moments.map(|(p, mj)| [p.seconds, *mj]).collect();
+        OneMoment::of(&curves, &sent)
     }
 }
 
@@ -161,20 +165,175 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
             "evaluate.levels = \"rounded\", or level_heights = false",
         ));
     }
-    schedule(spec)?;
+    must_be_times(given, &schedule(spec)?)?;
     let mixing = spec.mixing()?;
-    let grid = VolumeGrid::centered([1, 1, 1], 0.1);
-    material(spec, mixing.as_deref(), Domain::new(grid))?;
+    let mut domain = Domain::new(VolumeGrid::centered([1, 1, 1], 0.1));
+    if spec.material.as_ref().is_some_and(|own| own.air_on_top) {
+        domain = domain.with_air_on_top();
+    }
+    let material = material(spec, mixing.as_deref(), domain)?;
+    must_have_thresholds(&material, given)?;
     must_have_inhibitors(spec, mixing.as_deref().unwrap_or_default(), given)?;
-    match given.step_s {
-        Some(step_s) if !(step_s > 0.0 && step_s.is_finite()) => Err(Error::config(
-            "schedule.step_s",
-            format!("found {step_s} s"),
-            "a time above 0",
+    must_begin_as_the_resin(spec)
+}
+
+/// Refuses steps and pictures that are no numbers, or too many.
+fn must_be_times(given: &ScheduleSpec, schedule: &Schedule) -> Result<()> {
+    if let Some(step_s) = given.step_s {
+        let checked = schedule.must_cut(step_s);
+        checked.map_err(|e| e.under("schedule"))?;
+    }
+    if !(given.shading_every_s >= 0.0 && given.shading_every_s.is_finite()) {
+        return Err(Error::config(
+            "schedule.shading_every_s",
+            format!("found {}", exact(given.shading_every_s)),
+            "a finite number of seconds, 0 (every step) or more",
+        ));
+    }
+    if given.snapshots > MOST_SNAPSHOTS {
+        return Err(Error::config(
+            "schedule.snapshots",
+            format!("found {}", given.snapshots),
+            format!("at most {MOST_SNAPSHOTS}: each is kept as a volume"),
+        ));
+    }
+    Ok(())
+}
+
+/// Refuses networks whose dose depends on the power where a dose is what counts.
+fn must_have_thresholds(material: &Photopolymer, given: &ScheduleSpec) -> Result<()> {
+    let (key, accepted) = if given.level_heights {
+        (
+            "schedule.level_heights",
+            "false, or a threshold of the dose",
+        )
+    } else if given.optimize == Against::Frozen {
+        (
+            "schedule.optimize",
+            "\"exact\" or \"dose\", or a threshold of the dose",
+        )
+    } else {
+        return Ok(());
+    };
+    let names = Material::species(material);
+    let mut names = names.iter().enumerate();
+    match names.find(|(s, _)| material.requirement(*s).is_none()) {
+        Some((_, name)) => Err(Error::config(
+            key,
+            format!(
+                "{name} cures by a rate law with an exponent below 1: the dose at which it gels depends on the power"
+            ),
+            accepted,
         )),
-        _ => Ok(()),
+        None => Ok(()),
     }
 }
+
+/// Refuses shading whose absorption before the cure is not that of the resin: patterns are evaluated in the one, and printed in the other.
+fn must_begin_as_the_resin(spec: &JobSpec) -> Result<()> {
+    let own = spec.material.as_ref();
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let shading = photopolymer.map_or(&[][..], |params| &params.shading);
+    for (i, shading) in shading.iter().enumerate() {
+        let at = |key: &str| format!("material.photopolymer.shading[{i}].{key}");
+        let resin = spec.resin_of(shading.light);
+        if resin.absorption_map.is_some() {
+            return Err(Error::config(
+                at("light"),
+                "resin.absorption_map says how this light is absorbed, and shading says it again",
+                "one of the two",
+            ));
+        }
+        let Some(absorption) = resin.absorption_per_mm else {
+            continue;
+        };
+        let scattered = absorption + resin.scattering_per_mm;
+        let attenuation = resin.attenuation_per_mm.unwrap_or(scattered);
+        for (key, [before, _], wanted) in [
+            ("active_per_mm", shading.active_per_mm, absorption),
+            (
+                "attenuation_per_mm",
+                shading.attenuation_per_mm,
+                attenuation,
+            ),
+        ] {
+            if (before - wanted).abs() > 1e-6 * wanted {
+                return Err(Error::config(
+                    at(key),
+                    format!("begins with {}", exact(before)),
+                    format!(
+                        "{} first, as the resin has it before it cures",
+                        exact(wanted)
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses surface-aware cells where patterns are optimized against what diffuses or is used up between voxels.
+///
+/// # Errors
+/// [`Error::Config`] at the key that asks for cells.
+pub(super) fn must_be_whole(spec: &JobSpec, kinds: &JobKinds) -> Result<()> {
+    let own = spec.material.as_ref();
+    let against = spec.schedule.as_ref().map(|given| given.optimize);
+    let found = if own.is_some_and(|material| material.diffusion.is_some()) {
+        "cells, and material.diffusion, which knows whole voxels only"
+    } else if against.is_some_and(|against| against != Against::Dose) {
+        "cells, and schedule.optimize, which knows whole voxels only"
+    } else {
+        return Ok(());
+    };
+    match kinds.cells_key() {
+        Some(key) => Err(Error::config(key, found, "\"voxel\" or \"fraction\"")),
+        None => Ok(()),
+    }
+}
+
+/// Refuses shading of light that no model follows through a resin that absorbs differently from place to place.
+///
+/// # Errors
+/// [`Error::Config`] with the model's reason.
+pub(super) fn must_be_shaded(scene: &Scene) -> Result<()> {
+    let own = scene.spec.material.as_ref();
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let shading = photopolymer.map_or(&[][..], |params| &params.shading);
+    let run = Run::new();
+    let lights = Lights::new(scene, &[], &run);
+    // Two slices are enough to change along z
+    let map = AbsorptionMap::new([2, 1, 1], scene.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
+    let map = Arc::new(map);
+    for (i, shading) in shading.iter().enumerate() {
+        if lights.is_straight(shading.light)? {
+            continue;
+        }
+        let covered = lights.family(shading.light, Some(&map));
+        covered.map_err(|error| at_shading(i, error))?;
+    }
+    Ok(())
+}
+
+/// Blames the shading for a model that does not cover it.
+fn at_shading(i: usize, error: Error) -> Error {
+    match error {
+        Error::Config {
+            key,
+            found,
+            accepted,
+            ..
+        } => Error::config(
+            format!("material.photopolymer.shading[{i}]"),
+            format!("cured resin shades, and {key} does not cover that: {found}"),
+            accepted,
+        ),
+        other => other,
+    }
+}
+
+/// Most pictures of a print as it grows.
+const MOST_SNAPSHOTS: usize = 100;
 
 /// Refuses a material that is none or two, and numbers that no dose diffuses with.
 fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
@@ -195,6 +354,13 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
             "material.diffusion.mm2_per_s",
             format!("found {}", exact(diffusion.mm2_per_s)),
             "a finite number, 0 or more, for example 1e-4",
+        ));
+    }
+    if material.air_on_top {
+        return Err(Error::config(
+            "material.air_on_top",
+            "air, and no inhibitor that it would hold",
+            "false with material.diffusion, or inhibitors in material.photopolymer.networks",
         ));
     }
     if diffusion.arcs == Some(0) {
@@ -219,15 +385,30 @@ fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> R
     let own = spec.material.as_ref();
     let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
     let networks = photopolymer.map_or(&[][..], |params| &params.networks);
-    let takes_nothing = |network: &Network| {
-        network.inhibitors.is_empty()
+    let has_air = own.is_some_and(|material| material.air_on_top);
+    let stays_empty = |s: usize, inhibitor: &Inhibitor| {
+        let is_made = rows
+            .get(s)
+            .is_some_and(|(_, row)| row.iter().any(|&m| m < 0.0));
+        inhibitor.initial.is_none() && !is_made && !(has_air && inhibitor.from_air)
+    };
+    let takes_nothing = |(s, network): (usize, &Network)| {
+        network
+            .inhibitors
+            .iter()
+            .all(|inhibitor| stays_empty(s, inhibitor))
             && network.dose_diffusion_mm2_per_s == 0.0
             && network.bleaching_mm3_per_mj == 0.0
     };
-    if given.optimize == Against::Frozen && networks.iter().all(takes_nothing) {
+    if given.optimize == Against::Frozen && networks.iter().enumerate().all(takes_nothing) {
+        let is_bare = networks.iter().all(|network| network.inhibitors.is_empty());
+        let none = match is_bare {
+            true => "no network has an inhibitor",
+            false => "every inhibitor is 0 from beginning to end",
+        };
         return Err(Error::config(
             "schedule.optimize",
-            "\"frozen\", and no network has an inhibitor: there is nothing to freeze",
+            format!("\"frozen\", and {none}: there is nothing to freeze"),
             "\"dose\", or inhibitors in material.photopolymer.networks",
         ));
     }
@@ -623,17 +804,43 @@ impl<'a> Lights<'a> {
     }
 
     fn planned(&self, i: usize, map: Option<Arc<AbsorptionMap>>) -> Result<HostModel> {
-        let mut light = [self.lights[i].clone()];
+        let light = [self.mapped(i, map.as_ref())];
         let purpose = if map.is_some() {
             Purpose::Probe
         } else {
             Purpose::Optimize
         };
-        light[0].map = map.or_else(|| light[0].map.take());
         let own = self.scene_of(i, &light, purpose);
         let asked = self.scene.optics.model.as_ref();
         let plan = planner::plan(asked, own, &self.scene.grid, None, self.run)?;
         Ok(Box::new(plan.model))
+    }
+
+    /// A light in the resin of the job, or in one with this map.
+    fn mapped(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Light {
+        let mut light = self.lights[i].clone();
+        light.map = map.cloned().or(light.map);
+        light
+    }
+
+    /// The family of models of a light.
+    fn family(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Result<Family> {
+        let light = [self.mapped(i, map)];
+        let own = self.scene_of(i, &light, Purpose::Optimize);
+        planner::choose(self.scene.optics.model.as_ref(), &own, &self.scene.grid)
+    }
+
+    /// Whether a light runs level and straight through resin that absorbs alike everywhere.
+    fn is_straight(&self, i: usize) -> Result<bool> {
+        let (light, vial) = (&self.lights[i], self.scene.optics.vial.as_ref());
+        let index = light.resin.refractive_index;
+        let outside = vial.surrounding_index(light.surrounding_index, index);
+        Ok(self.family(i, None)?.name() == "parallel"
+            && vial.walls().len() == 1
+            && vial.is_round()
+            && outside == index
+            && light.map.is_none()
+            && !light.resin.pure_radon)
     }
 
     /// The model of the resin in which nothing has cured, where light runs level and straight through it.
@@ -641,20 +848,7 @@ impl<'a> Lights<'a> {
         if let Some(known) = self.plain[i].get() {
             return Ok(known.clone());
         }
-        let light = &self.lights[i..=i];
-        let own = self.scene_of(i, light, Purpose::Optimize);
-        let asked = self.scene.optics.model.as_ref();
-        let family = planner::choose(asked, &own, &self.scene.grid)?;
-        let resin = &light[0].resin;
-        let vial = self.scene.optics.vial.as_ref();
-        let outside = vial.surrounding_index(light[0].surrounding_index, resin.refractive_index);
-        let is_straight = family.name() == "parallel"
-            && vial.walls().len() == 1
-            && vial.is_round()
-            && outside == resin.refractive_index
-            && light[0].map.is_none()
-            && !resin.pure_radon;
-        let model = if is_straight {
+        let model = if self.is_straight(i)? {
             Some(Arc::from(self.planned(i, None)?))
         } else {
             None
@@ -838,12 +1032,16 @@ impl Watched {
         } = self;
         let own = material.readout(curves.species());
         readout.scale(own.scale);
-        let evaluation = if best > 0.0 {
-            let degree = material.domain().layout().volume_of(readout.as_slice());
-            let gel = f64::from(own.gel);
-            Some(measure_at(scene, voxels, &degree, gel, patterns)?)
-        } else {
-            None
+        let mut snapshots = curves.snapshots().to_vec();
+        let evaluation = match curves.phases().curing_end_s {
+            Some(seconds) if best > 0.0 => {
+                let degree = material.domain().layout().volume_of(readout.as_slice());
+                let gel = f64::from(own.gel);
+                let evaluation = measure_at(scene, voxels, &degree, gel, patterns)?;
+                with_moment(&mut snapshots, seconds, degree);
+                Some(evaluation)
+            }
+            _ => None,
         };
         let no_time = || Volume::filled(scene.grid.clone(), f32::INFINITY);
         Ok(NetworkInTime {
@@ -853,12 +1051,20 @@ impl Watched {
             phases: curves.phases(),
             evaluation,
             cure_times: curves.cure_times(material).unwrap_or_else(no_time),
-            snapshots: curves.snapshots().to_vec(),
+            snapshots,
             points: curves.points().to_vec(),
             sent_mj: Vec::new(),
             labels: voxels.labels.clone(),
             slices,
         })
+    }
+}
+
+/// Puts a moment among others, unless one of them is it.
+fn with_moment(snapshots: &mut Vec<(f64, Volume<f32>)>, seconds: f64, degree: Volume<f32>) {
+    let at = snapshots.partition_point(|(before, _)| *before < seconds);
+    if snapshots.get(at).is_none_or(|(next, _)| *next > seconds) {
+        snapshots.insert(at, (seconds, degree));
     }
 }
 
@@ -927,6 +1133,9 @@ mod tests {
         assert!(number("best_jaccard") > 0.7, "{time}");
         let iou = time["evaluation"]["iou"].as_f64().unwrap();
         assert!((iou - number("best_jaccard")).abs() < 1e-9);
+        // The page shows that moment, too
+        let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
+        assert!(html.contains(" s, best</label>"));
         for file in ["time.csv", "cure_time.npy", "print.mp4"] {
             assert!(folder.path().join("run").join(file).exists(), "{file}");
         }
@@ -1163,6 +1372,17 @@ mod tests {
             ("schedule.turns=0", "schedule.turns"),
             ("schedule.duty=1.5", "schedule.duty"),
             ("schedule.step_s=0", "schedule.step_s"),
+            ("schedule.step_s=1e-9", "schedule.step_s"),
+            ("schedule.snapshots=101", "schedule.snapshots"),
+            ("schedule.shading_every_s=-1", "schedule.shading_every_s"),
+            (
+                "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.2, 0.2], attenuation_per_mm = [0.2, 0.5] }]",
+                "material.photopolymer.shading[0].active_per_mm",
+            ),
+            (
+                "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.2], attenuation_per_mm = [0.2, 0.5] }]",
+                "material.photopolymer.shading[0].attenuation_per_mm",
+            ),
             (
                 "schedule.power={ irradiance_mw_per_mm2 = -1 }",
                 "schedule.power",
@@ -1209,6 +1429,45 @@ mod tests {
         assert_eq!(
             refused(&[bare, "schedule.optimize=\"frozen\""]),
             "schedule.optimize"
+        );
+        assert_eq!(
+            refused(&[
+                "material={ diffusion = { mm2_per_s = 1e-4 }, air_on_top = true }",
+                "resin.critical_dose_mj_per_mm3=0.8"
+            ]),
+            "material.air_on_top"
+        );
+        assert_eq!(
+            refused(&[
+                "material.photopolymer.diffusion=\"spectral\"",
+                "material.air_on_top=true"
+            ]),
+            "material.photopolymer.diffusion"
+        );
+        let rate_law = "material.photopolymer.networks=[{ name = \"resin\", curing = { rate_law = { rate_per_s = 1.0, exponent = 0.5, gel_conversion = 0.2 } } }]";
+        for (change, key) in [
+            ("schedule.optimize=\"frozen\"", "schedule.optimize"),
+            ("schedule.level_heights=true", "schedule.level_heights"),
+        ] {
+            assert_eq!(refused(&[rate_law, change]), key);
+        }
+        // An inhibitor of which there is none is none, unless air or a light brings it
+        let empty = "material.photopolymer.networks[0].inhibitors[0].initial={ even = 0.0 }";
+        let frozen = "schedule.optimize=\"frozen\"";
+        assert_eq!(refused(&[empty, frozen]), "schedule.optimize");
+        let aired = job(&[empty, frozen, "material.air_on_top=true"]).unwrap();
+        assert!(ResolvedJob::new(&aired).is_ok());
+        // Waves know no resin that absorbs differently from place to place, and cells nothing that flows between them
+        let shades = "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.1, 0.5] }]";
+        assert!(ResolvedJob::new(&job(&[shades]).unwrap()).is_ok());
+        assert_eq!(
+            refused(&[shades, "model={ wave = {} }"]),
+            "material.photopolymer.shading[0]"
+        );
+        let cells = "objective={ threshold = { surface = \"cells\" } }";
+        assert_eq!(
+            refused(&[cells, "schedule.optimize=\"exact\""]),
+            "objective.threshold.surface"
         );
         // Air on top takes a seventh in place of a sixth: 14.3 s
         let step = "schedule.step_s=15";

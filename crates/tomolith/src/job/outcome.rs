@@ -92,7 +92,7 @@ impl fmt::Display for TimeSummary {
         };
         write!(
             f,
-            "{}: first solid {}, best {} (Jaccard {}{}), ideal exposure {}",
+            "{}: first solid {}, best {} (Jaccard {}{})",
             self.name,
             seconds(self.induction_end_s),
             seconds(self.best_s),
@@ -101,8 +101,11 @@ impl fmt::Display for TimeSummary {
             self.best_mj.map_or_else(String::new, |mj| {
                 format!(", {} mJ sent to the vial", significant(mj, 3))
             }),
-            seconds(self.ideal_exposure_s),
         )?;
+        // A rate law whose dose depends on the power needs no dose that could be named
+        if self.ideal_exposure_s.is_some() || self.largest_share.is_some() {
+            write!(f, ", ideal exposure {}", seconds(self.ideal_exposure_s))?;
+        }
         let Some(share) = self.largest_share else {
             return Ok(());
         };

@@ -113,6 +113,7 @@ impl Scene {
                 .push(other.map_err(|e| species::at_species(&job.spec, s, e))?);
         }
         species::must_fit(&scene)?;
+        in_time::must_be_shaded(&scene)?;
         scene.scenarios = scenarios::of_job(job, &scene, run)?;
         Ok(scene)
     }
@@ -141,6 +142,7 @@ impl Scene {
         try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
             .map_err(known_elsewhere)?;
         cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
+        in_time::must_be_whole(&spec, &kinds)?;
         property::must_fit(&spec, &job.base())?;
         counted_as(&spec, shape.is_gray())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());

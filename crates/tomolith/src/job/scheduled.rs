@@ -9,8 +9,7 @@ use crate::error::Result;
 use crate::exposure::Budget;
 use crate::grid::Patterns;
 use crate::report::Irradiance;
-use crate::report::number::significant;
-use crate::units::concise;
+use crate::report::number::told_apart;
 use tomolith_material::schedule::Schedule;
 
 /// Quantized patterns of one light, as [`Budget`] sees them.
@@ -92,12 +91,13 @@ pub(super) fn too_bright(spec: &JobSpec, shown: &[Patterns]) -> Result<Vec<Strin
         let name = spec.light[i].name.as_deref();
         // Rounding is no lack of light
         (asked > 1.001 * peak).then(|| {
+            let said = told_apart(&[asked, peak], 3);
             format!(
                 "the schedule needs {} mW/cm² where {} is brightest, and the printer gives {} (printer.peak_irradiance_mw_per_cm2): it cannot show these \
                  patterns in this time; use longer turns (schedule.seconds_per_turn), more turns with less power each, or a larger schedule.duty",
-                significant(asked, 3),
+                said[0],
                 name.map_or_else(|| format!("light[{i}]"), str::to_owned),
-                concise(peak),
+                said[1],
             )
         })
     };

@@ -209,21 +209,18 @@ impl Headline {
         let all = scene
             .species()
             .zip(std::iter::once(&judged.evaluation).chain(others));
-        let window = |(s, (own, evaluation)): (usize, (&Scene, &Evaluation))| {
+        let window = |(own, evaluation): (&Scene, &Evaluation)| {
             let response = own.response();
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
             // A resin that gels at a higher dose takes less of the same light
-            let time_s = match s {
-                0 => own_s,
-                _ => rate
-                    .zip(evaluation.gel_threshold)
-                    .map(|((first, seconds), threshold)| seconds * first / dose(threshold)),
-            };
+            let time_s = rate
+                .zip(evaluation.gel_threshold)
+                .map(|((run, seconds), threshold)| seconds * (run / dose(threshold)));
             ExposureWindow::new(evaluation, response.as_ref(), time_s)
         };
         let one_exposure = judged.one_exposure.clone();
         Ok(Headline {
-            exposures: all.enumerate().map(window).collect(),
+            exposures: all.map(window).collect(),
             one_exposure: one_exposure.map(|one| match rate {
                 Some((dose, seconds)) => one.in_time(dose, seconds),
                 None => one,
@@ -360,6 +357,7 @@ fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
         imbued_mj: p.imbued_mj,
         contribution_mj: p.contribution_mj,
         contrast: p.contrast,
+        printed_contrast: p.printed_contrast,
         jaccard: p.jaccard,
         solid: p.gelled,
         sent_mj,
