@@ -107,8 +107,8 @@ impl Capabilities {
 pub struct Cost {
     /// What is kept of rays where they are few ([`Rays::cached`]); None where nothing ever is.
     pub cached_entries: Option<CachedEntries>,
-    /// What else is kept between the calls of an optimization, bytes.
-    pub cached_bytes: f64,
+    /// What else is kept between the calls of an optimization, bytes, 0 where that is too much; None where nothing ever is.
+    pub cached_bytes: Option<f64>,
     /// Memory of frames at work, bytes; 0 where that is little.
     pub working_bytes: usize,
     /// Whether the kernel runs along the rows of pixels where these are fewer than slices of voxels.

@@ -139,10 +139,10 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let kept = || cached::bytes(scene.lights, scene.vial, grid);
+        let kept = || cached::bytes(scene.lights, scene.vial, grid).unwrap_or_default();
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
-            cached_bytes: is_optimized.then(kept).flatten().unwrap_or_default(),
+            cached_bytes: is_optimized.then(kept),
             runs_along_rows: true,
             ..Cost::default()
         })

@@ -125,7 +125,9 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     let (mut trials, mut plan) = by_optimizer(scene, optics, voxels, run)?;
     let updates = trials[0].updates_per_frame() * scene.extent.frames as f64;
     let walks = scene.extent.cached_entries;
-    if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64) {
+    if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64)
+        || scene.extent.cached_bytes == Some(0.0)
+    {
         // What few frames can keep is too much for all
         optics.purpose = Purpose::Probe;
         (trials, plan) = by_optimizer(scene, optics, voxels, run)?;

@@ -92,8 +92,8 @@ pub(crate) struct Extent {
     pub(crate) canvas: usize,
     /// The walks of its rays that the model keeps where they are few.
     pub(crate) cached_entries: Option<CachedEntries>,
-    /// What else the model keeps, bytes.
-    pub(crate) cached_bytes: f64,
+    /// What else the model keeps, bytes, 0 where that is too much.
+    pub(crate) cached_bytes: Option<f64>,
     /// Whether voxels take their own part of scattered light.
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
@@ -146,7 +146,7 @@ impl Extent {
             fields: 0,
             canvas: 0,
             cached_entries: None,
-            cached_bytes: 0.0,
+            cached_bytes: None,
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             scenarios: 0,
@@ -237,7 +237,10 @@ impl Extent {
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
         [
             (lanes(&self.finest) * per_voxel + self.of_rows()) / 1e6,
-            (self.models() * (self.scratch(1) + self.bytes_of_walks() + self.cached_bytes)
+            (self.models()
+                * (self.scratch(1)
+                    + self.bytes_of_walks()
+                    + self.cached_bytes.unwrap_or_default())
                 + patterns)
                 / 1e6,
             self.working_mb[0],
@@ -474,7 +477,7 @@ mod tests {
             fields: 0,
             canvas: 0,
             cached_entries: None,
-            cached_bytes: 0.0,
+            cached_bytes: None,
             glows: false,
             stacked: 0,
             scenarios: 0,
@@ -630,7 +633,7 @@ mod tests {
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
             cached_entries: Some(CachedEntries::SINGLE),
-            cached_bytes: 0.0,
+            cached_bytes: None,
             ..extent.clone()
         };
         let walks = keeping.optimization()[1] - pixels;

@@ -193,9 +193,16 @@ impl Scene {
             ..lit
         };
         let kept = family.cost(&turned, &finest).unwrap_or_default();
+        let kept_of_the_job = family.cost(&lit, &grid)?;
+        let effort = match [kept.cached_bytes, kept_of_the_job.cached_bytes] {
+            // Where entries are kept, calls take as long as these are many
+            [Some(finest), Some(own)] if levels.len() == 1 && finest > 0.0 && own > 0.0 => {
+                finest / own
+            }
+            _ => refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
+        };
         let extent = Extent {
-            effort: refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations)
-                * (1 + spec.scenario.len()) as f64,
+            effort: effort * (1 + spec.scenario.len()) as f64,
             cached_entries: kept.cached_entries,
             cached_bytes: kept.cached_bytes,
             finest,
@@ -205,7 +212,7 @@ impl Scene {
             stacked: bytes_stacked(&spec),
             scenarios: spec.scenario.len(),
             working_mb: [
-                family.cost(&lit, &grid)?.working_bytes as f64 / 1e6,
+                kept_of_the_job.working_bytes as f64 / 1e6,
                 judged_mb(&optics, &grid, refine)?,
             ],
             ..plain
