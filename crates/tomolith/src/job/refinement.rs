@@ -7,7 +7,8 @@
 //! times.
 //!
 //! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
-//! [`MOST_ANGLES`] angles. Each angle costs as much as a frame that stands still.
+//! [`MOST_ANGLES`] angles. Each angle costs as much as a frame that stands still; little where the model
+//! keeps its entries.
 //!
 //! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
 //! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
