@@ -163,7 +163,7 @@ impl Group {
 #[derive(Default)]
 pub(super) struct Bench {
     /// Which entries of a patch are lit.
-    chosen: Vec<u16>,
+    chosen: Vec<u32>,
     /// Lanes of voxels of a patch that are outside the tile.
     outside: Vec<f32>,
 }
@@ -180,7 +180,7 @@ impl Bench {
         let mut count = 0;
         for (i, &slot) in slots.iter().enumerate() {
             // Written either way: no branch to guess
-            self.chosen[count] = i as u16;
+            self.chosen[count] = i as u32;
             count += usize::from(keep(slot));
         }
         PatchEntries {

@@ -438,11 +438,16 @@ impl Parallel {
         });
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        // Few long chunks read the dose less often; the result does not depend on their length
+        // Few long chunks read the dose less often; the result does not depend on their length. Long ones hold whole groups.
         let chunk = views
             .len()
             .div_ceil(4 * rayon::current_num_threads())
-            .next_multiple_of(GROUP);
+            .max(1);
+        let chunk = if chunk > GROUP {
+            chunk.next_multiple_of(GROUP)
+        } else {
+            chunk
+        };
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let per_view = plan.columns * row;

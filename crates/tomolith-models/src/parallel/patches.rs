@@ -20,13 +20,13 @@ pub(super) struct PatchEntries<'a> {
     pub(super) first: u32,
     pub(super) slots: &'a [u32],
     pub(super) weights: &'a [[f32; VOXELS]],
-    pub(super) chosen: &'a [u16],
+    pub(super) chosen: &'a [u32],
 }
 
 impl PatchEntries<'_> {
     fn iter(&self) -> impl Iterator<Item = (usize, &[f32; VOXELS])> {
         self.chosen.iter().map(|&i| {
-            let i = usize::from(i);
+            let i = i as usize;
             (
                 self.slots[i].wrapping_sub(self.first) as usize,
                 &self.weights[i],
@@ -218,7 +218,7 @@ mod x86 {
             let mut sums: [[__m512; N]; VOXELS] =
                 out.map(|out| std::array::from_fn(|v| _mm512_loadu_ps(out.add(v * 16))));
             for &i in entries.chosen {
-                let i = usize::from(i);
+                let i = i as usize;
                 let from =
                     base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
                 let weights = entries.weights.get_unchecked(i);
@@ -277,7 +277,7 @@ mod x86 {
             let values: [[__m512; N]; VOXELS] =
                 values.map(|from| std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16))));
             for &i in entries.chosen {
-                let i = usize::from(i);
+                let i = i as usize;
                 let to =
                     base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
                 let weights = entries.weights.get_unchecked(i);
