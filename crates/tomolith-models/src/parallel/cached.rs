@@ -26,7 +26,7 @@ use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
 /// Most bytes that are kept.
-const MOST: f64 = (1u64 << 30) as f64;
+const MOST: f64 = (1u64 << 31) as f64;
 
 /// Bytes of an entry: a slot, and weights of the patch.
 const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;

@@ -36,7 +36,7 @@
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
 //! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames
 //! share these: see `views.rs`. An optimization keeps the entries of all frames where they are few, and joins the angles of a frame:
-//! see `cached.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats), and 1.1 GB of such entries at most.
+//! see `cached.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats), and 2.1 GB of such entries at most.
 //!
 //! # Example
 //! Uniform light of 1 mJ/mm² from four sides through an index-matched cylinder makes, at the axis, four times
