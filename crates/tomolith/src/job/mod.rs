@@ -59,6 +59,7 @@ mod selection;
 pub mod spec;
 mod species;
 mod stages;
+mod time_refusals;
 pub mod trace;
 pub mod validate;
 mod write;

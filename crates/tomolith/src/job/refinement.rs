@@ -72,13 +72,16 @@ fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
     lights.iter().zip(sub_angles).map(turned).collect()
 }
 
-/// What the iterations of all levels cost, relative to `iterations` on the job's own voxels.
+/// What the iterations of all levels cost, relative to `iterations` on the job's own voxels. `entries`: what the model keeps on the finest voxels
+/// and on the job's own, 0 where it keeps none; calls take as long as these are many.
 pub(super) fn effort(
     levels: &[Level],
-    grid: &VolumeGrid,
-    lights: &[Light],
-    iterations: usize,
+    (grid, lights, iterations): (&VolumeGrid, &[Light], usize),
+    entries: [f64; 2],
 ) -> f64 {
+    if levels.len() == 1 && entries.iter().all(|&entries| entries > 0.0) {
+        return entries[0] / entries[1];
+    }
     let mut done = 0;
     let mut sum = 0.0;
     for level in levels {

@@ -12,7 +12,7 @@ use super::resolve::{JobKinds, counted_as, try_kinds};
 use super::resources::{available_disk_mb, compared, free_memory_mb, memory_budget_mb, require};
 use super::scenarios::{self, Scenario};
 use super::spec::{GridSpec, JobSpec};
-use super::{cells, clip, in_time, light, multiresolution, property, species};
+use super::{cells, clip, in_time, light, multiresolution, property, species, time_refusals};
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
@@ -142,7 +142,7 @@ impl Scene {
         try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
             .map_err(known_elsewhere)?;
         cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
-        in_time::must_be_whole(&spec, &kinds)?;
+        time_refusals::must_be_whole(&spec, &kinds)?;
         property::must_fit(&spec, &job.base())?;
         counted_as(&spec, shape.is_gray())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
@@ -166,7 +166,7 @@ impl Scene {
         notes.extend(moved(moved_mm));
         notes.extend(chosen(&spec));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
-        in_time::must_be_stable(&spec, &grid)?;
+        time_refusals::must_be_stable(&spec, &grid)?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
         // A file that is missing is told before numbers that do not suit it
         let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
@@ -194,13 +194,9 @@ impl Scene {
         };
         let kept = family.cost(&turned, &finest).unwrap_or_default();
         let kept_of_the_job = family.cost(&lit, &grid)?;
-        let effort = match [kept.cached_bytes, kept_of_the_job.cached_bytes] {
-            // Where entries are kept, calls take as long as these are many
-            [Some(finest), Some(own)] if levels.len() == 1 && finest > 0.0 && own > 0.0 => {
-                finest / own
-            }
-            _ => refinement::effort(&levels, &grid, &optics.lights, spec.stop.iterations),
-        };
+        let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
+        let of_the_job = (&grid, &optics.lights[..], spec.stop.iterations);
+        let effort = refinement::effort(&levels, of_the_job, entries);
         let extent = Extent {
             effort: effort * (1 + spec.scenario.len()) as f64,
             cached_entries: kept.cached_entries,

@@ -1,11 +1,11 @@
 //! Ranges of every key, before any work.
 
-use super::in_time;
 use super::spec::{
     Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
     ResinSpec, SelectionSpec,
 };
 use super::species::at_species;
+use super::time_refusals;
 use crate::error::{Error, Result};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::{PrinterSpec, shown_rate};
@@ -286,7 +286,7 @@ fn species(spec: &JobSpec) -> Result<()> {
         }
     }
     spec.mixing()?;
-    in_time::must_fit(spec)
+    time_refusals::must_fit(spec)
 }
 
 fn light(light: &LightSpec) -> Result<()> {
