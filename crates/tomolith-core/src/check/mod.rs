@@ -4,6 +4,7 @@
 
 pub mod model;
 pub mod small;
+pub mod taylor;
 
 use crate::kind::{Kind, Section};
 use serde_json::Value;

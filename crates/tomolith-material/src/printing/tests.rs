@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
+use tomolith_core::check::taylor::Remainders;
 use tomolith_core::forward;
 use tomolith_core::response::{Logistic, Response, logistic};
 
@@ -165,19 +166,15 @@ fn in_time(lights: usize) -> Printing {
 
 #[test]
 fn the_gradient_through_time_passes_a_taylor_test() {
-    for lights in [1, 2] {
+    // Cosine transforms round off more: the second ends where f32 ends it
+    for (lights, decades) in [(1, 2), (2, 1)] {
         let printing = in_time(lights);
         let run = Run::new();
         let x = positive(printing.new_patterns().unwrap().len(), 1);
         let mut d = x.zeros_like();
         d.copy_from_host(&check::noise(2, d.len()));
-        let mut c = printing.new_dose().unwrap();
-        for output in printing.outputs() {
-            let grid = output.grid.clone();
-            let values = check::noise(3, grid.len());
-            let field = output.field_of(&tomolith_core::grid::Volume { grid, values });
-            c.as_mut_slice()[output.range()].copy_from_slice(&field);
-        }
+        // Of one sign, so that terms of second order do not cancel; padding is 0 in every cure
+        let c = positive(printing.new_dose().unwrap().len(), 3);
         let value = |e: f32| {
             let (mut y, mut dose) = (x.clone(), printing.new_dose().unwrap());
             y.axpy(e, &d);
@@ -187,23 +184,14 @@ fn the_gradient_through_time_passes_a_taylor_test() {
         let mut grad = x.zeros_like();
         grad.fill(f32::NAN);
         printing.pullback(&x, &c, &mut grad, &run).unwrap();
-        let (exact, at) = (grad.dot(&d), value(0.0));
-        // Remainder of second order: halves of e take it to a quarter
-        let remainder = |e: f32| (value(e) - at - f64::from(e) * exact).abs();
-        let [a, b, c] = [0.08, 0.04, 0.02].map(remainder);
-        assert!(
-            (3.2..5.0).contains(&(a / b)) && (3.2..5.0).contains(&(b / c)),
-            "{lights}: {a} {b} {c}"
-        );
-        assert!(
-            exact.abs() > 1e-2 && c < 0.2 * 0.02 * exact.abs(),
-            "{exact} {c}"
-        );
-        let slope = (value(0.02) - value(-0.02)) / 0.04;
-        assert!(
-            (slope / exact - 1.0).abs() < 2e-3,
-            "{lights}: {slope} {exact}"
-        );
+        let exact = grad.dot(&d);
+        let left = Remainders::over(decades, 0.1, &value, exact);
+        assert!((left.order() - 2.0).abs() < 0.05, "{lights}: {left:?}");
+        let is_second = |order: &f64| (1.8..2.2).contains(order);
+        assert!(left.orders().iter().all(is_second), "{lights}: {left:?}");
+        // A slope that is off by a hundredth shows
+        let off = Remainders::over(decades, 0.1, &value, 1.01 * exact);
+        assert!(!off.orders().iter().all(is_second), "{lights}: {off:?}");
     }
 }
 
