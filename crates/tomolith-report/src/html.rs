@@ -2,14 +2,15 @@
 //!
 //! The best exposure and what limits the print; headline numbers with the vial turning, as it prints, and standing still; dose
 //! histogram and IoU over the threshold; the surface in the colors of its deviation; three slices of target, dose and error; the history of the optimization; sinogram and frames; all numbers; times,
-//! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script.
+//! warnings, the job. Text from outside (part, job, warnings) is escaped. The page needs no script; the
+//! one it may have makes a slider of buttons.
 
 use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
 use super::number::{escape, significant, told_apart};
 use super::plot::{Axis, Plot};
 use super::{
-    LightReport, MapReport, MovieReport, ReportData, ScenarioTable, SpeciesReport, latitude,
-    limits, relief, time,
+    LightReport, MapReport, MovieReport, ReportData, ScenarioTable, SpeciesReport, growth,
+    latitude, limits, relief, time,
 };
 use rayon::prelude::*;
 use std::fmt::Write as _;
@@ -226,9 +227,13 @@ fn in_time(data: &ReportData<'_>) -> String {
         )
     });
     let networks = data.time.iter().enumerate();
-    networks.fold(together, |page, (i, network)| {
+    let page = networks.fold(together, |page, (i, network)| {
         page + &time::section(network, i, own_um)
-    })
+    });
+    match data.time.iter().all(|network| network.snapshots.is_empty()) {
+        true => page,
+        false => page + growth::SCRIPT,
+    }
 }
 
 /// Properties of the printed material.

@@ -6,6 +6,7 @@
 
 pub mod compare;
 mod figures;
+mod growth;
 pub mod html;
 pub mod json;
 pub mod latitude;

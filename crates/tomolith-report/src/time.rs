@@ -1,8 +1,6 @@
 //! The print in time: curves, phases, the ideal exposure, and the part as it grows.
-//!
-//! The slider is made of radio buttons: the page needs no script.
 
-use super::figures::growth;
+use super::growth;
 use super::html::clock;
 use super::number::{escape, significant, told_apart};
 use super::plot::{Axis, Plot};
@@ -56,6 +54,21 @@ pub struct TimeReport<'a> {
 }
 
 impl TimeReport<'_> {
+    /// Solid share of part and of void at a time, linear between moments.
+    pub(super) fn solid_at(&self, seconds: f64) -> [f64; 2] {
+        let after = self.points.partition_point(|p| p.seconds < seconds);
+        let last = self.points.len().saturating_sub(1);
+        let ends = [after.saturating_sub(1), after].map(|i| self.points.get(i.min(last)));
+        let [Some(a), Some(b)] = ends else {
+            return [0.0; 2];
+        };
+        let share = match b.seconds - a.seconds {
+            0.0 => 0.0,
+            apart => ((seconds - a.seconds) / apart).clamp(0.0, 1.0),
+        };
+        [0, 1].map(|i| a.solid[i] + share * (b.solid[i] - a.solid[i]))
+    }
+
     /// Largest Jaccard index.
     fn best(&self) -> Option<&TimePoint> {
         let at = self.phases_s[1]?;
@@ -136,7 +149,7 @@ pub(super) fn section(time: &TimeReport<'_>, number: usize, above_um: f64) -> St
         voxels(time, above_um),
         jaccard_plot(time),
         energy_plot(time),
-        slider(time, number),
+        growth::slider(time, number),
     )
 }
 
@@ -272,36 +285,4 @@ fn energy_plot(time: &TimeReport<'_>) -> String {
         plot.line_at(ideal, "gel", "ideal");
     }
     plot.svg("Absorbed drive over time")
-}
-
-/// The part as it grows: a picture per snapshot, chosen by radio buttons.
-fn slider(time: &TimeReport<'_>, number: usize) -> String {
-    if time.snapshots.is_empty() {
-        return String::new();
-    }
-    let best = time.phases_s[1].unwrap_or(0.0);
-    let nearest = (0..time.snapshots.len())
-        .min_by(|&a, &b| {
-            let off = |i: usize| (time.snapshots[i].0 - best).abs();
-            off(a).total_cmp(&off(b))
-        })
-        .unwrap_or(0);
-    let mut out = String::from("<h3>As it grows</h3><div class=\"growth\">");
-    for (i, (seconds, degree)) in time.snapshots.iter().enumerate() {
-        let checked = if i == nearest { " checked" } else { "" };
-        let note = if time.phases_s[1] == Some(*seconds) {
-            ", best"
-        } else {
-            ""
-        };
-        let _ = write!(
-            out,
-            "<input type=\"radio\" name=\"growth{number}\" id=\"growth{number}-{i}\"{checked}>\
-             <label for=\"growth{number}-{i}\">{} s{note}</label><div class=\"grown\">{}</div>",
-            significant(*seconds, 3),
-            growth(time.labels, degree),
-        );
-    }
-    out.push_str("</div>");
-    out
 }

@@ -819,7 +819,7 @@ mod tests {
         assert!((iou - number("best_jaccard")).abs() < 1e-9);
         // The page shows that moment, too
         let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
-        assert!(html.contains(" s, best</label>"));
+        assert!(html.contains("type=\"range\"") && html.contains(" s, best</label>"));
         for file in ["time.csv", "cure_time.npy", "print.mp4"] {
             assert!(folder.path().join("run").join(file).exists(), "{file}");
         }
