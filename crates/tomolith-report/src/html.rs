@@ -155,10 +155,16 @@ fn first_of(data: &ReportData<'_>) -> String {
 
 /// What a reader looks for first: how long to expose, and what to change.
 fn first(data: &ReportData<'_>) -> String {
-    let about = data.species.first().filter(|_| data.species.len() > 1);
-    let about = about.map(|species| species.name);
     let exposure = latitude::section(data);
-    let limits = limits::section(data.limits, about);
+    let of_species: Vec<_> = data
+        .species
+        .iter()
+        .map(|own| (own.name, own.limits))
+        .collect();
+    let limits = match of_species.len() {
+        0 | 1 => limits::section(data.limits),
+        _ => limits::section_of_species(&of_species),
+    };
     format!("<div class=\"two\">{exposure}{limits}</div>")
 }
 

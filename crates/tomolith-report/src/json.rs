@@ -21,7 +21,8 @@
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns; budget (time, turns, energies: those of the schedule where the job has one),
 //!               irradiance (of white in that schedule, and the most that the printer gives; else null)
-//! species       where a job names several: name, driven_by (factor of each light), evaluation and exposure as above; the first is that of `evaluation`
+//! species       where a job names several: name, driven_by (factor of each light), evaluation, exposure and limits as above; the first is that of
+//!               `evaluation`
 //! one_exposure  of several species: gel_dose (at which all of them gel), species and iou (of each then), where the lowest of them is the largest;
 //!               limited_by (the species with the lowest), percent and time_s as in exposure, of the lowest IoU
 //! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
@@ -176,6 +177,7 @@ fn species_json(species: &SpeciesReport<'_>) -> Value {
         "driven_by": driven_by,
         "evaluation": evaluation_json(species.evaluation),
         "exposure": species.exposure,
+        "limits": species.limits.causes,
     })
 }
 

@@ -138,6 +138,8 @@ pub struct SpeciesReport<'a> {
     pub window: Option<[f64; 2]>,
     /// Over which exposures it is nearly as good as at its own best one.
     pub exposure: Option<ExposureWindow>,
+    /// What limits it.
+    pub limits: &'a PrintLimits,
 }
 
 /// Everything a report shows.
@@ -154,7 +156,7 @@ pub struct ReportData<'a> {
     pub models: Vec<(&'static str, String)>,
     /// Over which exposures the print is nearly as good as at the best one, where that can be said.
     pub exposure: Option<&'a ExposureWindow>,
-    /// What limits the print.
+    /// What limits the print; of the first of several species.
     pub limits: &'a PrintLimits,
     /// The patterns of each light.
     pub lights: Vec<LightReport<'a>>,

@@ -60,18 +60,38 @@ pub struct PrintLimits {
     pub causes: Vec<Limit>,
 }
 
-/// The section of the page, which says that it is about this species where there are several; empty where nothing was measured.
-pub(super) fn section(limits: &PrintLimits, species: Option<&str>) -> String {
+const TITLE: &str = "<h2>What limits the print</h2>";
+
+/// The section of the page; empty where nothing was measured.
+pub(super) fn section(limits: &PrintLimits) -> String {
     if limits.causes.is_empty() {
         return String::new();
     }
+    format!("<section>{TITLE}{}</section>", body(limits))
+}
+
+/// The same for several species by name.
+pub(super) fn section_of_species(species: &[(&str, &PrintLimits)]) -> String {
+    let of = |(name, limits): &(&str, &PrintLimits)| {
+        if limits.sentence.is_empty() && limits.causes.is_empty() {
+            return String::new();
+        }
+        format!("<h3>{}</h3>{}", escape(name), body(limits))
+    };
+    let all: String = species.iter().map(of).collect();
+    if all.is_empty() {
+        return all;
+    }
+    format!("<section>{TITLE}{all}</section>")
+}
+
+fn body(limits: &PrintLimits) -> String {
     let mut items = String::new();
     for limit in &limits.causes {
         let _ = write!(items, "<li>{}</li>", code(&limit.advice));
     }
-    let about = species.map_or_else(String::new, |name| format!(" of {}", escape(name)));
     format!(
-        "<section><h2>What limits the print{about}</h2><p>{}</p><ol class=\"limits\">{items}</ol></section>",
+        "<p>{}</p><ol class=\"limits\">{items}</ol>",
         code(&limits.sentence)
     )
 }
@@ -109,9 +129,13 @@ mod tests {
             sentence: "All.".to_owned(),
             causes: vec![limit],
         };
-        assert!(
-            section(&limits, None).contains("<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>")
-        );
-        assert_eq!(section(&PrintLimits::default(), None), "");
+        let item = "<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>";
+        let none = PrintLimits::default();
+        assert!(section(&limits).contains(item));
+        assert_eq!(section(&none), "");
+        let both = section_of_species(&[("soft", &limits), ("st<iff", &limits)]);
+        assert_eq!(both.matches(item).count(), 2);
+        assert!(both.contains("<h3>soft</h3>") && both.contains("<h3>st&lt;iff</h3>"));
+        assert_eq!(section_of_species(&[("soft", &none)]), "");
     }
 }

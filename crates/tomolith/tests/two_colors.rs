@@ -61,6 +61,16 @@ fn report(changes: &[String]) -> (Value, tempfile::TempDir, String) {
     (report, folder, summary.to_string())
 }
 
+/// What limits a species are the steps from a perfect print to the predicted one.
+fn assert_limits_add_up(species: &Value) {
+    let losses = species["limits"].as_array().unwrap().iter();
+    let lost: f64 = losses
+        .map(|limit| limit["loss_in_iou"].as_f64().unwrap())
+        .sum();
+    let iou = species["evaluation"]["iou"].as_f64().unwrap();
+    assert!((1.0 - lost - iou).abs() < 1e-6, "{species}");
+}
+
 #[test]
 fn two_species_are_judged_at_one_exposure() {
     let changes = [
@@ -113,6 +123,13 @@ fn two_species_are_judged_at_one_exposure() {
         said.contains(&sentence) && html.contains(&sentence),
         "{said}"
     );
+    for name in ["acrylate", "epoxy"] {
+        assert!(said.contains(&format!("\n{name}: Predicted IoU")), "{said}");
+        assert!(html.contains(&format!("<h3>{name}</h3><p>Predicted IoU")));
+    }
+    assert_eq!(report["limits"], report["species"][0]["limits"]);
+    assert_limits_add_up(&report["species"][1]);
+    assert!(html.contains("Finer pixels of uv may bring more"), "{said}");
     assert!(html.contains("acrylate alone") && html.contains("epoxy alone"));
     assert!(
         said.contains("acrylate:") && said.contains("epoxy:"),

@@ -7,6 +7,7 @@ use super::cross_check::{self, CrossCheck};
 use super::doubts;
 use super::in_time::{InTime, print_in_time};
 use super::noise::Noise;
+use super::others::{self, Others};
 use super::progress::{Event, Progress};
 use super::scenarios;
 use super::scene::{Scene, Voxels};
@@ -59,45 +60,13 @@ pub(crate) struct Evaluated {
     /// The same patterns in time, where the job has a schedule.
     pub(crate) in_time: Option<InTime>,
     /// The prints of further species.
-    pub(crate) others: Vec<Species>,
+    pub(crate) others: Vec<others::Species>,
     /// All species at one exposure, where there are several.
     pub(crate) one_exposure: Option<OneExposure>,
     /// The same patterns in the job's scenarios.
     pub(crate) scenarios: Option<ScenarioTable>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
-}
-
-/// The print of a species beside the first: written patterns, turning vial, finer grid.
-pub(crate) struct Species {
-    pub(crate) evaluation: Evaluation,
-    /// Its dose, averaged to the optimization's voxels.
-    pub(crate) dose: Volume<f32>,
-    /// Its target on the finer grid.
-    pub(crate) fine: Voxels,
-    /// Its response there.
-    pub(crate) response: Volume<f32>,
-}
-
-impl Species {
-    fn of(
-        scene: &Scene,
-        dose: Volume<f32>,
-        grid: &VolumeGrid,
-        shown: &[Patterns],
-        cancel: &Run,
-    ) -> Result<Self> {
-        let fine = scene.voxels_under(&dose.grid, &cancel.aside())?;
-        let mean = averaged(&dose, grid);
-        let response = scene.responses(dose)?;
-        let evaluation = measure(scene, &fine, &response, shown, cancel.aside())?;
-        Ok(Species {
-            evaluation: evaluation.with_sub_angles(scene.spec.evaluate.sub_angles),
-            dose: mean,
-            fine,
-            response,
-        })
-    }
 }
 
 /// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
@@ -173,12 +142,18 @@ pub(crate) fn evaluate_patterns(
     cancel: &Run,
 ) -> Result<Evaluated> {
     let mut workspace = Workspace::default();
+    let mut others = Others::new(scene);
+    let own_of_others = match raw {
+        None => Vec::new(),
+        Some(_) => others::voxels(scene, &scene.grid, cancel)?,
+    };
     let optimization = match raw {
         None => None,
         Some(raw) => {
             let lights = scene.optics.lights.clone();
             let run = cancel.part(share::OWN_DOSE);
-            let (dose, ..) = dose(scene, lights, &scene.grid, raw, &mut workspace, &run)?;
+            let (dose, doses, _) = dose(scene, lights, &scene.grid, raw, &mut workspace, &run)?;
+            others.optimized(&own_of_others, doses, cancel)?;
             let response = scene.responses(dose)?;
             let run = cancel.part(share::OWN_NUMBERS);
             let evaluation = measure(scene, voxels, &response, raw, run)?;
@@ -192,12 +167,10 @@ pub(crate) fn evaluate_patterns(
         Some(_) => {
             let lights = scene.optics.lights.clone();
             let run = cancel.part(share::OWN_DOSE);
-            let (dose, ..) = dose(scene, lights, &scene.grid, shown, &mut workspace, &run)?;
-            let response = scene.responses(dose)?;
+            let (dose, doses, _) = dose(scene, lights, &scene.grid, shown, &mut workspace, &run)?;
+            others.written(&own_of_others, doses, cancel)?;
             let run = cancel.part(share::OWN_NUMBERS);
-            headline(voxels.target.gray)
-                .metric
-                .measure(&print_under(scene, voxels, &response, run)?)
+            headline_of(scene, voxels, dose, run)?
         }
     };
     let stands = |light: &Light| light.pixels.frame_arc == 0.0;
@@ -219,7 +192,8 @@ pub(crate) fn evaluate_patterns(
     progress.event(&Event::Note { text });
     workspace = Workspace::default();
     let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;
-    let (still, ..) = dose(
+    let fine_of_others = others::voxels(scene, &grid, cancel)?;
+    let (still, doses, _) = dose(
         scene,
         scene.optics.lights_turning(1),
         &grid,
@@ -227,11 +201,12 @@ pub(crate) fn evaluate_patterns(
         &mut workspace,
         &cancel.part(share::STANDING),
     )?;
+    others.standing(&fine_of_others, doses, cancel)?;
     let response = scene.responses(still)?;
     let run = cancel.part(share::NUMBERS);
     let standing = measure(scene, &fine, &response, shown, run)?;
     workspace.values = response.values;
-    let (turning, others, model) = dose(
+    let (turning, doses, model) = dose(
         scene,
         scene.optics.lights_turning(sub_angles),
         &grid,
@@ -240,10 +215,7 @@ pub(crate) fn evaluate_patterns(
         &cancel.part(share::TURNING),
     )?;
     drop(workspace);
-    let mut species = Vec::with_capacity(others.len());
-    for (other, dose) in scene.others.iter().zip(others) {
-        species.push(Species::of(other, dose, &scene.grid, shown, cancel)?);
-    }
+    let species = others.turning(fine_of_others, doses, shown, cancel)?;
     let mean = averaged(&turning, &scene.grid);
     cancel.check()?;
     let material = scene.response();
@@ -546,8 +518,20 @@ fn print_under<'a>(
     Ok(print)
 }
 
+/// The headline number of a dose.
+pub(super) fn headline_of(
+    scene: &Scene,
+    voxels: &Voxels,
+    dose: Volume<f32>,
+    run: Run,
+) -> Result<Measure> {
+    let response = scene.responses(dose)?;
+    let print = print_under(scene, voxels, &response, run)?;
+    Ok(headline(voxels.target.gray).metric.measure(&print))
+}
+
 /// The numbers of a print.
-fn measure(
+pub(super) fn measure(
     scene: &Scene,
     voxels: &Voxels,
     response: &Volume<f32>,
@@ -562,7 +546,7 @@ fn measure(
 }
 
 /// Means over the fine voxels of each coarse one.
-fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
+pub(super) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     let [_, ny, nx] = grid.shape;
     let factor = fine.grid.shape[0] / grid.shape[0].max(1);
     let mut values = vec![0.0f32; grid.len()];

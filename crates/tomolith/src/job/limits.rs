@@ -2,16 +2,18 @@
 
 use super::evaluate::{Evaluated, headline};
 use super::optimize::Optimized;
+use super::others::Steps;
 use super::scene::{Scene, few_angles};
-use super::spec::JobSpec;
-use crate::grid::PatternGrid;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
 use crate::optimize::{Row, StopReason};
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
+use acting::{Arcs, Ends, acting_on, coarsest_pixels};
 use std::fmt;
+
+mod acting;
 
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
@@ -20,122 +22,113 @@ const STILL_FALLING: f64 = 0.01;
 /// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
 const FALLING_FAST: f64 = 0.1;
 
-/// What the patterns of a run or a simulation lose, and where.
+/// What the patterns of a run or a simulation lose, and where, of every species.
 pub(crate) fn limits(
     scene: &Scene,
     judged: &Evaluated,
     optimized: Option<&Optimized>,
     is_toy: bool,
-) -> PrintLimits {
-    let spec = &scene.spec;
-    let kind = headline(judged.evaluation.half_width.is_some());
-    let get = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
-    let lights = &scene.optics.lights;
-    let arc = |light: &Light| light.pixels.frame_arc;
-    let arc = lights.iter().map(arc).fold(0.0, f64::max);
-    let arc_deg = (arc > 0.0).then(|| arc.to_degrees());
-    let finest = scene.levels.last();
-    if judged.evaluation.part.is_some_and(|part| part.max == 0.0) {
-        let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
-        return PrintLimits {
-            sentence,
-            causes: Vec::new(),
-        };
-    }
-    let best = judged.evaluation.curve.iter().map(|[_, iou]| *iou);
-    let gains_nothing = |o: &Optimized| {
-        o.gain_in_the_end()
-            .is_some_and(|gain| gain < WORTH_CHANGING)
-    };
-    let falls_fast =
-        |o: &Optimized| Fall::of(&o.outcome.history).is_some_and(|fall| fall.share > FALLING_FAST);
-    let found = Found {
-        kind,
-        optimized: judged.optimization.as_ref().and_then(get),
-        written: judged.written,
-        standing: get(&judged.standing),
-        turning: get(&judged.evaluation),
-        pitches_mm: [scene.grid.pitch_mm, judged.evaluation.grid.pitch_mm],
-        bits: spec.evaluate.bit_depth,
-        has_machine: spec.printer.is_some(),
-        arc_deg,
-        is_optimized_turning: finest.is_some_and(|level| {
-            let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
-            let mut turning = level.lights.iter().filter(turning).peekable();
-            turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
-        }),
-        saw_finer: finest.is_some_and(|level| {
-            level.grid.pitch_mm < scene.grid.pitch_mm
-                && level.grid.pitch_mm <= judged.evaluation.grid.pitch_mm
-        }),
-        pixel_key: pixel_key(spec, lights),
-        is_simulated: optimized.is_none(),
+) -> Vec<PrintLimits> {
+    let job = Asked {
+        scene,
+        optimized,
         is_toy,
-        has_few_angles: few_angles(spec).is_some(),
-        best: spec.evaluate.threshold.and(best.reduce(f64::max)),
-        ends: scene
-            .shape
-            .upright_mm()
-            .filter(|_| !scene.shape.is_gray() && scene.optics.scene().beyond_slices().is_none())
-            .and_then(|z| Ends::worst(z, lights)),
-        falling: optimized
-            .filter(|o| falls_fast(o) || !gains_nothing(o))
-            .and_then(|o| Falling::of(o.outcome.reason, &o.outcome.history)),
     };
-    found.limits()
+    let of = |kind: &MetricKind| {
+        let measured = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
+        Steps {
+            optimized: judged.optimization.as_ref().and_then(measured),
+            written: judged.written,
+            standing: measured(&judged.standing),
+        }
+    };
+    let first = job.species(
+        scene,
+        0,
+        &judged.evaluation,
+        of(kind_of(&judged.evaluation)),
+    );
+    let others = scene.others.iter().zip(&judged.others).enumerate();
+    let others =
+        others.map(|(s, (scene, print))| job.species(scene, s + 1, &print.evaluation, print.steps));
+    std::iter::once(first).chain(others).collect()
 }
 
-/// The key of the coarsest pixels' size.
-fn pixel_key(spec: &JobSpec, lights: &[Light]) -> String {
-    let mut coarsest = 0;
-    for (i, light) in lights.iter().enumerate() {
-        if light.pixels.pixel_mm2() > lights[coarsest].pixels.pixel_mm2() {
-            coarsest = i;
+fn kind_of(evaluation: &Evaluation) -> &'static MetricKind {
+    headline(evaluation.half_width.is_some())
+}
+
+/// What is the same for every species of a job.
+struct Asked<'a> {
+    scene: &'a Scene,
+    optimized: Option<&'a Optimized>,
+    is_toy: bool,
+}
+
+impl Asked<'_> {
+    /// Of species `s`, whose scene this is.
+    fn species(&self, own: &Scene, s: usize, judged: &Evaluation, steps: Steps) -> PrintLimits {
+        if judged.part.is_some_and(|part| part.max == 0.0) {
+            let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
+            return PrintLimits {
+                sentence,
+                causes: Vec::new(),
+            };
+        }
+        self.found(own, s, judged, steps).limits()
+    }
+
+    fn found(&self, own: &Scene, s: usize, judged: &Evaluation, steps: Steps) -> Found {
+        let (scene, spec) = (self.scene, &own.spec);
+        let kind = kind_of(judged);
+        let lights = acting_on(scene, s);
+        let finest = scene.levels.last();
+        let (pixel_key, pixel_light) = coarsest_pixels(spec, &lights);
+        let best = judged.curve.iter().map(|[_, iou]| *iou);
+        Found {
+            kind,
+            optimized: steps.optimized,
+            written: steps.written,
+            standing: steps.standing,
+            turning: judged.measures.get(kind.name),
+            pitches_mm: [scene.grid.pitch_mm, judged.grid.pitch_mm],
+            bits: spec.evaluate.bit_depth,
+            has_machine: spec.printer.is_some(),
+            arcs: Arcs::of(&lights),
+            is_optimized_turning: finest.is_some_and(|level| {
+                let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
+                let mut turning = level.lights.iter().filter(turning).peekable();
+                turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
+            }),
+            saw_finer: finest.is_some_and(|level| {
+                level.grid.pitch_mm < scene.grid.pitch_mm
+                    && level.grid.pitch_mm <= judged.grid.pitch_mm
+            }),
+            pixel_key,
+            pixel_light,
+            is_simulated: self.optimized.is_none(),
+            is_toy: self.is_toy,
+            has_few_angles: few_angles(spec).is_some(),
+            best: spec.evaluate.threshold.and(best.reduce(f64::max)),
+            ends: own
+                .shape
+                .upright_mm()
+                .filter(|_| !own.shape.is_gray() && own.optics.scene().beyond_slices().is_none())
+                .and_then(|z| Ends::worst(z, &lights)),
+            falling: self.falling(s),
         }
     }
-    let kinds = spec.light[coarsest].projector.0.as_object();
-    match kinds.and_then(|kinds| kinds.keys().next()) {
-        Some(kind) => format!("light[{coarsest}].projector.{kind}.pixel_pitch_mm"),
-        None => "light.projector".to_owned(),
-    }
-}
 
-/// Flat ends of a part, and the nearest edges of rows of pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Ends {
-    part_mm: [f64; 2],
-    rows_mm: [f64; 2],
-}
-
-impl Ends {
-    fn of(part_mm: [f64; 2], pixels: &PatternGrid) -> Self {
-        let top = pixels.field_mm()[1][1];
-        let pitch = pixels.pitch_mm[1];
-        let nearest = |z: f64| top - ((top - z) / pitch).round() * pitch;
-        Ends {
-            part_mm,
-            rows_mm: part_mm.map(nearest),
-        }
-    }
-
-    /// Those of the light whose rows end farthest from the part's ends.
-    fn worst(part_mm: [f64; 2], lights: &[Light]) -> Option<Self> {
-        let ends = lights.iter().map(|light| Ends::of(part_mm, &light.pixels));
-        ends.reduce(|worst, ends| {
-            if ends.share() > worst.share() {
-                ends
-            } else {
-                worst
-            }
-        })
-    }
-
-    /// Share of a prism's volume that lies between its ends and the rows'.
-    fn share(self) -> f64 {
-        let beside: f64 = (0..2)
-            .map(|i| (self.part_mm[i] - self.rows_mm[i]).abs())
-            .sum();
-        beside / (self.part_mm[1] - self.part_mm[0])
+    /// Whether the loss had not come to rest; of the first species it is known whether that would have brought anything.
+    fn falling(&self, s: usize) -> Option<Falling> {
+        let optimized = self.optimized?;
+        let gain = optimized.gain_in_the_end().filter(|_| s == 0);
+        let gains_nothing = gain.is_some_and(|gain| gain < WORTH_CHANGING);
+        let history = &optimized.outcome.history;
+        let falls_fast = Fall::of(history).is_some_and(|fall| fall.share > FALLING_FAST);
+        (falls_fast || !gains_nothing)
+            .then(|| Falling::of(optimized.outcome.reason, history))
+            .flatten()
     }
 }
 
@@ -217,14 +210,16 @@ struct Found {
     pitches_mm: [f64; 2],
     bits: u32,
     has_machine: bool,
-    /// Arc of a frame; None for a list of angles.
-    arc_deg: Option<f64>,
+    /// Arcs of frames; None for lists of angles.
+    arcs: Option<Arcs>,
     /// Whether the optimization counted the turning already.
     is_optimized_turning: bool,
     /// Whether the optimizer looked at voxels as fine as the evaluation's: the job's own then limit nothing.
     saw_finer: bool,
     /// The key of the pixels' size.
     pixel_key: String,
+    /// Whose pixels these are, where there are several lights.
+    pixel_light: Option<String>,
     /// Whether the patterns were given: nothing was optimized.
     is_simulated: bool,
     /// Whether the job is a quick trial, whose coarseness limits more than any key.
@@ -355,14 +350,15 @@ impl Found {
             return None;
         }
         let loss = self.loss(self.standing, self.turning)?;
-        let arc = self
-            .arc_deg
-            .map_or_else(String::new, |deg| format!(" by {}°", significant(deg, 3)));
+        let (by, key) = match &self.arcs {
+            Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
+            None => (String::new(), "light.angles"),
+        };
         let found = format!(
-            "The vial turns{arc} during each frame, which gives {}.",
+            "The vial turns{by} during each frame, which gives {}.",
             self.change(self.standing?, self.turning?),
         );
-        Some(self.limit(Cause::Turning, loss, "light.angles", found, "Raise"))
+        Some(self.limit(Cause::Turning, loss, key, found, "Raise"))
     }
 
     /// What the threshold that the job names costs.
@@ -379,12 +375,15 @@ impl Found {
 
     /// What flat ends within rows of pixels cost: light ends with a row, so a prism becomes higher or lower than it should.
     fn row_ends(&self) -> Option<Limit> {
-        let ends = self.ends.filter(|_| self.kind.better != Better::Lower)?;
+        let ends = self.ends.as_ref();
+        let ends = ends.filter(|_| self.kind.better != Better::Lower)?;
         let loss = ends.share();
         let [[low, high], [below, above]] =
             [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
+        let of = ends.light.as_ref();
+        let of = of.map_or_else(String::new, |name| format!(" of {name}"));
         let found = format!(
-            "The part ends at z = {low} and {high} mm, inside rows of pixels, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
+            "The part ends at z = {low} and {high} mm, inside rows of pixels{of}, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
             significant(100.0 * loss, 1)
         );
         let action = "Change the part's height or place, or lower";
@@ -433,15 +432,14 @@ impl Found {
                     advice: found,
                 });
             }
-            let (key, action) = if self.has_few_angles {
-                ("light.angles", "Light comes from too few sides: raise")
-            } else {
-                (
-                    self.pixel_key.as_str(),
-                    "Finer pixels may bring more: lower",
-                )
-            };
-            return Some(self.limit(Cause::Optics, loss, key, found, action));
+            if self.has_few_angles {
+                let action = "Light comes from too few sides: raise";
+                return Some(self.limit(Cause::Optics, loss, "light.angles", found, action));
+            }
+            let of = self.pixel_light.as_ref();
+            let of = of.map_or_else(String::new, |name| format!(" of {name}"));
+            let action = format!("Finer pixels{of} may bring more: lower");
+            return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, &action));
         };
         let found = format!(
             "{reach}, and the loss function still fell by {} % in the last {} of {} iterations.",
@@ -505,7 +503,10 @@ impl Found {
                 true => "make the patterns anew: ",
                 false => "",
             };
-            format!(" To improve, {anew}{verb} `{}`.", limit.key)
+            let of = self.pixel_light.as_ref();
+            let of = of.filter(|_| limit.key == self.pixel_key);
+            let of = of.map_or_else(String::new, |name| format!(" ({name})"));
+            format!(" To improve, {anew}{verb} `{}`{of}.", limit.key)
         });
         let turning = self.value(self.turning?);
         let steps = match steps.join(", ") {
@@ -528,7 +529,9 @@ fn signed(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::acting::Acting;
     use super::*;
+    use crate::grid::PatternGrid;
     use crate::metrics::{gray, iou};
 
     /// The numbers of the first example.
@@ -542,10 +545,14 @@ mod tests {
             pitches_mm: [0.056, 0.028],
             bits: 8,
             has_machine: false,
-            arc_deg: Some(2.0),
+            arcs: Some(Arcs {
+                said: "2°".to_owned(),
+                key: "light.angles".to_owned(),
+            }),
             is_optimized_turning: false,
             saw_finer: false,
             pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
+            pixel_light: None,
             is_simulated: false,
             is_toy: false,
             has_few_angles: false,
@@ -680,7 +687,7 @@ mod tests {
     fn flat_ends_within_rows_are_what_limits_a_prism() {
         // Rows of 56 µm with an edge at 0: a gear 3 mm high reaches 26.786 of them to each side
         let rows = PatternGrid::full_turn(180, 0.0, 64, 176, 0.056);
-        let ends = Ends::of([-1.5, 1.5], &rows);
+        let ends = Ends::of([-1.5, 1.5], &rows, None);
         assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
         let gear = Found {
             optimized: Some(0.995),
@@ -700,12 +707,61 @@ mod tests {
         assert!(
             (limits.causes[1].loss - 0.007).abs() < 1e-9 && limits.causes[1].cause == Cause::Optics
         );
-        let fits = Ends::of([-1.512, 1.512], &rows);
+        let fits = Ends::of([-1.512, 1.512], &rows, None);
         let gear = Found {
             ends: Some(fits),
             ..gear
         };
         assert!(gear.limits().causes.iter().all(|l| l.cause != Cause::Ends));
+    }
+
+    #[test]
+    fn of_several_lights_the_one_that_limits_is_named() {
+        use crate::optics::resin::Resin;
+        let light = |frames, pitch| {
+            let pixels = PatternGrid::full_turn(frames, 0.0, 4, 8, pitch);
+            Light::new(pixels, Resin::absorbing(1.5, 0.1))
+        };
+        let lights = [light(120, 0.05), light(180, 0.1)];
+        let acting = |index: usize, name| Acting {
+            index,
+            name,
+            light: &lights[index],
+        };
+        let both = [acting(0, Some("violet")), acting(1, Some("uv"))];
+        let arcs = Arcs::of(&both).unwrap();
+        assert_eq!(arcs.said, "3° (violet) and 2° (uv)");
+        assert_eq!(arcs.key, "light[0].angles");
+        let one = Arcs::of(&[acting(0, None)]).unwrap();
+        assert_eq!((&one.said[..], &one.key[..]), ("3°", "light.angles"));
+        let rows = &lights[1].pixels;
+        let found = Found {
+            optimized: Some(0.9),
+            written: Some(0.9),
+            standing: Some(0.9),
+            turning: Some(0.88),
+            arcs: Some(arcs),
+            pixel_key: "light[1].projector.collimated.pixel_pitch_mm".to_owned(),
+            pixel_light: Some("uv".to_owned()),
+            ends: Some(Ends::of([-0.15, 0.2], rows, Some("uv"))),
+            ..found()
+        };
+        let limits = found.limits();
+        let said: String = limits
+            .causes
+            .iter()
+            .map(|l| l.advice.clone() + "\n")
+            .collect();
+        for text in [
+            "The vial turns by 3° (violet) and 2° (uv) during each frame",
+            "Raise `light[0].angles`",
+            "Finer pixels of uv may bring more",
+            "inside rows of pixels of uv, but",
+        ] {
+            assert!(said.contains(text), "{said}");
+        }
+        let sentence = &limits.sentence;
+        assert!(sentence.ends_with("pixel_pitch_mm` (uv)."), "{sentence}");
     }
 
     #[test]

@@ -39,6 +39,7 @@ mod model_probe;
 mod multiresolution;
 mod noise;
 mod optimize;
+mod others;
 pub mod outcome;
 pub mod progress;
 mod property;

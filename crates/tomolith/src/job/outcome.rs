@@ -131,6 +131,8 @@ pub struct SpeciesSummary {
     pub evaluation: Quality,
     /// Over which exposures it is nearly as good as at its own best one; None where that cannot be said.
     pub exposure: Option<ExposureWindow>,
+    /// What limits it.
+    pub limits: PrintLimits,
 }
 
 /// The end of a run.
@@ -168,7 +170,7 @@ pub struct Summary {
     pub one_moment: Option<OneMoment>,
     /// The same patterns in the job's scenarios; None where it has none.
     pub scenarios: Option<ScenarioTable>,
-    /// What limits the print.
+    /// What limits the print; of the first of several species.
     pub limits: PrintLimits,
     /// The required IoU.
     pub required_iou: Option<f64>,
@@ -193,6 +195,21 @@ impl Summary {
             asked.is_none_or(|asked| found.is_some_and(|found| found >= asked))
         };
         reached(self.required_iou, self.evaluation.iou) && reached(self.required_in_band, in_band)
+    }
+
+    /// What limits the print, in one sentence for every species.
+    fn all_limits(&self) -> Vec<String> {
+        let own = |species: &SpeciesSummary| {
+            let text = &species.limits.sentence;
+            (!text.is_empty()).then(|| format!("{}: {text}", species.name))
+        };
+        match self.species.is_empty() {
+            true => Some(self.limits.sentence.clone())
+                .filter(|text| !text.is_empty())
+                .into_iter()
+                .collect(),
+            false => self.species.iter().filter_map(own).collect(),
+        }
     }
 
     /// What is said of the exposure: one sentence where there is one exposure, else one of each species.
@@ -273,12 +290,7 @@ impl fmt::Display for Summary {
                 writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
             }
         }
-        let limits = Some(&self.limits.sentence).filter(|text| !text.is_empty());
-        let limits = limits.map(|text| match self.species.first() {
-            Some(species) => format!("{}: {text}", species.name),
-            None => text.clone(),
-        });
-        for text in limits.into_iter().chain(self.exposures()) {
+        for text in self.all_limits().into_iter().chain(self.exposures()) {
             writeln!(f, "\n{text}")?;
         }
         if let Some(scenarios) = &self.scenarios {

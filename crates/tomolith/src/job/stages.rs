@@ -24,7 +24,7 @@ use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::ranks::{Communicator, together};
-use crate::report::{ExposureWindow, Timing};
+use crate::report::Timing;
 use crate::units::{concise, counted};
 use std::path::Path;
 use std::sync::Arc;
@@ -522,7 +522,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         standing: quality(&done.judged.standing),
         optimization: done.judged.optimization.as_ref().map(quality),
         exposure: headline.exposures.first().copied().flatten(),
-        species: species(done, &headline.exposures),
+        species: species(done, &headline),
         one_exposure: headline.one_exposure,
         in_time: done
             .judged
@@ -532,7 +532,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .collect(),
         one_moment: done.judged.in_time.as_ref().and_then(InTime::together),
         scenarios: done.judged.scenarios.clone(),
-        limits: headline.limits,
+        limits: headline.limits.into_iter().next().unwrap_or_default(),
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
         evaluation_voxels: [2, 1, 0].map(|axis| done.judged.evaluation.grid.shape[axis]),
@@ -543,21 +543,19 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
 }
 
 /// Every species, where the job names several.
-fn species(done: &Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<SpeciesSummary> {
+fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
     if done.judged.others.is_empty() {
         return Vec::new();
     }
     let others = done.judged.others.iter().map(|other| &other.evaluation);
     let all = std::iter::once(&done.judged.evaluation).chain(others);
-    let of = |(s, (evaluation, exposure)): (usize, (&Evaluation, &Option<ExposureWindow>))| {
-        let name = done.scene.species_name(s).unwrap_or_default();
-        SpeciesSummary {
-            name: name.to_owned(),
-            evaluation: quality(evaluation),
-            exposure: *exposure,
-        }
+    let of = |(s, evaluation): (usize, &Evaluation)| SpeciesSummary {
+        name: done.scene.species_name(s).unwrap_or_default().to_owned(),
+        evaluation: quality(evaluation),
+        exposure: headline.exposures[s],
+        limits: headline.limits[s].clone(),
     };
-    all.zip(exposures).enumerate().map(of).collect()
+    all.enumerate().map(of).collect()
 }
 
 fn quality(evaluation: &Evaluation) -> Quality {

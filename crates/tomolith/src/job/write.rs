@@ -192,8 +192,8 @@ pub(crate) struct Headline {
     pub(crate) exposures: Vec<Option<ExposureWindow>>,
     /// The same of several species together.
     pub(crate) one_exposure: Option<OneExposure>,
-    /// What it loses, and where.
-    pub(crate) limits: PrintLimits,
+    /// What it loses, and where, of every species.
+    pub(crate) limits: Vec<PrintLimits>,
 }
 
 impl Headline {
@@ -287,7 +287,7 @@ fn report(
         facts: facts(done),
         models: made.models,
         exposure: headline.exposures.first().and_then(Option::as_ref),
-        limits: &headline.limits,
+        limits: &headline.limits[0],
         lights,
         labels: &judged.fine.labels,
         response: &judged.response,
@@ -298,7 +298,7 @@ fn report(
         standing: Some(&judged.standing),
         optimization: judged.optimization.as_ref(),
         published: published(done, exposures.lights())?,
-        species: species(done, &headline.exposures),
+        species: species(done, headline),
         one_exposure: headline.one_exposure.as_ref(),
         time: time(done),
         one_moment: judged.in_time.as_ref().and_then(InTime::together),
@@ -397,7 +397,7 @@ fn map(property: &Property) -> MapReport<'_> {
 }
 
 /// What every species prints, where the job names some.
-fn species<'a>(done: &'a Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<SpeciesReport<'a>> {
+fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
     let Done { scene, judged, .. } = done;
     let Some(rows) = &scene.mixing else {
         return Vec::new();
@@ -408,9 +408,10 @@ fn species<'a>(done: &'a Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<
         .iter()
         .map(|other| (&other.evaluation, &other.fine, &other.response));
     let prints = std::iter::once(first).chain(others);
-    let species = rows.iter().zip(scene.species()).zip(prints).zip(exposures);
+    let said = headline.exposures.iter().zip(&headline.limits);
+    let species = rows.iter().zip(scene.species()).zip(prints).zip(said);
     let mut reports = Vec::with_capacity(rows.len());
-    for ((((name, row), scene), (evaluation, fine, response)), exposure) in species {
+    for ((((name, row), scene), (evaluation, fine, response)), (exposure, limits)) in species {
         let light =
             |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
         reports.push(SpeciesReport {
@@ -422,6 +423,7 @@ fn species<'a>(done: &'a Done<'_>, exposures: &[Option<ExposureWindow>]) -> Vec<
             inside: &fine.target.inside,
             window: window(&scene.spec),
             exposure: *exposure,
+            limits,
         });
     }
     reports
