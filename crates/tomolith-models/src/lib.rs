@@ -6,6 +6,7 @@
 //! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
 //! back-projection).
 
+mod blurred;
 mod cell_blur;
 mod coarse;
 mod family;

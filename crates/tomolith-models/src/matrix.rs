@@ -94,7 +94,8 @@ impl ModelFamily for Params {
 
     fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
         let is_cut = scene.solid.is_some();
-        is_cut.then_some("a stored matrix has whole voxels only")
+        let cut = is_cut.then_some("a stored matrix has whole voxels only");
+        cut.or(scene.point_spread())
     }
 
     /// Reads the file, which is read again when it is needed.

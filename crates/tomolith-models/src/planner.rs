@@ -3,6 +3,7 @@
 //! Like the planner of a Fourier-transform library: the rows of [`MODELS`] are tried in the order of what they cost, and the first one
 //! that covers the optics is taken. A job may name a family instead; what it does not cover is refused with the reason.
 
+use super::blurred::{Blurred, widened};
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
@@ -130,7 +131,13 @@ pub fn plan(
         .then(|| family.unscattered(&input))
         .transpose()?
         .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
-    let model = MaskedModel::new(family.build(&input)?, dark.clone(), factor);
+    let built = if lights.iter().any(|light| light.point_spread.is_some()) {
+        let model = family.build(&input.lit_by(&widened(&lights)))?;
+        Box::new(Blurred::new(model, layouts(&lights), &lights))
+    } else {
+        family.build(&input)?
+    };
+    let model = MaskedModel::new(built, dark.clone(), factor);
     Ok(ModelPlan {
         reason: format!(
             "{}: {}",

@@ -52,6 +52,13 @@ impl OpticalScene<'_> {
         })
     }
 
+    /// That the projector's light has a measured spread, for models whose light has one already; None without.
+    pub(crate) fn point_spread(&self) -> Option<&'static str> {
+        let is_spread = |light: &Light| light.point_spread.is_some();
+        (self.lights.iter().any(is_spread))
+            .then_some("light.psf spreads light, and this model's light is spread already")
+    }
+
     /// Why light does not stay in the slice that it comes in, the same way in all slices; None when it does, and nothing scatters it.
     #[must_use]
     pub fn beyond_slices(&self) -> Option<&'static str> {

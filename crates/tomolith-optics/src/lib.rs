@@ -9,6 +9,7 @@ pub mod light;
 pub mod motion;
 pub mod obstacle;
 pub mod phase;
+pub mod point_spread;
 pub mod power_balance;
 pub mod projector;
 pub mod random;

@@ -11,6 +11,7 @@
 
 use crate::absorption_map::AbsorptionMap;
 use crate::interface::Polarization;
+use crate::point_spread::PointSpread;
 use crate::resin::Resin;
 use crate::trace::Bath;
 use std::sync::Arc;
@@ -34,6 +35,8 @@ pub struct Light {
     pub map: Option<Arc<AbsorptionMap>>,
     /// What weakens light before the vial.
     pub bath: Option<Bath>,
+    /// How the projector spreads the light of a pixel over its neighbors; None: each keeps its own.
+    pub point_spread: Option<Arc<PointSpread>>,
     /// Polarization at the projector.
     pub polarization: Polarization,
     /// Positions within a frame's arc that are averaged; 1: the vial stands still during a frame.
@@ -55,6 +58,7 @@ impl Light {
             surrounding_index: 1.0,
             map: None,
             bath: None,
+            point_spread: None,
             polarization: Polarization::Unpolarized,
             sub_angles: 1,
             active: None,

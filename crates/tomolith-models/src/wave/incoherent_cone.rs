@@ -147,7 +147,8 @@ impl ModelFamily for Params {
 
     fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
         let beyond = || beyond(scene.vial, scene.lights);
-        scene.beyond_slices().or_else(beyond)
+        let spread = scene.point_spread();
+        scene.beyond_slices().or(spread).or_else(beyond)
     }
 
     /// Refuses voxels that do not lie on the rows of pixels.

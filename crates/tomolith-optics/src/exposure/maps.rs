@@ -43,7 +43,7 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
 }
 
 /// Two columns of numbers, parted by commas, semicolons, blanks or tabs; empty lines and lines with # are skipped.
-pub(super) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
+pub(crate) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
     let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
     let mut points = Vec::new();
     for (i, line) in text.lines().enumerate() {

@@ -7,7 +7,7 @@
 
 pub mod budget;
 pub mod calibration;
-mod maps;
+pub(crate) mod maps;
 pub mod movie;
 mod placing;
 pub mod printer;

@@ -1,5 +1,6 @@
 //! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`compatibility`](super::compatibility).
 
+use super::point_spread;
 use super::selection::selection_of;
 use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, ResinSpec, VialCommon};
 use crate::error::{Error, Result};
@@ -104,6 +105,7 @@ impl Optics {
             let pixels = &light.pixels;
             light.selection =
                 selection_of(&own.selection, place, pixels, vial.as_ref(), &paths[i])?;
+            light.point_spread = point_spread::of_light((i, own), &light.pixels, base)?;
         }
         let mut optics = Optics {
             vial,
@@ -442,6 +444,7 @@ fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2])
         surrounding_index: spec.vial.common.surrounding_index,
         map: None,
         bath: None,
+        point_spread: None,
         polarization: light.polarization,
         sub_angles: light.sub_angles.unwrap_or(1),
         active: None,

@@ -41,6 +41,7 @@ mod noise;
 mod optimize;
 mod others;
 pub mod outcome;
+mod point_spread;
 pub mod progress;
 mod property;
 mod ranks;

@@ -9,6 +9,7 @@ use super::scene::Scene;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::models::{OpticalScene, planner};
 use crate::optics::light::Light;
+use std::sync::Arc;
 
 /// Smallest number of voxels along an edge, and of frames, that a level may have.
 const LEAST: usize = 8;
@@ -75,6 +76,7 @@ fn coarser_light(light: &Light, factor: usize) -> Light {
             offset_mm: pixels.offset_mm,
         },
         active: None,
+        point_spread: (light.point_spread.as_ref()).map(|spread| Arc::new(spread.coarser(factor))),
         selection: light.selection.mapped(|mask| {
             let fewer = mask.every(factor);
             fewer.coarser(factor, rows, columns)

@@ -136,7 +136,12 @@ impl Job {
             *file = absolute(&self.base().join(&*file));
         }
         for light in &mut spec.light {
-            for file in light.printer.gray_curve_file.iter_mut() {
+            for file in light
+                .printer
+                .gray_curve_file
+                .iter_mut()
+                .chain(&mut light.psf)
+            {
                 *file = absolute(&self.base().join(&*file));
             }
         }
@@ -177,6 +182,8 @@ impl Job {
             light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
             light.projector.coarsen(TOY);
             light.selection.coarsen(TOY as usize);
+            // It is an image on the pixels of the whole job
+            light.psf = None;
             match &mut light.angles {
                 Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
                 Angles::List(list) => list.truncate(TOY_FRAMES),

@@ -201,7 +201,7 @@ pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
 }
 
 /// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "file",
     "image",
     "absorption",
@@ -210,6 +210,7 @@ const FILES: [&str; 10] = [
     "inner",
     "mesh",
     "mask",
+    "psf",
     "flat_field",
     "dead_pixels",
 ];

@@ -327,6 +327,10 @@ pub struct LightSpec {
     /// Which pixels may be lit; the others stay dark. All that can help the part when left out.
     #[serde(default, skip_serializing_if = "SelectionSpec::is_default")]
     pub selection: SelectionSpec,
+    /// How the projector spreads the light of one pixel, measured: an image of it (PNG, TIFF, NPY; one number per pixel of the light, row 0 on top, the lit
+    /// pixel in the middle), or a CSV table of radius in mm and light. Every pixel keeps its light when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub psf: Option<PathBuf>,
     /// The optics, `projector.KIND`.
     pub projector: ProjectorSpec,
 }

@@ -1,0 +1,415 @@
+//! A model whose pixels spread their light over their neighbors before it enters the vial: F(Bx), with the derivative Bᵀ·F′(Bx)ᵀ.
+//!
+//! B is the [`PointSpread`] of each light, frame by frame: linear, so a line polynomial of F stays one. F has more active pixels than the
+//! patterns: all that their light is spread to.
+//!
+//! **Limits** Patterns of energy: amplitudes of waves do not add up so. Light that is spread beyond the image is lost.
+//!
+//! **Cost** of a frame: its active pixels times those of the spread, as sums along z.
+
+use super::{DoseModel, HostModel, PatternLayout, Run, ZCoupling, frames_of, own_frames};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::Arc;
+use tomolith_core::error::Result;
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::forward;
+use tomolith_optics::light::Light;
+use tomolith_optics::point_spread::PointSpread;
+
+/// The same lights with every pixel active that light is spread to.
+pub(crate) fn widened(lights: &[Light]) -> Vec<Light> {
+    let wide = |light: &Light| {
+        let mut wide = light.clone();
+        if let (Some(spread), Some(active)) = (&light.point_spread, &light.active) {
+            let size = [light.pixels.columns, light.pixels.rows];
+            let frames = active.chunks(size[0].max(1));
+            wide.active = Some(frames.flat_map(|own| dilated(own, spread, size)).collect());
+        }
+        wide
+    };
+    lights.iter().map(wide).collect()
+}
+
+/// Active rows `(bottom, count)` of the columns of a frame, and those that a spread reaches from them.
+fn dilated(
+    active: &[(u32, u32)],
+    spread: &PointSpread,
+    [columns, rows]: [usize; 2],
+) -> Vec<(u32, u32)> {
+    let reach = spread.reach();
+    let of = |column: usize| {
+        let near = column.saturating_sub(reach[0])..(column + reach[0] + 1).min(columns);
+        let lit = || active[near.clone()].iter().filter(|run| run.1 > 0);
+        let bottom = lit().map(|run| run.0).min();
+        let top = lit().map(|run| run.0 + run.1).max();
+        bottom.zip(top).map_or((0, 0), |(bottom, top)| {
+            let bottom = bottom.saturating_sub(reach[1] as u32);
+            let top = (top + reach[1] as u32).min(rows as u32);
+            (bottom, top - bottom)
+        })
+    };
+    (0..columns).map(of).collect()
+}
+
+/// See the [module page](self).
+pub(crate) struct Blurred {
+    model: HostModel,
+    /// Of the patterns before they are spread.
+    patterns: Vec<PatternLayout>,
+    /// One per light; None: every pixel keeps its light.
+    spreads: Vec<Option<Arc<PointSpread>>>,
+}
+
+impl Blurred {
+    /// A model of lights that are [`widened`], for the patterns of the lights as they are.
+    pub(crate) fn new(model: HostModel, patterns: Vec<PatternLayout>, lights: &[Light]) -> Self {
+        let spreads = lights.iter().map(|light| light.point_spread.clone());
+        Blurred {
+            model,
+            patterns,
+            spreads: spreads.collect(),
+        }
+    }
+
+    fn all(&self) -> Range<usize> {
+        0..frames_of(&self.patterns)
+    }
+
+    /// Bx of some frames; the others are dark.
+    fn spread(&self, frames: &Range<usize>, x: &HostField) -> Result<HostField> {
+        let mut lit = self.model.new_patterns()?;
+        self.carry(
+            frames,
+            (&self.patterns, x.as_slice()),
+            (self.model.patterns(), lit.as_mut_slice()),
+            1,
+        );
+        Ok(lit)
+    }
+
+    /// to ← B·from of some frames, or Bᵀ·from where the sign is −1: the same sums with the spread turned about its middle.
+    fn carry(
+        &self,
+        frames: &Range<usize>,
+        (from_layouts, from): (&[PatternLayout], &[f32]),
+        (to_layouts, to): (&[PatternLayout], &mut [f32]),
+        sign: isize,
+    ) {
+        for (light, own) in own_frames(&self.patterns, frames) {
+            let (source, sink) = (&from_layouts[light], &to_layouts[light]);
+            let elements = sink.elements_of(own.clone());
+            let Some(spread) = &self.spreads[light] else {
+                to[elements].copy_from_slice(&from[source.elements_of(own)]);
+                continue;
+            };
+            let mut rest = &mut to[elements];
+            let mut images = Vec::with_capacity(own.len());
+            for frame in own {
+                let image;
+                (image, rest) = rest.split_at_mut(sink.elements_of(frame..frame + 1).len());
+                images.push((frame, image));
+            }
+            images.into_par_iter().for_each(|(frame, image)| {
+                let carried = Carried {
+                    source,
+                    sink,
+                    spread,
+                    sign,
+                };
+                carried.frame(frame, from, image);
+            });
+        }
+    }
+}
+
+/// The light of one image on its way to another.
+struct Carried<'a> {
+    source: &'a PatternLayout,
+    sink: &'a PatternLayout,
+    spread: &'a PointSpread,
+    sign: isize,
+}
+
+impl Carried<'_> {
+    /// Fills the elements of one frame.
+    fn frame(&self, frame: usize, from: &[f32], image: &mut [f32]) {
+        image.fill(0.0);
+        let columns = self.sink.grid.columns;
+        let reach = self.spread.reach()[0] as isize;
+        let mut rest = image;
+        for column in 0..columns {
+            let count = self.sink.runs[frame * columns + column].count as usize;
+            let own;
+            (own, rest) = rest.split_at_mut(count);
+            for along in -reach..=reach {
+                let Some(other) = column.checked_add_signed(-along) else {
+                    continue;
+                };
+                if other < columns {
+                    self.column(
+                        [frame * columns + column, frame * columns + other],
+                        along,
+                        from,
+                        own,
+                    );
+                }
+            }
+        }
+    }
+
+    /// Adds what the light of one column brings to another, so many columns further.
+    fn column(&self, [to, other]: [usize; 2], along: isize, from: &[f32], own: &mut [f32]) {
+        let (sink, source) = (self.sink.runs[to], self.source.runs[other]);
+        let lit = &from[source.offset..][..source.count as usize];
+        let reach = self.spread.reach()[1] as isize;
+        // Where the first lit row lies among the rows of the other column, which count upward
+        let begin = source.bottom as isize - sink.bottom as isize;
+        for up in -reach..=reach {
+            let share = self.spread.at(-self.sign * up, self.sign * along);
+            let first = begin + up;
+            let (skipped, at) = ((-first).max(0) as usize, first.max(0) as usize);
+            let (Some(lit), Some(own)) = (lit.get(skipped..), own.get_mut(at..)) else {
+                continue;
+            };
+            for (sum, value) in own.iter_mut().zip(lit) {
+                *sum += share * value;
+            }
+        }
+    }
+}
+
+impl DoseModel for Blurred {
+    type Field = HostField;
+
+    forward!(DoseModel, self => *self.model; outputs, new_dose, is_linear, is_renewed, memory, restore, updates);
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        Ok(HostField::zeros(
+            self.patterns.iter().map(PatternLayout::len).sum(),
+        ))
+    }
+
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        self.model
+            .renew(iteration, &self.spread(&self.all(), x)?, run)
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        self.model.dose(&self.spread(&self.all(), x)?, dose, run)
+    }
+
+    fn pullback(
+        &self,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let lit = self.spread(&self.all(), x)?;
+        let mut own = lit.zeros_like();
+        self.model.pullback(&lit, cotangent, &mut own, run)?;
+        let (from, to) = (self.model.patterns(), grad.as_mut_slice());
+        self.carry(
+            &self.all(),
+            (from, own.as_slice()),
+            (&self.patterns, to),
+            -1,
+        );
+        Ok(())
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let lit = self.spread(&frames, x)?;
+        let mut own = lit.zeros_like();
+        (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut own, run)?;
+        let (from, to) = (self.model.patterns(), grad.as_mut_slice());
+        self.carry(&frames, (from, own.as_slice()), (&self.patterns, to), -1);
+        Ok(())
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let lit = self.spread(&frames, x)?;
+        self.model.dose_of(frames, &lit, dose, run)
+    }
+
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let [x, d] = [self.spread(&self.all(), x)?, self.spread(&self.all(), d)?];
+        self.model.along(&x, &d, run)
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        let of_light = |(layout, spread): (&PatternLayout, &Option<Arc<PointSpread>>)| {
+            let rows = spread.as_ref().map_or(0, |spread| spread.reach()[1]);
+            rows as f64 * layout.grid.pitch_mm[1]
+        };
+        let lights = self.patterns.iter().zip(&self.spreads);
+        let reach = lights.map(of_light).fold(0.0, f64::max);
+        match self.model.z_coupling() {
+            ZCoupling::None if reach == 0.0 => ZCoupling::None,
+            ZCoupling::None => ZCoupling::Halo(reach),
+            ZCoupling::Halo(own) => ZCoupling::Halo(own + reach),
+            ZCoupling::Full => ZCoupling::Full,
+        }
+    }
+
+    fn describe(&self) -> String {
+        let of = |spread: &Arc<PointSpread>| {
+            let [columns, rows] = spread.reach().map(|n| 2 * n + 1);
+            format!(", spread over {columns} × {rows} pixels")
+        };
+        let spreads: String = self.spreads.iter().flatten().map(of).collect();
+        self.model.describe() + &spreads
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::planner::{ModelPlan, plan};
+    use crate::rays::Optics;
+    use crate::{OpticalScene, Purpose};
+    use tomolith_core::check;
+    use tomolith_core::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
+    use tomolith_optics::resin::Resin;
+    use tomolith_optics::vial::index_matched::IndexMatched;
+
+    /// Lopsided, so that up and down, left and right, B and Bᵀ differ: `[row][column]`.
+    const SHARES: [f32; 15] = [
+        1.0, 2.0, 3.0, 0.0, 0.0, //
+        0.0, 4.0, 9.0, 2.0, 1.0, //
+        0.0, 0.0, 3.0, 0.0, 5.0,
+    ];
+
+    fn lights() -> Vec<Light> {
+        let plain = |frames, columns| {
+            let pixels = PatternGrid::full_turn(frames, 0.1, 12, columns, 0.1);
+            Light::new(pixels, Resin::absorbing(1.48, 0.2))
+        };
+        let spread = PointSpread::new([5, 3], &SHARES).unwrap();
+        let spreading = Light {
+            point_spread: Some(Arc::new(spread)),
+            ..plain(6, 16)
+        };
+        vec![plain(4, 14), spreading]
+    }
+
+    fn planned(lights: &[Light], wanted: Option<&Volume<u8>>) -> ModelPlan {
+        let scene = OpticalScene {
+            vial: &IndexMatched { radius_mm: 2.0 },
+            lights,
+            optics: &[Optics::collimated(0.1), Optics::collimated(0.1)],
+            solid: None,
+            purpose: Purpose::Optimize,
+            dose_factor: 1.0,
+            trial_failed: None,
+        };
+        plan(None, scene, &grid(), wanted, &Run::new()).unwrap()
+    }
+
+    fn grid() -> VolumeGrid {
+        VolumeGrid::centered([8, 8, 8], 0.15)
+    }
+
+    fn wanted() -> Volume<u8> {
+        let mut wanted = Volume::filled(grid(), 0u8);
+        for iz in 2..6 {
+            wanted.values[grid().index(iz, 4, 3)] = 1;
+        }
+        wanted
+    }
+
+    /// The spread by its definition on whole images.
+    fn spread_images(patterns: &Patterns) -> Patterns {
+        let sum: f32 = SHARES.iter().sum();
+        let mut lit = Patterns::dark(patterns.grid.clone());
+        let [_, rows, columns] = patterns.grid.shape().map(|n| n as isize);
+        for (i, sum_here) in lit.values.iter_mut().enumerate() {
+            let i = i as isize;
+            let (frame, row, column) = (i / (rows * columns), i / columns % rows, i % columns);
+            for (k, share) in SHARES.iter().enumerate() {
+                let from = [row - (k as isize / 5 - 1), column - (k as isize % 5 - 2)];
+                if (0..rows).contains(&from[0]) && (0..columns).contains(&from[1]) {
+                    let from = (frame * rows + from[0]) * columns + from[1];
+                    *sum_here += share / sum * patterns.values[from as usize];
+                }
+            }
+        }
+        lit
+    }
+
+    #[test]
+    fn the_dose_is_that_of_patterns_spread_by_the_image_as_it_stands() {
+        let run = Run::new();
+        let lights = lights();
+        let plain: Vec<Light> = lights
+            .iter()
+            .map(|light| Light {
+                point_spread: None,
+                ..light.clone()
+            })
+            .collect();
+        // Unknowns that reach the part alone; the light beside them must not get lost
+        let (blurred, plain) = (planned(&lights, Some(&wanted())), planned(&plain, None));
+        let (blurred, plain) = (blurred.model, plain.model);
+        let mut x = blurred.new_patterns().unwrap();
+        x.copy_from_host(&check::noise(3, x.len()));
+        x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
+        let mut y = plain.new_patterns().unwrap();
+        assert!(x.len() < y.len() / 2);
+        for (i, (own, all)) in blurred.patterns().iter().zip(plain.patterns()).enumerate() {
+            let images = own.patterns_of(x.as_slice());
+            let images = if i == 1 {
+                spread_images(&images)
+            } else {
+                images
+            };
+            all.fill_field(&images, y.as_mut_slice());
+        }
+        let dose = |model: &dyn DoseModel<Field = HostField>, x: &HostField| {
+            let mut dose = model.new_dose().unwrap();
+            model.dose(x, &mut dose, &run).unwrap();
+            dose
+        };
+        let (found, expected) = (dose(&blurred, &x), dose(&plain, &y));
+        let mut off = found.clone();
+        off.axpy(-1.0, &expected);
+        assert!(off.norm() < 1e-5 * expected.norm(), "{}", off.norm());
+        let mut unspread = dose(&plain, &{
+            let mut y = plain.new_patterns().unwrap();
+            for (own, all) in blurred.patterns().iter().zip(plain.patterns()) {
+                all.fill_field(&own.patterns_of(x.as_slice()), y.as_mut_slice());
+            }
+            y
+        });
+        unspread.axpy(-1.0, &expected);
+        assert!(unspread.norm() > 0.05 * expected.norm());
+    }
+
+    #[test]
+    fn it_is_an_exact_pair() {
+        let wanted = wanted();
+        for wanted in [None, Some(&wanted)] {
+            let model = planned(&lights(), wanted).model;
+            check::model::model(&model, 5).unwrap();
+            assert!(model.describe().contains("spread over 5 × 3 pixels"));
+        }
+    }
+}
