@@ -8,7 +8,8 @@
 //! F: the model of the resin as it is before anything cures (μ₀), share: active absorption relative to that model's. Rays of a frame lie a voxel apart across the way; μ is linear between voxels, τ between rays. τ is summed along rays and not from
 //! voxel to voxel, so shadows do not blur on the way. A voxel's own loss is that of half its width: off by (Δμ·h)²/24 of its dose.
 //!
-//! **Limits** Level light whose direction is that of its frame: an index-matched vial, collimated light. Outside of the grid nothing cures.
+//! **Limits** Level light whose direction is that of its frame: an index-matched vial, collimated light. Cones and waves about that direction cast the shadow of
+//! their middle, which is sharp. Outside of the grid nothing cures.
 //!
 //! **Cost** per frame F's dose of that frame and one pass over the voxels with an exponential. Memory: two volumes, one spare one in a call.
 

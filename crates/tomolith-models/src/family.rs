@@ -60,6 +60,8 @@ pub struct Capabilities {
     pub fills: bool,
     /// Whether its pixels and voxels are those of a file, and no others.
     pub is_stored: bool,
+    /// Whether straight resin weakens all light of a frame along the frame's direction, so that resin which absorbs more can do so afterwards.
+    pub is_along_frames: bool,
     /// Whether what becomes of its rays is to be looked at before any work.
     pub is_traced: bool,
     /// Whether a target's surface may cut its voxels into cells.
@@ -87,6 +89,7 @@ impl Default for Capabilities {
             joins_frames: true,
             fills: false,
             is_stored: false,
+            is_along_frames: false,
             is_traced: false,
             has_cells: false,
             refines: Refines::Nothing,

@@ -1,12 +1,17 @@
 //! Materials in the light of the `parallel` model: what diffuses, prints and shades there, against models that know it exactly.
 
 use std::sync::Arc;
+use tomolith::check::taylor::Remainders;
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
+use tomolith::models::rays::{self, Optics, Rays};
+use tomolith::models::wave::incoherent_cone::{self, IncoherentCone};
+use tomolith::models::wave::{self, Wave};
 use tomolith::models::{DoseModel, Run};
 use tomolith::optics::absorption_map::AbsorptionMap;
 use tomolith::optics::light::Light;
+use tomolith::optics::projector::telecentric::Telecentric;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
 use tomolith_material::diffused::Diffused;
@@ -115,6 +120,78 @@ fn shaded_light_is_that_of_a_resin_with_a_map() {
             "{forth}"
         );
     }
+}
+
+/// How far what shading changes by a model that weakens light along its way is from what it changes by one with a map of the absorption, and how far apart
+/// both are where nothing shades; relative, rms.
+fn off_shaded(plain: Arc<Model>, by_map: &dyn Fn(Option<AbsorptionMap>) -> Box<Model>) -> [f64; 2] {
+    let mu = disc(0.5);
+    let slice = mu.values[..40 * 40].to_vec();
+    let map = AbsorptionMap::new([1, 40, 40], 0.1, slice.clone(), slice).unwrap();
+    let absorption = Absorption {
+        active_per_mm: mu.clone(),
+        attenuation_per_mm: mu,
+    };
+    let shaded = Shaded::new(Arc::clone(&plain), [MU, MU], &absorption).unwrap();
+    let of = |model: &Model| {
+        let x = patterns(model);
+        // Amplitudes and energies of one pattern
+        let quantity = model.patterns()[0].quantity;
+        let values: Vec<f32> = x.as_slice().iter().map(|v| quantity.value(*v)).collect();
+        dose(model, &HostField::from_slice(&values))
+    };
+    let apart = |a: &HostField, b: &HostField| {
+        let mut off = a.clone();
+        off.axpy(-1.0, b);
+        off
+    };
+    let (before, exact) = (of(plain.as_ref()), of(by_map(None).as_ref()));
+    let change = apart(&of(&shaded), &before);
+    let wanted = apart(&of(by_map(Some(map)).as_ref()), &exact);
+    [
+        rms(&apart(&change, &wanted)) / rms(&wanted),
+        rms(&apart(&before, &exact)) / rms(&exact),
+    ]
+}
+
+#[test]
+fn cones_are_shaded_along_their_middle() {
+    let vial = IndexMatched { radius_mm: 2.5 };
+    let half_angle_deg = 2.0f64;
+    let params = incoherent_cone::Params {
+        half_angle_deg,
+        ..incoherent_cone::Params::default()
+    };
+    let cones = IncoherentCone::new(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
+    let optics = Optics {
+        projector: Arc::new(Telecentric {
+            pixel_pitch_mm: [0.1; 2],
+            aperture_radius_mm: 1e3 * half_angle_deg.to_radians().tan(),
+            working_distance_mm: 1e3,
+            focus_mm: 0.0,
+        }),
+        ..Optics::collimated(0.1)
+    };
+    let params = rays::Params {
+        rays_per_pixel: 64,
+        ..rays::Params::default()
+    };
+    let traced = |map| -> Box<Model> {
+        let (lights, optics) = (vec![lights(FRAMES, map)], [optics.clone()]);
+        Box::new(Rays::new(&vial, lights, &optics, &params, grid()).unwrap())
+    };
+    let [off, unshaded] = off_shaded(Arc::new(cones), &traced);
+    assert!(off < 0.06, "{off} {unshaded}");
+}
+
+#[test]
+fn waves_are_shaded_along_their_way() {
+    let vial = IndexMatched { radius_mm: 2.5 };
+    let params = wave::Params::default();
+    let waves = Wave::new(&vial, vec![lights(FRAMES, None)], &params, grid()).unwrap();
+    // Pixels of 0.1 mm hardly diffract
+    let [off, unshaded] = off_shaded(Arc::new(waves), &|map| Box::new(parallel(FRAMES, map)));
+    assert!(off < 0.06, "{off} {unshaded}");
 }
 
 #[test]
@@ -298,7 +375,7 @@ fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
 }
 
 #[test]
-fn the_gradient_through_time_in_real_light_is_that_of_differences() {
+fn the_gradient_through_time_in_real_light_passes_a_taylor_test() {
     let model = exact(true);
     let x = patterns(&model);
     let (d, mut gradient) = (noise(&x, 7), x.zeros_like());
@@ -309,10 +386,7 @@ fn the_gradient_through_time_in_real_light_is_that_of_differences() {
         loss(&model, &y, None)
     };
     let exact = gradient.dot(&d);
-    let at = value(0.0);
-    let remainder = |e: f32| (value(e) - at - f64::from(e) * exact).abs();
-    let [a, b] = [0.1, 0.05].map(remainder);
-    assert!((3.0..5.0).contains(&(a / b)), "{a} {b}");
-    let slope = (value(0.02) - value(-0.02)) / 0.04;
-    assert!((slope / exact - 1.0).abs() < 5e-3, "{slope} {exact}");
+    let left = Remainders::over(2, 0.1, &value, exact);
+    let is_second = |order: &f64| (1.8..2.2).contains(order);
+    assert!(left.orders().iter().all(is_second), "{left:?}");
 }

@@ -131,6 +131,7 @@ impl ModelFamily for Params {
     fn capabilities(&self) -> Capabilities {
         Capabilities {
             refines: Refines::Voxels,
+            is_along_frames: true,
             ..Capabilities::default()
         }
     }

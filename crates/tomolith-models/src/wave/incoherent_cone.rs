@@ -140,6 +140,7 @@ impl ModelFamily for Params {
         Capabilities {
             has_surrogate: true,
             joins_frames: false,
+            is_along_frames: true,
             fills: true,
             ..Capabilities::default()
         }

@@ -193,13 +193,15 @@ impl ModelFamily for Params {
             linear_instead: Some("[model.incoherent_cone] is the linear relative of waves"),
             has_surrogate: true,
             joins_frames: false,
+            is_along_frames: true,
             ..Capabilities::default()
         }
     }
 
     fn unsupported(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<&'static str> {
         let beyond = || beyond(scene.vial, scene.lights);
-        scene.beyond_slices().or_else(beyond)
+        let spread = scene.point_spread();
+        scene.beyond_slices().or(spread).or_else(beyond)
     }
 
     fn check(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Vec<String>> {

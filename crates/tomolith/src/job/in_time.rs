@@ -514,12 +514,12 @@ impl<'a> Lights<'a> {
         planner::choose(self.scene.optics.model.as_ref(), &own, &self.scene.grid)
     }
 
-    /// Whether a light runs level and straight through resin that absorbs alike everywhere.
+    /// Whether a light runs level and straight through resin that absorbs alike everywhere, cones and waves about such a way among them.
     fn is_straight(&self, i: usize) -> Result<bool> {
         let (light, vial) = (&self.lights[i], self.scene.optics.vial.as_ref());
         let index = light.resin.refractive_index;
         let outside = vial.surrounding_index(light.surrounding_index, index);
-        Ok(self.family(i, None)?.name() == "parallel"
+        Ok(self.family(i, None)?.capabilities().is_along_frames
             && vial.walls().len() == 1
             && vial.is_round()
             && outside == index
@@ -1141,13 +1141,17 @@ mod tests {
         assert_eq!(refused(&[empty, frozen]), "schedule.optimize");
         let aired = job(&[empty, frozen, "material.air_on_top=true"]).unwrap();
         assert!(ResolvedJob::new(&aired).is_ok());
-        // Waves know no resin that absorbs differently from place to place, and cells nothing that flows between them
+        // Waves are weakened along their way, scattered light has no single one; cells know nothing that flows between them
         let shades = "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.1, 0.5] }]";
         assert!(ResolvedJob::new(&job(&[shades]).unwrap()).is_ok());
-        assert_eq!(
-            refused(&[shades, "model={ wave = {} }"]),
-            "material.photopolymer.shading[0]"
-        );
+        let waves = "model={ wave = {} }";
+        assert!(ResolvedJob::new(&job(&[shades, waves]).unwrap()).is_ok());
+        let scatters = [
+            "resin.scattering_per_mm=0.1",
+            "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.2, 0.5] }]",
+            "model={ successive_orders = {} }",
+        ];
+        assert_eq!(refused(&scatters), "material.photopolymer.shading[0]");
         let cells = "objective={ threshold = { surface = \"cells\" } }";
         assert_eq!(
             refused(&[cells, "schedule.optimize=\"exact\""]),
