@@ -8,6 +8,7 @@
 use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
 use super::number::{escape, significant, told_apart};
 use super::plot::{Axis, Plot};
+use super::species::{drive, together};
 use super::{
     LightReport, MapReport, MovieReport, ReportData, ScenarioTable, SpeciesReport, growth,
     latitude, limits, relief, time,
@@ -199,30 +200,6 @@ fn species(data: &ReportData<'_>) -> String {
         .fold(intro, |page, species| page + &of(species))
 }
 
-/// IoU of all species, at doses of their own and at one exposure.
-fn together(data: &ReportData<'_>) -> String {
-    let Some(one) = data.one_exposure else {
-        return String::new();
-    };
-    let row = |(species, together): (&SpeciesReport<'_>, &f64)| {
-        let own = species.evaluation.measures.get("iou").unwrap_or_default();
-        let at = species.evaluation.gel_threshold.unwrap_or_default();
-        format!(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td></tr>",
-            escape(species.name),
-            significant(own, 4),
-            significant(at, 3),
-            significant(*together, 4),
-        )
-    };
-    let rows: String = data.species.iter().zip(&one.iou).map(row).collect();
-    format!(
-        "<p>A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of {}: the last column. Each reaches \
-         the IoU of its own where its network gels at its own dose.</p><table class=\"plain\"><thead><tr><th>species</th><th>IoU alone</th><th>at a threshold of</th><th>IoU together</th></tr></thead><tbody>{rows}</tbody></table>",
-        significant(one.gel_dose, 3)
-    )
-}
-
 /// The print in time.
 fn in_time(data: &ReportData<'_>) -> String {
     let own_um = 1e3 * data.evaluation.grid.pitch_mm;
@@ -259,19 +236,6 @@ fn maps(data: &ReportData<'_>) -> String {
         )
     };
     data.maps.iter().map(of).collect()
-}
-
-/// How the lights drive a species, in words.
-fn drive(species: &SpeciesReport<'_>) -> String {
-    let of = |(light, factor): &(String, f64)| match *factor {
-        factor if factor < 0.0 => format!("inhibited by {} × {light}", significant(-factor, 3)),
-        factor => format!("driven by {} × {light}", significant(factor, 3)),
-    };
-    let acting = species
-        .driven_by
-        .iter()
-        .filter(|(_, factor)| *factor != 0.0);
-    acting.map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The surface, for a target that has one.

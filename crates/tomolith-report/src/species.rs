@@ -8,7 +8,7 @@ use super::html::clock;
 use super::latitude::Bracket;
 use super::number::{escape, significant, told_apart};
 use super::time::in_minutes;
-use super::{ReportData, latitude};
+use super::{ReportData, SpeciesReport, latitude};
 use serde::Serialize;
 use std::fmt::Write as _;
 use tomolith_metrics::latitude::TOLERANCE;
@@ -314,6 +314,43 @@ pub(super) fn section(one: &OneExposure, data: &ReportData<'_>) -> String {
         escape(&one.sentence()),
         latitude::when(data),
     )
+}
+
+/// IoU of all species, at doses of their own and at one exposure.
+pub(super) fn together(data: &ReportData<'_>) -> String {
+    let Some(one) = data.one_exposure else {
+        return String::new();
+    };
+    let row = |(species, together): (&SpeciesReport<'_>, &f64)| {
+        let own = species.evaluation.measures.get("iou").unwrap_or_default();
+        let at = species.evaluation.gel_threshold.unwrap_or_default();
+        format!(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td></tr>",
+            escape(species.name),
+            significant(own, 4),
+            significant(at, 3),
+            significant(*together, 4),
+        )
+    };
+    let rows: String = data.species.iter().zip(&one.iou).map(row).collect();
+    format!(
+        "<p>A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of {}: the last column. Each reaches \
+         the IoU of its own where its network gels at its own dose.</p><table class=\"plain\"><thead><tr><th>species</th><th>IoU alone</th><th>at a threshold of</th><th>IoU together</th></tr></thead><tbody>{rows}</tbody></table>",
+        significant(one.gel_dose, 3)
+    )
+}
+
+/// How the lights drive a species, in words.
+pub(super) fn drive(species: &SpeciesReport<'_>) -> String {
+    let of = |(light, factor): &(String, f64)| match *factor {
+        factor if factor < 0.0 => format!("inhibited by {} × {light}", significant(-factor, 3)),
+        factor => format!("driven by {} × {light}", significant(factor, 3)),
+    };
+    let acting = species
+        .driven_by
+        .iter()
+        .filter(|(_, factor)| *factor != 0.0);
+    acting.map(of).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
