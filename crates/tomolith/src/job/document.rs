@@ -496,7 +496,10 @@ fn insert(
         return Ok(path.to_owned());
     };
     if node.is_null() {
-        *node = Value::Object(Map::new());
+        *node = match step {
+            Step::Key(_) => Value::Object(Map::new()),
+            Step::Index(_) => Value::Array(Vec::new()),
+        };
     }
     // A kind without parameters may be written as text: `response = "identity"`
     if let (Value::String(kind), Step::Key(key)) = (&*node, step)
@@ -763,6 +766,10 @@ mod tests {
             (
                 "light[7].angles=3",
                 "`light` has 1 element; accepted: `light[0]`, the first one",
+            ),
+            (
+                "scenario[0].name=3",
+                "`scenario` has 0 elements; accepted: a whole list: scenario=[…]",
             ),
             (
                 "title.x=3",
