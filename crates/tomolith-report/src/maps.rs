@@ -503,7 +503,11 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis
         }
     };
     let ticks = match &curve.labels {
-        Some(labels) => middles(labels, fitting(labels, frame.width)),
+        Some(labels) if labels.len() > fitting(labels, frame.width) => {
+            upright(body, frame, labels);
+            Vec::new()
+        }
+        Some(labels) => middles(labels, labels.len()),
         None => placed(&across, (frame.width / 60.0) as usize),
     };
     let heights = placed(values, (frame.height / 45.0) as usize);
@@ -562,6 +566,21 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis
                 format_args!("<circle class=\"ring\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>"),
             );
         }
+    }
+}
+
+/// Names that do not fit below the frame, upright in it, each left of its place.
+fn upright(body: &mut String, frame: &Frame, labels: &[String]) {
+    let bottom = frame.y(0.0) - 6.0;
+    for (part, label) in middles(labels, (frame.width / 14.0) as usize) {
+        let x = frame.x(part) - 7.0;
+        add(
+            body,
+            format_args!(
+                "<text class=\"small\" transform=\"translate({x:.1} {bottom:.1}) rotate(-90)\">{}</text>",
+                escape(&label)
+            ),
+        );
     }
 }
 
@@ -712,6 +731,30 @@ mod tests {
             is_best: value == Some(4.0),
             has_failed: value.is_none(),
         })
+    }
+
+    #[test]
+    fn names_too_long_for_the_axis_stand_upright_in_the_frame() {
+        let named = |names: &[&str]| {
+            let curve = PlotCurve {
+                name: "method".to_owned(),
+                labels: Some(names.iter().map(|&name| name.to_owned()).collect()),
+                is_log: false,
+                is_joined: false,
+                points: (0..names.len())
+                    .filter_map(|i| Some((i as f64, cell(Some(i as f64), true)?)))
+                    .collect(),
+            };
+            curves("m", &[curve], "")
+        };
+        let few = named(&["a", "b"]);
+        assert!(few.contains(">a<") && !few.contains("rotate(-90)\">a"));
+        let names: Vec<String> = (0..12).map(|i| format!("gradient of step {i}")).collect();
+        let all: Vec<&str> = names.iter().map(String::as_str).collect();
+        let many = named(&all);
+        for name in &names {
+            assert!(many.contains(&format!("rotate(-90)\">{name}<")), "{many}");
+        }
     }
 
     #[test]
