@@ -323,6 +323,18 @@ mod tests {
             0.57,
             [-1.0, 1.0, 1.0, 0.0],
         );
+        // Whole powers are multiplied out, others are powers: 0.45^K + 0.02^K and its derivatives
+        for exponent in [3.0, 3.5, 4.0, 5.0, 8.0, 9.0] {
+            let term = |r: f64| r.powf(exponent);
+            let slope = |r: f64| (exponent * r.powf(exponent - 1.0)) as f32;
+            assert_loss(
+                "threshold",
+                threshold(0.9, 0.95, exponent),
+                dose,
+                term(0.45) + term(0.02),
+                [-slope(0.45), 0.0, slope(0.02), 0.0],
+            );
+        }
         assert_loss(
             "l2",
             serde_json::json!({}),
@@ -396,7 +408,8 @@ mod tests {
     #[test]
     fn published_value_of_a_surface_fraction() {
         // s = 0.8 inside at dose 0.2, 0.2 outside: 0.8·0.75² + 0.2·0 with thresholds 0.9 and 0.95
-        let json = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "fraction"});
+        let json =
+            serde_json::json!({"lower": 0.9, "upper": 0.95, "exponent": 2, "surface": "fraction"});
         let (loss, gradient) = loss_of("threshold", json, &[0.8], &[0.2]);
         assert!((loss - 0.8 * 0.75f64.powi(2)).abs() < 1e-6);
         assert!((gradient[0] + 0.8 * 1.5).abs() < 1e-6);

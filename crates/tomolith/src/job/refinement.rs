@@ -7,8 +7,7 @@
 //! times.
 //!
 //! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
-//! [`MOST_ANGLES`] angles. Each angle costs as much as a frame that stands still; little where the model
-//! keeps its entries.
+//! [`MOST_ANGLES`] angles, which cost little where the model keeps its entries and as much as so many frames that stand still elsewhere.
 //!
 //! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
 //! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
@@ -38,6 +37,9 @@ const CELLS_PER_PIXEL: f64 = 2.0;
 const BUDGET_OF_CELLS: f64 = 8e8;
 /// Angles at which a frame is averaged at most.
 const MOST_ANGLES: usize = 4;
+/// Angles of a frame that count against the budget at most: more are free where the model keeps its entries, and cost up to twice the time where they
+/// are too many to keep.
+const PAID_ANGLES: usize = 2;
 /// Rounding of lengths, in voxels.
 const ROUNDING: f64 = 1e-6;
 
@@ -137,7 +139,7 @@ pub(super) fn levels(
             let across = refine.next_multiple_of(along);
             (
                 grid.divided(across, along),
-                fit_angles(spec, lights, bounds_mm, |_| true),
+                turning_angles(spec, lights, bounds_mm),
             )
         }
         None => finest(spec, lights, grid, bounds_mm),
@@ -258,25 +260,20 @@ fn finest(
 ) -> (VolumeGrid, Vec<usize>) {
     let along = along(grid, lights);
     let wanted = across(grid, lights, PER_PIXEL);
-    let cost = |grid: &VolumeGrid, angles: &[usize], most: usize| {
-        let of_light = |(light, &own): (&Light, &usize)| light.pixels.frames() * own.min(most);
-        let frames: usize = lights.iter().zip(angles).map(of_light).sum();
+    let angles = turning_angles(spec, lights, bounds_mm);
+    let of_light = |(light, &own): (&Light, &usize)| light.pixels.frames() * own.min(PAID_ANGLES);
+    let frames: usize = lights.iter().zip(&angles).map(of_light).sum();
+    let cost = |grid: &VolumeGrid| {
         let [nz, ny, nx] = grid.shape;
         ((nz + COLUMN) * ny * nx) as f64 * frames as f64
     };
-    let turning = fit_angles(spec, lights, bounds_mm, |_| true);
     let fine = (1..=wanted.next_multiple_of(along))
         .rev()
         .filter(|across| across % along == 0)
         .map(|across| grid.divided(across, along))
-        .find(|fine| cost(fine, &turning, 2) <= BUDGET);
+        .find(|fine| cost(fine) <= BUDGET);
     match fine {
-        Some(fine) => {
-            let angles = fit_angles(spec, lights, bounds_mm, |angles| {
-                cost(&fine, angles, usize::MAX) <= BUDGET
-            });
-            (fine, angles)
-        }
+        Some(fine) => (fine, angles),
         None => {
             let given = spec.light.iter().map(|light| light.sub_angles.unwrap_or(1));
             (grid.clone(), given.collect())
@@ -285,13 +282,8 @@ fn finest(
 }
 
 /// Angles at which the frames of each light are averaged: those of the job, or one for every half pixel that the rim of the part moves during a
-/// frame, as far as all of them fit.
-fn fit_angles(
-    spec: &JobSpec,
-    lights: &[Light],
-    [low, high]: [[f64; 3]; 2],
-    fits: impl Fn(&[usize]) -> bool,
-) -> Vec<usize> {
+/// frame.
+fn turning_angles(spec: &JobSpec, lights: &[Light], [low, high]: [[f64; 3]; 2]) -> Vec<usize> {
     let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
     let wanted = |light: &Light| {
         let moved = rim * light.pixels.frame_arc / light.pixels.pitch_mm[0];
@@ -299,14 +291,10 @@ fn fit_angles(
             .ceil()
             .clamp(1.0, MOST_ANGLES as f64) as usize
     };
-    let at_most = |most: usize| {
-        let lights = lights.iter().zip(&spec.light);
-        let own = lights.map(|(light, job)| job.sub_angles.unwrap_or(wanted(light).min(most)));
-        own.collect::<Vec<usize>>()
-    };
-    let mut all = (1..=MOST_ANGLES).rev().map(at_most);
-    all.find(|angles| fits(angles))
-        .unwrap_or_else(|| at_most(1))
+    let lights = lights.iter().zip(&spec.light);
+    lights
+        .map(|(light, job)| job.sub_angles.unwrap_or_else(|| wanted(light)))
+        .collect()
 }
 
 /// By how much a wider window lowers what the void may have.
@@ -385,21 +373,17 @@ mod tests {
             projector = { collimated = { pixel_pitch_mm = 0.1 } }
         "#;
         std::fs::write(&file, text).unwrap();
-        let angles = |more: &[&str], limit: usize| {
+        let angles = |more: &[&str]| {
             let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
             let job = Job::read(&file, &more).unwrap();
             let optics = Optics::new(&job.spec, &job.base()).unwrap();
             let bounds = [[-0.4; 3], [0.4; 3]];
-            fit_angles(&job.spec, &optics.lights, bounds, |n| {
-                n.iter().sum::<usize>() <= limit
-            })
+            turning_angles(&job.spec, &optics.lights, bounds)
         };
         // The rim, at 0.57 mm, moves by 0.089 and 0.59 mm during a frame: 1.8 and 12 half pixels
-        assert_eq!(angles(&[], usize::MAX), [2, 4]);
-        assert_eq!(angles(&[], 5), [2, 3]);
-        assert_eq!(angles(&[], 1), [1, 1]);
-        assert_eq!(angles(&["light[1].sub_angles=3"], usize::MAX), [2, 3]);
-        assert_eq!(angles(&["light[0].sub_angles=1"], 4), [1, 3]);
+        assert_eq!(angles(&[]), [2, 4]);
+        assert_eq!(angles(&["light[1].sub_angles=3"]), [2, 3]);
+        assert_eq!(angles(&["light[0].sub_angles=1"]), [1, 4]);
         let levels = |sub_angles: &[usize]| {
             let job = Job::read(&file, &[]).unwrap();
             let optics = Optics::new(&job.spec, &job.base()).unwrap();
