@@ -11,7 +11,7 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
     let all = families();
     let chosen: Vec<&KindFamily> = match family {
         None => all.iter().collect(),
-        Some(wanted) => vec![find("family", wanted, &all, |f| f.name)?],
+        Some(wanted) => vec![find("family", wanted, all, |f| f.name)?],
     };
     if let (Some(wanted), [family]) = (name, chosen.as_slice()) {
         let page = find("kind", wanted, &family.kinds, |k| k.name)?;

@@ -74,6 +74,7 @@ pub struct Print<'a> {
     patterns: Option<PatternStats>,
     threshold: Option<f64>,
     gray: Option<(&'a Volume<f32>, f64)>,
+    has_distance: bool,
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
@@ -125,6 +126,7 @@ impl<'a> Print<'a> {
             patterns: None,
             threshold: None,
             gray: None,
+            has_distance: true,
             scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
             run,
             best: OnceLock::new(),
@@ -193,6 +195,13 @@ impl<'a> Print<'a> {
         }
         self.threshold = Some(threshold);
         Ok(self)
+    }
+
+    /// Leaves out the distances of surfaces, which take most of the time.
+    #[must_use]
+    pub fn without_distance(mut self) -> Self {
+        self.has_distance = false;
+        self
     }
 
     /// What stops work on it.
@@ -328,10 +337,11 @@ impl<'a> Print<'a> {
         deviation(self)
     }
 
-    /// Distances between the print's surface and the target's; `None` when one of them is empty.
+    /// Distances between the print's surface and the target's; `None` when one of them is empty, and where they are left out.
     #[must_use]
     pub fn distance(&self) -> Option<SurfaceDistance> {
-        *self.distance.get_or_init(|| surface_distance(self))
+        let measured = || self.has_distance.then(|| surface_distance(self)).flatten();
+        *self.distance.get_or_init(measured)
     }
 }
 

@@ -77,6 +77,7 @@ pub const HAUSDORFF: MetricKind = row(
 mod tests {
     use super::*;
     use crate::print::samples::measured;
+    use tomolith_core::grid::{Volume, VolumeGrid};
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     #[test]
@@ -88,6 +89,22 @@ mod tests {
             assert_eq!(measured(row.metric, &[VOID, PART], &[0.0, 0.0]), None);
             assert_eq!(measured(row.metric, &[VOID], &[1.0]), None);
         }
+    }
+
+    #[test]
+    fn distances_that_are_left_out_are_not_measured() {
+        let grid = VolumeGrid::centered([1, 1, 2], 0.5);
+        let labels = Volume {
+            grid: grid.clone(),
+            values: vec![VOID, PART],
+        };
+        let response = Volume {
+            grid,
+            values: vec![0.0, 1.0],
+        };
+        let print = || Print::new(&labels, &response).unwrap();
+        assert!(MEAN.metric.measure(&print()).is_some());
+        assert_eq!(MEAN.metric.measure(&print().without_distance()), None);
     }
 
     #[test]

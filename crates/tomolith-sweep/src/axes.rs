@@ -5,8 +5,9 @@
 //! 2014): the same points on every machine.
 
 use crate::expression::Condition;
-use crate::spec::{AxisSpec, DrawSpec, RangeSpec, SampleSpec};
+use crate::spec::{AxisSpec, CaseSpec, DrawSpec, RangeSpec, SampleSpec};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 
@@ -18,13 +19,13 @@ const TRIES: usize = 1000;
 /// Names of the table's other columns.
 const TAKEN: [&str; 5] = ["run", "state", "feasible", "error", "folder"];
 
-/// A key that is swept.
+/// What is swept.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     /// Its name.
     pub(crate) name: String,
-    /// The key of the job.
-    pub(crate) key: String,
+    /// The key of the job; none where cases name theirs.
+    key: Option<String>,
     /// Whether equal ratios are equally far apart.
     pub(crate) is_log: bool,
     kind: AxisKind,
@@ -34,6 +35,10 @@ pub(crate) struct Axis {
 enum AxisKind {
     Values(Vec<Value>),
     Range(RangeSpec),
+    Cases {
+        names: Vec<Value>,
+        cases: Vec<CaseSpec>,
+    },
 }
 
 /// One point.
@@ -53,7 +58,11 @@ impl Axis {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn new(spec: &AxisSpec, at: &str, is_drawn: bool) -> Result<Self> {
-        let name = spec.name.clone().unwrap_or_else(|| last_part(&spec.key));
+        let of_key = || spec.key.as_deref().map(last_part);
+        let Some(name) = spec.name.clone().or_else(of_key) else {
+            let accepted = "a key of the job with values; or a name and cases";
+            return Err(Error::config(at, "neither key nor name", accepted));
+        };
         let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_')
             && name.chars().all(|c| c.is_alphanumeric() || c == '_');
         if !is_name || TAKEN.contains(&name.as_str()) {
@@ -67,23 +76,40 @@ impl Axis {
                 accepted,
             ));
         }
-        let kind = match (&spec.values, &spec.linear, &spec.log) {
-            (Some(values), None, None) => AxisKind::Values(list(values, at)?),
-            (None, Some(range), None) => of_range(range, &format!("{at}.linear"), false, is_drawn)?,
-            (None, None, Some(range)) => of_range(range, &format!("{at}.log"), true, is_drawn)?,
-            (None, None, None) => {
-                let accepted =
-                    "values = […], linear = { from, to, step } or log = { from, to, count }";
+        let kind = match (&spec.values, &spec.linear, &spec.log, &spec.cases) {
+            (Some(values), None, None, None) => AxisKind::Values(list(values, at)?),
+            (None, Some(range), None, None) => {
+                of_range(range, &format!("{at}.linear"), false, is_drawn)?
+            }
+            (None, None, Some(range), None) => {
+                of_range(range, &format!("{at}.log"), true, is_drawn)?
+            }
+            (None, None, None, Some(cases)) => of_cases(cases, at)?,
+            (None, None, None, None) => {
+                let accepted = "values = […], linear = { from, to, step }, log = { from, to, count } or cases = [{ name, set }]";
                 return Err(Error::config(at, "no values", accepted));
             }
             _ => {
                 return Err(Error::config(
                     at,
-                    "more than one of values, linear and log",
+                    "more than one of values, linear, log and cases",
                     "one of them",
                 ));
             }
         };
+        if spec.key.is_some() == spec.cases.is_some() {
+            let (found, accepted) = match spec.cases {
+                Some(_) => (
+                    "found a key beside cases",
+                    "cases alone, whose `set` names the keys",
+                ),
+                None => (
+                    "the key is missing",
+                    "a key of the job, such as \"objective.ospw.lower\"",
+                ),
+            };
+            return Err(Error::config(format!("{at}.key"), found, accepted));
+        }
         Ok(Axis {
             name,
             key: spec.key.clone(),
@@ -98,19 +124,85 @@ impl Axis {
         match &self.kind {
             AxisKind::Values(values) => values,
             AxisKind::Range(_) => &[],
+            AxisKind::Cases { names, .. } => names,
+        }
+    }
+
+    /// The keys of the job that it sets.
+    pub(crate) fn keys(&self) -> BTreeSet<&str> {
+        match &self.kind {
+            AxisKind::Cases { cases, .. } => {
+                let keys = cases.iter().flat_map(|case| case.set.keys());
+                keys.map(String::as_str).collect()
+            }
+            _ => self.key.iter().map(String::as_str).collect(),
+        }
+    }
+
+    /// What a value of it sets in the job.
+    pub(crate) fn settings<'a>(&'a self, value: &'a Value) -> Vec<(&'a str, &'a Value)> {
+        match &self.kind {
+            AxisKind::Cases { names, cases } => {
+                let case = names.iter().position(|name| name == value);
+                let set = case.into_iter().flat_map(|i| &cases[i].set);
+                set.map(|(key, value)| (key.as_str(), value)).collect()
+            }
+            _ => self.key.iter().map(|key| (key.as_str(), value)).collect(),
+        }
+    }
+
+    /// The key path of what sets a key of the job, below the axis'.
+    pub(crate) fn path_of(&self, key: &str, is_set: impl Fn(&Value) -> bool) -> Option<String> {
+        match &self.kind {
+            AxisKind::Cases { cases, .. } => {
+                let sets = |case: &CaseSpec| case.set.get(key).is_some_and(&is_set);
+                let i = cases.iter().position(sets)?;
+                Some(format!("cases[{i}].set.{key}"))
+            }
+            _ => (self.key.as_deref() == Some(key)).then(|| "key".to_owned()),
         }
     }
 
     /// The value at a part of the axis, 0 to below 1.
-    fn drawn(&self, part: f64) -> Value {
+    pub(crate) fn drawn(&self, part: f64) -> Value {
         match &self.kind {
-            AxisKind::Values(values) => {
+            AxisKind::Range(range) => number(between(range, self.is_log, part), range.whole),
+            AxisKind::Values(values) | AxisKind::Cases { names: values, .. } => {
                 let i = (part * values.len() as f64) as usize;
                 values[i.min(values.len() - 1)].clone()
             }
-            AxisKind::Range(range) => number(between(range, self.is_log, part), range.whole),
         }
     }
+}
+
+/// Cases with names that differ.
+fn of_cases(cases: &[CaseSpec], at: &str) -> Result<AxisKind> {
+    if cases.is_empty() {
+        let accepted = "at least one { name, set }";
+        return Err(Error::config(
+            format!("{at}.cases"),
+            "an empty list",
+            accepted,
+        ));
+    }
+    for (i, case) in cases.iter().enumerate() {
+        let at = format!("{at}.cases[{i}].name");
+        let found = format!("found {:?}", case.name);
+        if case.name.trim().is_empty() {
+            return Err(Error::config(at, found, "a name"));
+        }
+        if cases[..i].iter().any(|other| other.name == case.name) {
+            return Err(Error::config(
+                at,
+                format!("{found} once more"),
+                "names that differ",
+            ));
+        }
+    }
+    Ok(AxisKind::Cases {
+        names: cases.iter().map(|case| case.name.as_str().into()).collect(),
+        cases: cases.to_vec(),
+    })
 }
 
 /// A key's last name, without index.
@@ -263,27 +355,40 @@ pub(crate) fn points(
 /// # Errors
 /// [`Error::Config`] where these are too many to look at.
 pub(crate) fn combinations(axes: &[Axis], sample: Option<SampleSpec>) -> Result<f64> {
-    let (count, most) = match sample {
-        None => (
-            axes.iter().map(|axis| axis.values().len() as f64).product(),
-            MOST_COMBINATIONS,
-        ),
-        Some(SampleSpec::Random(draw) | SampleSpec::LatinHypercube(draw)) => {
-            (draw.count as f64, MOST_RUNS as f64)
-        }
+    let Some((key, draw)) = sample.map(SampleSpec::drawing) else {
+        let count: f64 = axes.iter().map(|axis| axis.values().len() as f64).product();
+        return match count > MOST_COMBINATIONS {
+            true => Err(too_many(count)),
+            false => Ok(count),
+        };
     };
-    if count > most {
-        Err(too_many(count))
-    } else {
-        Ok(count)
+    let key = format!("sample.{key}.count");
+    match draw.count {
+        0 => Err(Error::config(
+            key,
+            "found 0: there is nothing to run",
+            "1 or more",
+        )),
+        count if count > MOST_RUNS => {
+            let found = format!("{count}{RUNS_TOO_MANY}");
+            Err(Error::config(
+                key,
+                found,
+                format!("{MOST_RUNS} runs at most"),
+            ))
+        }
+        count => Ok(count as f64),
     }
 }
+
+/// How a refusal that counts too many runs ends.
+pub(crate) const RUNS_TOO_MANY: &str = " runs";
 
 fn too_many(count: f64) -> Error {
     let accepted = format!(
         "{MOST_RUNS} runs at most: fewer or shorter axes, conditions in `when`, or a [sample]"
     );
-    Error::config("axes", format!("{count:.0} runs"), accepted)
+    Error::config("axes", format!("{count:.0}{RUNS_TOO_MANY}"), accepted)
 }
 
 /// The number of an axis at a point.
@@ -470,7 +575,7 @@ mod tests {
             (serde_json::json!({ "key": "k" }), "axes[0]: no values"),
             (
                 serde_json::json!({ "key": "k", "values": [1], "linear": { "from": 0, "to": 1, "count": 2 } }),
-                "axes[0]: more than one",
+                "axes[0]: more than one of values",
             ),
             (
                 serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1 } }),
@@ -496,10 +601,51 @@ mod tests {
                 serde_json::json!({ "key": "k.run", "values": [1] }),
                 "axes[0].name: found \"run\"",
             ),
+            (
+                serde_json::json!({ "values": [1] }),
+                "axes[0]: neither key nor name",
+            ),
+            (
+                serde_json::json!({ "name": "k", "values": [1] }),
+                "axes[0].key: the key is missing",
+            ),
+            (
+                serde_json::json!({ "name": "k", "cases": [] }),
+                "axes[0].cases: an empty list",
+            ),
+            (
+                serde_json::json!({ "key": "a.k", "cases": [{ "name": "a" }] }),
+                "axes[0].key: found a key beside cases",
+            ),
+            (
+                serde_json::json!({ "name": "k", "cases": [{ "name": "a" }, { "name": "a" }] }),
+                "axes[0].cases[1].name: found \"a\" once more",
+            ),
         ] {
             let message = axis(text.clone(), false).unwrap_err().to_string();
             assert!(message.starts_with(start), "{text}: {message}");
         }
+    }
+
+    #[test]
+    fn a_case_sets_all_its_keys() {
+        let cases = serde_json::json!({ "name": "method", "cases": [
+            { "name": "as it is" },
+            { "name": "osmo", "set": { "optimizer": { "osmo": {} }, "objective": { "osmo": {} } } },
+        ] });
+        let axis = axis(cases, false).unwrap();
+        assert_eq!(axis.values(), ["as it is", "osmo"].map(Value::from));
+        assert_eq!(axis.settings(&"as it is".into()), []);
+        let osmo = serde_json::json!({ "osmo": {} });
+        assert_eq!(
+            axis.settings(&"osmo".into()),
+            [("objective", &osmo), ("optimizer", &osmo)]
+        );
+        assert_eq!(
+            axis.path_of("optimizer", |_| true).unwrap(),
+            "cases[1].set.optimizer"
+        );
+        assert_eq!(axis.path_of("bounds", |_| true), None);
     }
 
     #[test]
@@ -568,6 +714,12 @@ mod tests {
             points(&axes, &when, Some(SampleSpec::Random(draw))).unwrap(),
             found
         );
+        for (count, start) in [(0, "found 0"), (1_000_000_000, "1000000000 runs")] {
+            let sample = SampleSpec::Random(DrawSpec { count, seed: 0 });
+            let message = combinations(&axes, Some(sample)).unwrap_err().to_string();
+            let expected = format!("sample.random.count: {start}");
+            assert!(message.starts_with(&expected), "{message}");
+        }
         let none = points(
             &axes,
             &["x > 2".parse().unwrap()],

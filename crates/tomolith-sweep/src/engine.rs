@@ -348,6 +348,7 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
         .job(i)?
         .with_folder(&plan.folder().join("best"), "sweep");
     let mut spec = job.resolved();
+    spec.evaluate.surfaces |= plan.sweep.leaves_surfaces_out();
     if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file")
         && let Ok(absolute) = std::path::absolute(job.base().join(&*file))
     {
@@ -626,7 +627,7 @@ impl Slot<'_> {
             if is_ready(self.plan, i) {
                 return state(self.plan, i);
             }
-            let job = self.job(i, from, &cancel)?;
+            let job = self.job(i, from)?;
             let leaves = self.plan.sweep.spec.keep.leaves();
             match job::run_here(&job, true, leaves, &mut Silent, &cancel) {
                 Ok(_) => return state(self.plan, i),
@@ -642,12 +643,12 @@ impl Slot<'_> {
     }
 
     /// The job with its start.
-    fn job(&self, i: usize, from: Option<usize>, cancel: &Run) -> Result<Job> {
+    fn job(&self, i: usize, from: Option<usize>) -> Result<Job> {
         let job = self.plan.job(i)?.overwriting();
         let Some(from) = from else {
             return Ok(job);
         };
-        let mut job = job.starting_from(&self.plan.run_folder(from).join(PATTERNS), cancel)?;
+        let mut job = job.starting_from(&self.plan.run_folder(from).join(PATTERNS))?;
         if let Some(iterations) = self
             .plan
             .sweep

@@ -1,6 +1,6 @@
 //! From a sweep file to its runs: every job read and checked, its identity, its share of the memory, where it starts.
 
-use crate::axes::{self, Axis, SweepPoint, label, mixed, named};
+use crate::axes::{self, Axis, RUNS_TOO_MANY, SweepPoint, label, mixed, named};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::spec::{KeepSpec, SweepSpec};
@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Document, Job, RunFolder, Silent};
 use tomolith::kind::Section;
+use tomolith::metrics::surface_deviation::{HAUSDORFF, MEAN, P95};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
 
@@ -88,7 +89,7 @@ impl Sweep {
             if spec.axes.is_empty() {
                 return Err(Error::config(
                     "axes",
-                    "an empty list",
+                    "there is none",
                     "at least one table [[axes]] with a key and values",
                 ));
             }
@@ -119,9 +120,12 @@ impl Sweep {
         for (i, axis) in axes.iter().enumerate() {
             if let Some(other) = axes[..i]
                 .iter()
-                .position(|a| a.name == axis.name || a.key == axis.key)
+                .position(|a| a.name == axis.name || !a.keys().is_disjoint(&axis.keys()))
             {
-                let found = format!("`{}` of axes[{other}] once more", axis.name);
+                let same = axes[other].keys();
+                let mut names = std::iter::once(axis.name.as_str()).chain(axis.keys());
+                let twice = names.find(|name| *name == axes[other].name || same.contains(name));
+                let found = format!("`{}` of axes[{other}] once more", twice.unwrap_or_default());
                 return Err(Error::config(
                     format!("axes[{i}]"),
                     found,
@@ -210,12 +214,25 @@ impl Sweep {
             .axes
             .iter()
             .zip(&point.values)
-            .map(|(axis, value)| self.change(&axis.key, value));
+            .flat_map(|(axis, value)| axis.settings(value))
+            .map(|(key, value)| self.change(key, value));
         let derived = self.derived.iter().filter_map(|(key, expression)| {
             let value = expression.value(&|name| named(&self.axes, point, name))?;
             Some(self.change(key, &Value::from(value)))
         });
-        (&self.base.file, set.chain(swept).chain(derived).collect())
+        let without = self.leaves_surfaces_out();
+        let without = without.then(|| "evaluate.surfaces=false".to_owned());
+        let changes = without.into_iter().chain(set).chain(swept).chain(derived);
+        (&self.base.file, changes.collect())
+    }
+
+    /// Whether runs need not measure distances of surfaces, since they leave numbers alone of which these are none, and the job does not ask for them.
+    pub(crate) fn leaves_surfaces_out(&self) -> bool {
+        let of_surfaces = [MEAN.name, P95.name, HAUSDORFF.name, "farthest"];
+        let is_one = |path: &String| of_surfaces.iter().any(|name| path.contains(name));
+        self.spec.keep != KeepSpec::All
+            && !self.metrics.iter().any(is_one)
+            && self.base.root.pointer("/evaluate/surfaces").is_none()
     }
 
     /// A target's file is given relative to the sweep file.
@@ -319,7 +336,7 @@ impl Sweep {
                 accepted,
                 nearest,
                 place,
-            } if key == "axes" => {
+            } if found.ends_with(RUNS_TOO_MANY) => {
                 let count: f64 = found
                     .split(' ')
                     .next()
@@ -347,8 +364,7 @@ impl Sweep {
 
     /// How long one run takes, where the first point's job can be run.
     fn seconds(&self, cancel: &Run) -> Option<f64> {
-        let first = |axis: &Axis| axis.values().first().cloned();
-        let values = self.axes.iter().map(first).collect::<Option<Vec<_>>>()?;
+        let values: Vec<Value> = self.axes.iter().map(|axis| axis.drawn(0.0)).collect();
         let point = SweepPoint {
             place: vec![0.0; values.len()],
             values,
@@ -449,11 +465,14 @@ impl Sweep {
             None => found.split_once(" (from --set ")?.1,
         };
         let set = assignment.split('=').next()?;
-        let of_axis = self
-            .axes
-            .iter()
-            .position(|axis| axis.key == set)
-            .map(|i| format!("axes[{i}].key"));
+        let is_set = |value: &Value| {
+            let rest = assignment.strip_prefix(self.change(set, value).as_str());
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(')'))
+        };
+        let of_axis = self.axes.iter().enumerate().find_map(|(i, axis)| {
+            let path = axis.path_of(set, is_set)?;
+            Some(format!("axes[{i}].{path}"))
+        });
         let of_derived = || {
             self.spec
                 .derived
@@ -762,6 +781,7 @@ fn quoted(word: &str) -> String {
 /// Seconds, minutes, hours, days or years.
 pub fn duration(seconds: f64) -> String {
     match seconds {
+        s if s < 0.1 => format!("{:.0} ms", 1e3 * s),
         s if s < 10.0 => format!("{s:.1} s"),
         s if s < 100.0 => format!("{s:.0} s"),
         s if s < 6e3 => format!("{:.0} min", s / 60.0),
@@ -813,8 +833,8 @@ mod tests {
         assert_eq!(quoted("out/a-b=1"), "out/a-b=1");
         assert_eq!(quoted("it's {}"), "'it'\\''s {}'");
         assert_eq!(
-            [3.0, 4e3, 1e5, 3e9].map(duration),
-            ["3.0 s", "67 min", "27.8 h", "95 years"]
+            [0.008, 3.0, 4e3, 1e5, 3e9].map(duration),
+            ["8 ms", "3.0 s", "67 min", "27.8 h", "95 years"]
         );
     }
 }

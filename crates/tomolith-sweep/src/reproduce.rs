@@ -8,7 +8,7 @@ use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::plan::{SweepPlan, duration};
-use crate::study::{RowSpec, RunSpec, Study, Take};
+use crate::study::{ColumnSpec, RowSpec, RunSpec, Study, Take};
 use crate::table::{State, Table, field};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -156,6 +156,9 @@ pub struct Reproduction {
     pub folder: PathBuf,
     /// Rows in the order of the study.
     pub rows: Vec<StudyRow>,
+    /// Tables of whole sweeps, as Markdown.
+    #[serde(skip)]
+    tables: Vec<String>,
     /// Pictures of its sweeps and commands.
     pub figures: Vec<PathBuf>,
     /// The table, as Markdown and CSV.
@@ -259,6 +262,7 @@ pub fn reproduce(
     let mut all = Reproduction {
         folder: output.to_owned(),
         rows,
+        tables: tables(study, &found)?,
         figures,
         files: Vec::new(),
     };
@@ -398,6 +402,31 @@ fn command(
     Ok((Found::Answer(report.unwrap_or(answer)), files))
 }
 
+/// The runs of the sweeps that the study lays out whole.
+fn tables(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<String>> {
+    let mut tables = Vec::new();
+    for spec in &study.spec.tables {
+        let Found::Sweep(plan) = &found[&spec.of] else {
+            continue;
+        };
+        let table = Table::collect(plan)?;
+        let axes = plan.sweep.axes.iter().map(|axis| axis.name.as_str());
+        let heads: Vec<&str> = (axes.chain(spec.columns.iter().map(|c| c.name.as_str()))).collect();
+        let mut text = format!("## {}\n\n{}", spec.title, markdown_head(&heads));
+        for (i, run) in plan.runs.iter().enumerate() {
+            let number = |column: &ColumnSpec| {
+                let number = table.metric(i, &column.metric);
+                number.map_or_else(|| "–".to_owned(), |number| significant(number, 3))
+            };
+            let values = run.point.values.iter().map(label);
+            let cells: Vec<String> = values.chain(spec.columns.iter().map(number)).collect();
+            let _ = writeln!(text, "| {} |", cells.join(" | "));
+        }
+        tables.push(text);
+    }
+    Ok(tables)
+}
+
 fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>> {
     let mut tables = BTreeMap::new();
     for (name, found) in found {
@@ -469,9 +498,10 @@ fn of_sweep(
     if let Some(over) = &row.over {
         let conditions: Vec<Condition> = over.iter().filter_map(|text| text.parse().ok()).collect();
         let meets = |i: &usize| {
-            conditions
-                .iter()
-                .all(|c| c.is_met(&|name| number(*i, name)))
+            row.at.as_ref().is_none_or(|at| is_at(plan, *i, at))
+                && conditions
+                    .iter()
+                    .all(|c| c.is_met(&|name| number(*i, name)))
         };
         let among: Vec<usize> = (0..plan.runs.len()).filter(meets).collect();
         return of_many(row, &among, metric, &number)
@@ -605,6 +635,11 @@ const COLUMNS: [&str; 6] = [
     "where",
 ];
 
+fn markdown_head(names: &[&str]) -> String {
+    let line = "---|".repeat(names.len());
+    format!("| {} |\n|{line}\n", names.join(" | "))
+}
+
 fn markdown(study: &Study, all: &Reproduction) -> String {
     let spec = &study.spec;
     let size = if study.is_quick {
@@ -631,12 +666,7 @@ fn markdown(study: &Study, all: &Reproduction) -> String {
         counted(all.rows.len(), "row"),
         all.counts()
     );
-    let _ = write!(
-        text,
-        "| {} |\n|{}\n",
-        COLUMNS.join(" | "),
-        "---|".repeat(COLUMNS.len())
-    );
+    text.push_str(&markdown_head(&COLUMNS));
     for row in &all.rows {
         let verdict = row.verdict.to_string();
         let cells = [
@@ -654,6 +684,9 @@ fn markdown(study: &Study, all: &Reproduction) -> String {
                 .join(" ")
         });
         let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    for table in &all.tables {
+        let _ = write!(text, "\n{table}");
     }
     for figure in &all.figures {
         let path = figure.strip_prefix(&all.folder).unwrap_or(figure);

@@ -30,6 +30,7 @@ pub(crate) struct SweepSpec {
     #[serde(default)]
     pub(crate) derived: BTreeMap<String, String>,
     /// The keys that are swept.
+    #[serde(default)]
     pub(crate) axes: Vec<AxisSpec>,
     /// Points drawn in place of all combinations.
     pub(crate) sample: Option<SampleSpec>,
@@ -96,14 +97,16 @@ impl KeepSpec {
     }
 }
 
-/// One key that is swept: exactly one of `values`, `linear`, `log`.
+/// What is swept: a key of the job with exactly one of `values`, `linear`, `log`; or `cases`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct AxisSpec {
-    /// The key of the job.
-    pub(crate) key: String,
+    /// The key of the job; none for cases, which name theirs.
+    pub(crate) key: Option<String>,
     /// Its name in conditions, table and pictures.
     pub(crate) name: Option<String>,
+    /// Values of several keys at once.
+    pub(crate) cases: Option<Vec<CaseSpec>>,
     /// A list.
     pub(crate) values: Option<Vec<Value>>,
     /// Equal steps.
@@ -115,9 +118,25 @@ pub(crate) struct AxisSpec {
 impl AxisSpec {
     /// Whether the axis goes by this name.
     pub(crate) fn is_named(&self, name: &str) -> bool {
-        let own = || crate::axes::last_part(&self.key);
-        self.name.clone().unwrap_or_else(own) == name
+        let own = || self.key.as_deref().map(crate::axes::last_part);
+        self.name.clone().or_else(own).as_deref() == Some(name)
     }
+
+    /// Whether it takes the place of another axis: that of its key, or of its name where it has cases.
+    pub(crate) fn replaces(&self, other: &AxisSpec) -> bool {
+        self.key == other.key && (self.key.is_some() || self.name == other.name)
+    }
+}
+
+/// A named value of an axis: several keys of the job.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CaseSpec {
+    /// Its name in table and pictures.
+    pub(crate) name: String,
+    /// Keys of the job; none: the job as it is.
+    #[serde(default)]
+    pub(crate) set: Map<String, Value>,
 }
 
 /// A range, both ends included.
@@ -145,6 +164,16 @@ pub(crate) enum SampleSpec {
     Random(DrawSpec),
     /// One in each of equal parts of every axis.
     LatinHypercube(DrawSpec),
+}
+
+impl SampleSpec {
+    /// Its key, and what it draws.
+    pub(crate) fn drawing(self) -> (&'static str, DrawSpec) {
+        match self {
+            SampleSpec::Random(draw) => ("random", draw),
+            SampleSpec::LatinHypercube(draw) => ("latin_hypercube", draw),
+        }
+    }
 }
 
 /// How many points, and which.

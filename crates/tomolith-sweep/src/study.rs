@@ -33,6 +33,31 @@ pub(crate) struct StudySpec {
     pub(crate) runs: BTreeMap<String, RunSpec>,
     /// Numbers, in the order of the table.
     pub(crate) rows: Vec<RowSpec>,
+    /// All runs of sweeps, below that table.
+    #[serde(default)]
+    pub(crate) tables: Vec<TableSpec>,
+}
+
+/// The runs of a sweep, one a line.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TableSpec {
+    /// What stands above it.
+    pub(crate) title: String,
+    /// A name of `runs`, of a sweep or a job.
+    pub(crate) of: String,
+    /// Its columns behind those of the axes.
+    pub(crate) columns: Vec<ColumnSpec>,
+}
+
+/// A number of each run.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ColumnSpec {
+    /// What stands above it.
+    pub(crate) name: String,
+    /// The number of the report.
+    pub(crate) metric: String,
 }
 
 /// One thing that is run: exactly one of `sweep`, `job` and `command`.
@@ -254,17 +279,15 @@ impl Study {
             spec.set.insert(key.clone(), value.clone());
         }
         for axis in quick.map_or(&[][..], |quick| &quick.axes) {
-            let of_key = spec.axes.iter_mut().find(|own| own.key == axis.key);
+            let of_key = spec.axes.iter_mut().find(|own| axis.replaces(own));
             let Some(own) = of_key else {
+                let own = axis.key.as_ref().or(axis.name.as_ref());
                 let found = format!(
                     "the quick size of run `{name}` names the axis `{}`",
-                    axis.key
+                    own.map_or("", String::as_str)
                 );
-                return Err(Error::config(
-                    "axes",
-                    found,
-                    "a key that the sweep has an axis of",
-                ));
+                let accepted = "the key of an axis of the sweep; of one with cases its name";
+                return Err(Error::config("axes", found, accepted));
             };
             let name = axis.name.clone().or(own.name.take());
             *own = AxisSpec {
@@ -278,10 +301,11 @@ impl Study {
         let is_axis =
             |path: &String, spec: &SweepSpec| spec.axes.iter().any(|axis| axis.is_named(path));
         let rows = self.spec.rows.iter();
-        for path in rows
-            .filter(|row| row.of.as_deref() == Some(name))
-            .flat_map(metrics)
-        {
+        let rows = rows.filter(|row| row.of.as_deref() == Some(name));
+        let tables = self.spec.tables.iter().filter(|table| table.of == name);
+        let columns = tables.flat_map(|table| &table.columns);
+        let columns = columns.map(|column| column.metric.clone());
+        for path in rows.flat_map(metrics).chain(columns) {
             if !spec.metrics.contains(&path) && !is_axis(&path, spec) {
                 metric::must_exist(&path, &format!("runs.{name}"))?;
                 spec.metrics.push(path);
@@ -336,6 +360,19 @@ fn check(spec: &StudySpec) -> Result<()> {
     for (i, row) in spec.rows.iter().enumerate() {
         check_row(spec, row, &format!("rows[{i}]"), &named)?;
         named.extend(row.name.as_deref());
+    }
+    for (i, table) in spec.tables.iter().enumerate() {
+        let run = spec.runs.get(&table.of);
+        if run.is_none_or(|run| run.command.is_some()) {
+            let sweeps = spec.runs.iter().filter(|(_, run)| run.command.is_none());
+            let names: Vec<&str> = sweeps.map(|(name, _)| name.as_str()).collect();
+            let found = format!("`{}` is no sweep or job of this study", table.of);
+            return Err(Error::config(
+                format!("tables[{i}].of"),
+                found,
+                names.join(", "),
+            ));
+        }
     }
     Ok(())
 }

@@ -176,8 +176,11 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
     assert_eq!(best.metrics["optimization.pw"].as_f64(), Some(highest));
     assert_eq!(all[best.run - 1], highest);
     let job = job::Job::read(&bench.path("out/best.toml"), &[]).unwrap();
+    // The sweep collects no distances of surfaces, which its best job measures
+    let mut own = job.clone();
+    own.spec.evaluate.surfaces = false;
     assert_eq!(
-        job.identity().unwrap(),
+        own.identity().unwrap(),
         bench.plan("out").runs[best.run - 1].id
     );
     let summary = job::run(&job, false, &mut Silent, &Run::new()).unwrap();
@@ -333,6 +336,99 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
         warm_steps < 0.6 * cold_steps,
         "{warm_steps} of {cold_steps} iterations"
     );
+}
+
+#[test]
+fn distances_of_surfaces_are_measured_where_they_are_collected() {
+    let bench = Bench::new(SWEEP);
+    let best = |folder: &str| fs::read_to_string(bench.path(folder).join("best.toml")).unwrap();
+    bench.whole("without", 2);
+    let with = SWEEP.replace("\"history.loss\"", "\"evaluation.surface_mean_mm\"");
+    fs::write(bench.path("sweep.toml"), with).unwrap();
+    bench.whole("with", 2);
+    let [without, with] = ["without", "with"].map(|folder| {
+        let reports = bench.reports(folder);
+        reports
+            .into_values()
+            .map(|text| comparable(&text))
+            .collect::<Vec<_>>()
+    });
+    // Folders are named by their jobs, which differ: the same six prints in another order
+    let distance = |report: &Value| report["evaluation"]["surface_mean_mm"].clone();
+    assert!(without.iter().all(|report| distance(report).is_null()));
+    assert!(with.iter().all(|report| distance(report).is_number()));
+    let numbers = |reports: &[Value]| {
+        let number = |report: &Value| {
+            let evaluation = &report["evaluation"];
+            [
+                &evaluation["pw"],
+                &evaluation["iou"],
+                &report["history"]["loss"],
+            ]
+            .map(Value::to_string)
+        };
+        reports
+            .iter()
+            .map(number)
+            .collect::<std::collections::BTreeSet<_>>()
+    };
+    assert_eq!(numbers(&without), numbers(&with));
+    assert!(
+        best("without").contains("surfaces = true") && best("with").contains("surfaces = true")
+    );
+}
+
+#[test]
+fn a_case_is_one_value_of_an_axis_and_sets_several_keys() {
+    let cases = r#"
+job = "job.toml"
+metrics = ["optimization.pw", "history.iterations"]
+[best]
+highest = "optimization.pw"
+[[axes]]
+name = "method"
+cases = [
+    { name = "as it is" },
+    { name = "osmo", set = { optimizer = { osmo = {} }, objective = { osmo = {} }, "stop.iterations" = 3 } },
+]
+[[axes]]
+key = "evaluate.bit_depth"
+values = [8, 12]
+"#;
+    let bench = Bench::new(cases);
+    let outcome = bench.whole("cases", 2);
+    assert_eq!((outcome.runs, outcome.done), (4, 4));
+    let rows = bench.table("cases");
+    let rows: Vec<Vec<&str>> = rows
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').collect())
+        .collect();
+    let told = rows.iter().map(|row| (row[1], row[2], row[5]));
+    assert_eq!(
+        told.collect::<Vec<_>>(),
+        [
+            ("as it is", "8", "8"),
+            ("as it is", "12", "8"),
+            ("osmo", "8", "3"),
+            ("osmo", "12", "3")
+        ]
+    );
+    for (from, to, expected) in [
+        (
+            "osmo = {} }, obj",
+            "osmoo = {} }, obj",
+            "axes[0].cases[1].set.optimizer",
+        ),
+        (
+            "evaluate.bit_depth",
+            "stop.iterations",
+            "axes[1]: `stop.iterations` of axes[0] once more",
+        ),
+    ] {
+        let message = bench.refusal(&cases.replace(from, to));
+        assert!(message.contains(expected), "{message}");
+    }
 }
 
 /// The loss before the first iteration of each run.

@@ -26,6 +26,7 @@ use super::{BuildStart, InitialPatterns, StartInput};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 use std::path::PathBuf;
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
@@ -40,6 +41,10 @@ use tomolith_io::npy::read_patterns;
 pub struct Params {
     /// The file with the patterns, `.npz`; relative to the job file
     pub file: PathBuf,
+    /// Where neither job nor light set a largest pixel: another start, as in `{ fbp = {} }`, whose largest pixel is the bound; when left out, that of the file
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Map<String, Value>>")]
+    pub bounds_as: Option<Value>,
 }
 
 /// The row of the table.
@@ -51,7 +56,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         example: "[start.patterns]\nfile = \"patterns.npz\"",
         schema: || schemars::schema_for!(Params),
         build: |section| {
-            let Params { file } = section.parse()?;
+            let Params { file, .. } = section.parse()?;
             Ok(Box::new(OfFile(file)))
         },
     }

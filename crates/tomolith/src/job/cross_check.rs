@@ -13,7 +13,7 @@
 //! Far from the light such numbers say nothing, since all is little there. Over the blocks whose scattered dose by orders is less than a
 //! tenth of the part's mean, Σo / Σ(a + b)/2 − 1 is stated, with its standard error √Σ(a − b)² / Σ(a + b).
 
-use super::evaluate::lit_rows;
+use super::doses::lit_rows;
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::field::HostField;

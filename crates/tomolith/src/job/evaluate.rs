@@ -4,6 +4,7 @@
 //! numbers to the last bit.
 
 use super::cross_check::{self, CrossCheck};
+use super::doses::{Doses, Exposed};
 use super::doubts;
 use super::in_time::{InTime, print_in_time};
 use super::noise::Noise;
@@ -12,16 +13,15 @@ use super::progress::{Event, Progress};
 use super::scenarios;
 use super::scene::{Scene, Voxels};
 use super::scheduled::too_bright;
-use super::species::planned;
 use crate::error::Result;
-use crate::field::{BLOCK, Field as _, HostField};
+use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
-use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run, planner};
-use crate::optics::light::{Light, Selection};
+use crate::models::Run;
+use crate::optics::light::Light;
 use crate::report::{OneExposure, ScenarioTable};
 use crate::target::label;
 use rayon::prelude::*;
@@ -141,7 +141,17 @@ pub(crate) fn evaluate_patterns(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
-    let mut workspace = Workspace::default();
+    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
+    let sub_angles = if scene.optics.lights.iter().all(stands) {
+        1
+    } else {
+        scene.spec.evaluate.sub_angles
+    };
+    let grid = scene.fine_grid();
+    let own = Exposed::new(&scene.grid, scene.optics.lights.clone());
+    let [still, turning] =
+        [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
+    let mut doses = Doses::new(scene);
     let mut others = Others::new(scene);
     let own_of_others = match raw {
         None => Vec::new(),
@@ -150,36 +160,26 @@ pub(crate) fn evaluate_patterns(
     let optimization = match raw {
         None => None,
         Some(raw) => {
-            let lights = scene.optics.lights.clone();
-            let run = cancel.part(share::OWN_DOSE);
-            let (dose, doses, _) = dose(scene, lights, &scene.grid, raw, &mut workspace, &run)?;
-            others.optimized(&own_of_others, doses, cancel)?;
+            doses.will_show(&[raw, shown]);
+            let (dose, of_others, _) = doses.of(&own, raw, &cancel.part(share::OWN_DOSE))?;
+            others.optimized(&own_of_others, of_others, cancel)?;
             let response = scene.responses(dose)?;
             let run = cancel.part(share::OWN_NUMBERS);
             let evaluation = measure(scene, voxels, &response, raw, run)?;
-            workspace.values = response.values;
+            doses.give_back(response);
             let sub_angles = scene.optics.lights.iter().map(|light| light.sub_angles);
             Some(evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)))
         }
     };
-    let written = match &optimization {
-        None => None,
-        Some(_) => {
-            let lights = scene.optics.lights.clone();
-            let run = cancel.part(share::OWN_DOSE);
-            let (dose, doses, _) = dose(scene, lights, &scene.grid, shown, &mut workspace, &run)?;
-            others.written(&own_of_others, doses, cancel)?;
-            let run = cancel.part(share::OWN_NUMBERS);
-            headline_of(scene, voxels, dose, run)?
+    let is_looked_at = own == still || own == turning;
+    let on_own_grid = match &optimization {
+        Some(_) if !is_looked_at => {
+            let (dose, of_others, _) = doses.of(&own, shown, &cancel.part(share::OWN_DOSE))?;
+            others.written(&own_of_others, of_others, cancel)?;
+            headline_of(scene, voxels, dose, cancel.part(share::OWN_NUMBERS))?
         }
+        _ => None,
     };
-    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
-    let sub_angles = if scene.optics.lights.iter().all(stands) {
-        1
-    } else {
-        scene.spec.evaluate.sub_angles
-    };
-    let grid = scene.fine_grid();
     let [nz, ny, nx] = grid.shape;
     let text = match sub_angles {
         1 => format!(
@@ -190,33 +190,40 @@ pub(crate) fn evaluate_patterns(
         ),
     };
     progress.event(&Event::Note { text });
-    workspace = Workspace::default();
-    let fine = scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?;
+    let fine = if grid == scene.grid {
+        voxels.clone()
+    } else {
+        scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?
+    };
     let fine_of_others = others::voxels(scene, &grid, cancel)?;
-    let (still, doses, _) = dose(
-        scene,
-        scene.optics.lights_turning(1),
-        &grid,
-        shown,
-        &mut workspace,
-        &cancel.part(share::STANDING),
-    )?;
-    others.standing(&fine_of_others, doses, cancel)?;
-    let response = scene.responses(still)?;
-    let run = cancel.part(share::NUMBERS);
-    let standing = measure(scene, &fine, &response, shown, run)?;
-    workspace.values = response.values;
-    let (turning, doses, model) = dose(
-        scene,
-        scene.optics.lights_turning(sub_angles),
-        &grid,
-        shown,
-        &mut workspace,
-        &cancel.part(share::TURNING),
-    )?;
-    drop(workspace);
-    let species = others.turning(fine_of_others, doses, shown, cancel)?;
-    let mean = averaged(&turning, &scene.grid);
+    if raw.is_none() || !is_looked_at {
+        doses.will_show(&[shown]);
+    }
+    // Where frames have no arc, the turning vial stands still
+    let standing = if still == turning {
+        None
+    } else {
+        let (dose, of_others, _) = doses.of(&still, shown, &cancel.part(share::STANDING))?;
+        if own == still {
+            others.written(&own_of_others, of_others.clone(), cancel)?;
+        }
+        others.standing(&fine_of_others, of_others, cancel)?;
+        let response = scene.responses(dose)?;
+        let run = cancel.part(share::NUMBERS);
+        let standing = measure(scene, &fine, &response, shown, run)?;
+        doses.give_back(response);
+        Some(standing)
+    };
+    let (dose, of_others, model) = doses.of(&turning, shown, &cancel.part(share::TURNING))?;
+    drop(doses);
+    if own == turning {
+        others.written(&own_of_others, of_others.clone(), cancel)?;
+    }
+    if still == turning {
+        others.standing(&fine_of_others, of_others.clone(), cancel)?;
+    }
+    let species = others.turning(fine_of_others, of_others, shown, cancel)?;
+    let mean = averaged(&dose, &scene.grid);
     cancel.check()?;
     let material = scene.response();
     let options = published::Options {
@@ -230,21 +237,28 @@ pub(crate) fn evaluate_patterns(
     let (published, slices, response, evaluation) = if material.is_identity() {
         // The dose is the response: what was counted of one serves the other
         let run = cancel.part(share::PUBLISHED);
-        let print = print_under(scene, &fine, &turning, run)?.with_patterns(stats);
+        let print = print_under(scene, &fine, &dose, run)?.with_patterns(stats);
         let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
         let evaluation = evaluate(&print);
         drop(print);
-        (published, slices, turning, evaluation)
+        (published, slices, dose, evaluation)
     } else {
         let (published, slices) =
-            published::by_slices(&turning, &fine.target.inside, &fine.labels, &options)?;
-        let response = scene.responses(turning)?;
+            published::by_slices(&dose, &fine.target.inside, &fine.labels, &options)?;
+        let response = scene.responses(dose)?;
         let run = cancel.part(share::PUBLISHED);
         let evaluation = measure(scene, &fine, &response, shown, run)?;
         (published, slices, response, evaluation)
     };
     cancel.check()?;
     let evaluation = evaluation.with_sub_angles(sub_angles);
+    let standing = standing.unwrap_or_else(|| evaluation.clone());
+    let head = |print: &Evaluation| print.measures.get(headline(voxels.target.gray).name);
+    let written = match &optimization {
+        Some(_) if own == turning => head(&evaluation),
+        Some(_) if own == still => head(&standing),
+        _ => on_own_grid,
+    };
     let shares = scene.keep_dark(&grid)?;
     let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
     let keep_dark = shares.as_ref().map(of_shares);
@@ -255,11 +269,10 @@ pub(crate) fn evaluate_patterns(
     }
     let own = (&response, evaluation.gel_threshold);
     let scenarios = scenarios::judged(scene, &fine.labels.values, own, |other| {
-        let (lights, mut memory) = (
-            other.optics.lights_turning(sub_angles),
-            Workspace::default(),
-        );
-        let (dose, ..) = dose(other, lights, &grid, shown, &mut memory, &cancel.aside())?;
+        let turning = Exposed::new(&grid, other.optics.lights_turning(sub_angles));
+        let mut doses = Doses::new(other);
+        doses.will_show(&[shown]);
+        let (dose, ..) = doses.of(&turning, shown, &cancel.aside())?;
         other.responses(dose)
     })?;
     let in_time = in_time(scene, voxels, shown, progress, cancel)?;
@@ -409,88 +422,6 @@ pub(super) fn headline(is_gray: bool) -> &'static MetricKind {
     if is_gray { &gray::RMS } else { &iou::KIND }
 }
 
-/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
-#[derive(Default)]
-pub(super) struct Workspace {
-    field: HostField,
-    values: Vec<f32>,
-}
-
-/// Doses of patterns on a grid, of the first and of further species, by the model that judges, and what is said of it.
-fn dose(
-    scene: &Scene,
-    lights: Vec<Light>,
-    grid: &VolumeGrid,
-    patterns: &[Patterns],
-    workspace: &mut Workspace,
-    cancel: &Run,
-) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
-    let refine = (scene.grid.pitch_mm / grid.pitch_mm).round().max(1.0) as usize;
-    let model = (scene.optics.model.as_ref(), Purpose::Evaluate { refine });
-    dose_by(model, scene, lights, grid, patterns, workspace, cancel)
-}
-
-/// Doses of patterns on a grid, of the first and of further species, by a model (the cheapest that is exact, where none is named), and what is
-/// said of it.
-pub(super) fn dose_by(
-    (model, purpose): (Option<&Family>, Purpose),
-    scene: &Scene,
-    mut lights: Vec<Light>,
-    grid: &VolumeGrid,
-    patterns: &[Patterns],
-    workspace: &mut Workspace,
-    cancel: &Run,
-) -> Result<(Volume<f32>, Vec<Volume<f32>>, String)> {
-    for (light, patterns) in lights.iter_mut().zip(patterns) {
-        light.active = Some(lit_rows(patterns));
-        light.selection = Selection::default();
-    }
-    let optics = OpticalScene {
-        lights: &lights,
-        purpose,
-        ..scene.optics.scene()
-    };
-    let making = cancel.part(0.1);
-    let planner::ModelPlan { model, reason, .. } =
-        planned(scene, model, optics, grid, None, &making)?;
-    drop(making);
-    let mut x = model.new_patterns()?;
-    for (layout, patterns) in model.patterns().iter().zip(patterns) {
-        layout.fill_field(patterns, x.as_mut_slice());
-    }
-    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
-    if workspace.field.len() != wanted {
-        workspace.field = model.new_dose()?;
-    }
-    model.dose(&x, &mut workspace.field, &cancel.part(0.85))?;
-    drop(x);
-    let values = std::mem::take(&mut workspace.values);
-    let (first, others) = (&model.outputs()[0], &model.outputs()[1..]);
-    let dose = first.volume_in(workspace.field.as_slice(), values);
-    let others = others
-        .iter()
-        .map(|own| own.volume_of(workspace.field.as_slice()));
-    Ok((dose, others.collect(), reason))
-}
-
-/// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
-pub(super) fn lit_rows(patterns: &Patterns) -> Vec<(u32, u32)> {
-    let (rows, columns) = (patterns.grid.rows, patterns.grid.columns);
-    (0..patterns.grid.frames())
-        .into_par_iter()
-        .flat_map_iter(|frame| {
-            let image = patterns.frame(frame);
-            (0..columns).map(move |column| {
-                let lit = |&up: &usize| image[(rows - 1 - up) * columns + column] != 0.0;
-                let (first, last) = ((0..rows).find(lit), (0..rows).rev().find(lit));
-                first
-                    .zip(last)
-                    .map_or((0, 0), |(a, b)| (a as u32, (b - a + 1) as u32))
-            })
-        })
-        .collect()
-}
-
 /// What the metrics look at.
 pub(super) fn print<'a>(
     scene: &Scene,
@@ -509,6 +440,9 @@ fn print_under<'a>(
 ) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
     let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
+    if !scene.spec.evaluate.surfaces {
+        print = print.without_distance();
+    }
     if voxels.target.gray {
         print = print.with_gray(inside, scene.half_width())?;
     }
@@ -607,7 +541,6 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::PatternGrid;
 
     #[test]
     fn fine_voxels_are_averaged_where_they_belong() {
@@ -618,13 +551,5 @@ mod tests {
             .collect();
         let mean = averaged(&Volume { grid: fine, values }, &grid);
         assert_eq!(mean.values, [0.0, 1.0, 2.0, 10.0, 11.0, 12.0]);
-    }
-
-    #[test]
-    fn lit_rows_span_all_light_from_below() {
-        let mut patterns = Patterns::dark(PatternGrid::full_turn(1, 0.0, 4, 2, 0.1));
-        patterns.values[2] = 1.0; // row 1, column 0: two rows above the lowest
-        patterns.values[6] = 1.0; // row 3, column 0: the lowest
-        assert_eq!(lit_rows(&patterns), [(0, 3), (0, 0)]);
     }
 }

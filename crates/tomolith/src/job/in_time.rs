@@ -7,7 +7,8 @@
 //! grid's box. Straight light in an index-matched vial is shaded along its way; other light that is shaded takes the family that covers an absorption
 //! which changes from place to place, most often rays.
 
-use super::evaluate::{lit_rows, measure_at};
+use super::doses::lit_rows;
+use super::evaluate::measure_at;
 use super::outcome::TimeSummary;
 use super::refinement::Level;
 use super::scene::{Scene, Voxels, at_section};

@@ -15,6 +15,7 @@ use crate::optimize::start::STARTS;
 use crate::response::RESPONSES;
 use crate::target::PHANTOMS;
 use serde_json::Value;
+use std::sync::OnceLock;
 
 /// A family of kinds, as a job names it.
 pub struct KindFamily {
@@ -34,9 +35,14 @@ fn family<B>(name: &'static str, summary: &'static str, table: &[Kind<B>]) -> Ki
     }
 }
 
-/// Every family.
+/// Every family, with the schemas of its kinds; made once.
 #[must_use]
-pub fn families() -> Vec<KindFamily> {
+pub fn families() -> &'static [KindFamily] {
+    static FAMILIES: OnceLock<Vec<KindFamily>> = OnceLock::new();
+    FAMILIES.get_or_init(every_family)
+}
+
+fn every_family() -> Vec<KindFamily> {
     vec![
         family("vial", "The vial around the resin", VIALS),
         family("projector", "The optics of the projector", PROJECTORS),

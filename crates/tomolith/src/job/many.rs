@@ -1,15 +1,13 @@
-//! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and the bounds of its pixels.
+//! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and what it starts from.
 
-use super::optimize::Stage;
-use super::progress::{Progress, Silent};
+use super::progress::Progress;
 use super::read::{Job, with_every_default};
-use super::resolved::ResolvedJob;
 use super::resume::{as_floats, content, contents, hash};
 use super::scene::Scene;
-use super::validate::MOST_LIGHT;
 use crate::error::{Error, Result};
 use crate::models::Run;
-use crate::optimize::Limits;
+use serde_json::{Value, json};
+use std::path::Path;
 
 /// What a run leaves in its folder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,42 +90,18 @@ impl Job {
     /// The same job from the patterns of an earlier run, with the bounds that its own start gives it, so that it stays the same problem.
     ///
     /// # Errors
-    /// As [`ResolvedJob::new`]; [`Error::Config`] where the optimization has no such bounds.
-    pub fn starting_from(mut self, patterns: &std::path::Path, run: &Run) -> Result<Self> {
-        let own = ResolvedJob::new(&self)?;
-        let limits = own.limits(run)?;
-        let max = limits.iter().map(|limits| limits.max).reduce(f64::max);
-        // A method with a scale of its own has no bound, whatever it starts from; another one would take that of the new start
-        let normalizes = own.optimizer()?.normalizes();
-        if !normalizes {
-            self.spec.bounds.max = max.map(|max| max.min(MOST_LIGHT));
+    /// [`Error::Io`] for a path that cannot be made absolute.
+    pub fn starting_from(mut self, patterns: &Path) -> Result<Self> {
+        let absolute = |file: &Path| std::path::absolute(file).map_err(|e| Error::io(file, e));
+        let mut own = with_every_default(self.spec.clone()).start;
+        if let Some(Value::String(file)) = own.pointer_mut("/patterns/file") {
+            *file = absolute(&self.base().join(&*file))?
+                .to_string_lossy()
+                .into_owned();
         }
-        let file = std::path::absolute(patterns).map_err(|e| Error::io(patterns, e))?;
-        self.spec.start = serde_json::json!({ "patterns": { "file": file } });
+        let file = absolute(patterns)?;
+        self.spec.start = json!({ "patterns": { "file": file, "bounds_as": own } });
         Ok(self)
-    }
-}
-
-impl ResolvedJob {
-    /// The bounds of each light's pixels in the optimization. Where the job sets no upper one it is the largest pixel of the start on the first
-    /// voxels that are optimized with the last pixels.
-    ///
-    /// # Errors
-    /// As [`task`](ResolvedJob::task).
-    pub fn limits(&self, run: &Run) -> Result<Vec<Limits>> {
-        let scene = &self.scene;
-        let pixels = |level: &super::refinement::Level| -> Vec<_> {
-            level.lights.iter().map(|l| l.pixels.clone()).collect()
-        };
-        let last = scene.levels.last().map(pixels);
-        let first = scene.levels.iter().rev();
-        let level = first.take_while(|level| Some(pixels(level)) == last).last();
-        let Some(level) = level else {
-            unreachable!("a job has a level")
-        };
-        let stage = Stage::new(scene, &self.voxels, level, &mut Silent, run)?;
-        let start = stage.start(scene, scene.start()?.as_ref(), run)?;
-        stage.limits(scene, &start)
     }
 }
 

@@ -22,6 +22,7 @@ mod compatibility;
 mod cross_check;
 mod device;
 pub mod document;
+mod doses;
 mod doubts;
 mod estimate;
 mod evaluate;

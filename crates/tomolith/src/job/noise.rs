@@ -4,7 +4,8 @@
 //! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgment: the root mean square
 //! difference of two such sets of paths, over √2, per voxel.
 
-use super::evaluate::{Workspace, dose_by, print};
+use super::doses::standing_by;
+use super::evaluate::print;
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::grid::{Patterns, Volume};
@@ -58,17 +59,7 @@ impl Noise {
             return Ok(None);
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
-            let lights = scene.optics.lights_turning(1);
-            let (model, workspace) = ((Some(family), purpose), &mut Workspace::default());
-            let (dose, ..) = dose_by(
-                model,
-                scene,
-                lights,
-                &scene.grid,
-                patterns,
-                workspace,
-                cancel,
-            )?;
+            let dose = standing_by((Some(family), purpose), scene, patterns, cancel)?;
             scene.responses(dose)
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {

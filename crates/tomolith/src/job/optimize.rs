@@ -132,8 +132,16 @@ pub(crate) fn optimize(
             let job_start = given
                 .as_ref()
                 .map_or(job_start.as_ref(), |given| given as _);
-            let x = stage.start(scene, job_start, cancel)?;
-            bounds = stage.limits(scene, &x)?;
+            let mut x = stage.start(scene, job_start, cancel)?;
+            bounds = match scene.kinds.bounding_start()? {
+                None => stage.limits(scene, &x)?,
+                Some(own) => {
+                    let own = stage.start(scene, own.as_ref(), cancel)?;
+                    let bounds = stage.limits(scene, &own)?;
+                    clip(&mut x, stage.model.patterns(), &bounds)?;
+                    bounds
+                }
+            };
             (start, pixels) = (Some(x), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
@@ -622,11 +630,19 @@ pub(super) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(&mut x, GLIMMER)?;
-    if scene.kinds.starts_as_given() {
+    if start.is_given() && scene.kinds.starts_as_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
     input(model).scaled_anew(x, cancel)
+}
+
+/// Brings patterns into bounds.
+fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
+    let bounds = x.compile_bounds(&optimize::problem::bounds(lights, bounds)?);
+    let step = x.zeros_like();
+    x.move_along(&step, 0.0, &bounds);
+    Ok(())
 }
 
 /// Where each light begins: with the species that it drives most, as if it were alone.

@@ -47,7 +47,7 @@ pub fn markdown() -> String {
         write_rows(&mut page, &rows);
     }
     page.push_str("\n## Kinds\n");
-    for family in &families {
+    for family in families {
         write_family(&mut page, family);
     }
     page

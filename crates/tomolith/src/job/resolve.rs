@@ -34,6 +34,8 @@ pub(crate) struct JobKinds {
     penalties: Vec<PenaltyKind>,
     optimizer: Named<BuildOptimizer>,
     start: Named<BuildStart>,
+    /// The start whose largest pixel bounds the pixels, where it is another one.
+    bounding: Option<Named<BuildStart>>,
     /// What the optimizer needs beside it.
     pub(crate) requirements: Requirements,
     /// Where files begin.
@@ -190,12 +192,16 @@ impl JobKinds {
         let optimizer = Named::read(&optimizer, OPTIMIZERS)?;
         let requirements = (optimizer.kind.build)(&optimizer.section)?.requirements();
         let start = Section::new("start", spec.start.clone());
+        let bounding = spec.start.pointer("/patterns/bounds_as");
+        let bounding = bounding.map(|own| Section::new("start.patterns.bounds_as", own.clone()));
+        let bounding = bounding.map(|own| Named::read(&own, STARTS)).transpose()?;
         Ok(JobKinds {
             objectives,
             penalties,
             requirements,
             optimizer,
             start: Named::read(&start, STARTS)?,
+            bounding,
             response,
             base: base.to_owned(),
         })
@@ -219,6 +225,12 @@ impl JobKinds {
     /// Where the optimizer begins.
     pub(super) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
         (self.start.kind.build)(&self.start.section)
+    }
+
+    /// The start whose largest pixel bounds the pixels; None where it is the one that the optimizer begins at.
+    pub(super) fn bounding_start(&self) -> Result<Option<Box<dyn InitialPatterns>>> {
+        let build = |own: &Named<BuildStart>| (own.kind.build)(&own.section);
+        self.bounding.as_ref().map(build).transpose()
     }
 
     /// Whether the start asks for the doses with which the material responds as the target wants.

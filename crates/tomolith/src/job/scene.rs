@@ -126,8 +126,10 @@ impl Scene {
         run: &Run,
     ) -> Result<Self> {
         let mut spec = job.spec.of_species(s);
-        if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file") {
-            *file = job.base().join(&*file).to_string_lossy().into_owned();
+        for pointer in ["/patterns/file", "/patterns/bounds_as/patterns/file"] {
+            if let Some(Value::String(file)) = spec.start.pointer_mut(pointer) {
+                *file = job.base().join(&*file).to_string_lossy().into_owned();
+            }
         }
         RunFolder::check(&job.folder())?;
         let mut optics = Optics::new(&spec, &job.base())?;

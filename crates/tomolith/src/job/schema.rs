@@ -19,7 +19,7 @@ pub fn schema() -> Value {
     let mut definitions = root["$defs"].as_object().cloned().unwrap_or_default();
     for family in families() {
         let description = root["properties"][family.name]["description"].clone();
-        let mut options = one_of(&family, &mut definitions);
+        let mut options = one_of(family, &mut definitions);
         if !description.is_null() {
             options["description"] = description;
         }
@@ -149,7 +149,7 @@ mod tests {
         let schema = schema();
         let text = schema.to_string();
         for family in families() {
-            for page in family.kinds {
+            for page in &family.kinds {
                 assert!(
                     text.contains(&format!("\"required\":[\"{}\"]", page.name)),
                     "{} is missing",

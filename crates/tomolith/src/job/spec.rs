@@ -821,6 +821,9 @@ pub struct EvaluateSpec {
     pub threshold: Option<f64>,
     /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
     pub trim_percent: f64,
+    /// Whether distances between the surfaces of print and target are measured. They take most of the time of a small evaluation, and a sweep that collects none
+    /// leaves them out.
+    pub surfaces: bool,
     /// IoU that the evaluation must reach: below it the command ends with exit code 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require_iou: Option<f64>,
@@ -952,6 +955,7 @@ impl Default for EvaluateSpec {
             refine: None,
             threshold: None,
             trim_percent: 0.025,
+            surfaces: true,
             require_iou: None,
             require_in_band: None,
         }

@@ -20,7 +20,7 @@ const MOST_ABSORPTION: f64 = 100.0;
 const LEAST_ABSORPTION: f64 = 1e-9;
 
 /// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
-pub(super) const MOST_LIGHT: f64 = 1e9;
+const MOST_LIGHT: f64 = 1e9;
 
 /// Most pixels along an edge, most voxels along an edge.
 const LARGEST_EDGE: usize = 16_384;
