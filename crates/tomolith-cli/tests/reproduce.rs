@@ -78,6 +78,10 @@ quantity = "weather"
 where = "section 3"
 says = "fair"
 under_specified = "no place is named"
+[[tables]]
+title = "All of the map"
+of = "map"
+columns = [{ name = "own IoU", metric = "optimization.iou" }]
 "#;
 
 struct Bench(tempfile::TempDir);
@@ -156,6 +160,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
         "| pixel, mm | 0.02 | 0.02 | × 1 | reproduced | S1 |",
         "| it is below 1 | yes | yes |  | reproduced | Fig. 2 |",
         "no run of this size has these values",
+        "## All of the map\n\n| lower | own IoU |\n|---|---|\n| 0.3 | ",
         "![map/optimization.pw.svg](map/optimization.pw.svg)",
     ] {
         assert!(table.contains(part), "{part} is not in: {table}");
@@ -248,6 +253,11 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
                 "runs.map",
                 "did you mean `optimization.pw`",
             ],
+        ),
+        (
+            "title = \"All of the map\"\nof = \"map\"",
+            "title = \"All of the map\"\nof = \"voxel\"",
+            ["tables[0].of", "`voxel` is no sweep or job", "map"],
         ),
         (
             "within = 1e-9",

@@ -108,8 +108,10 @@ impl Job {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Document;
+    use crate::grid::{PatternGrid, Patterns};
+    use crate::io::npy::{PatternPair, read_patterns, write_patterns};
     use crate::job::tests::FULL;
+    use crate::job::{Document, Silent};
 
     fn job(set: &[&str]) -> Job {
         let mut document = Document::toml("a.toml", FULL).unwrap();
@@ -152,5 +154,47 @@ mod tests {
         };
         assert_eq!(of("a", "solid"), of("b", "solid"));
         assert_ne!(of("a", "solid"), of("c", "other"));
+    }
+
+    #[test]
+    fn a_job_from_given_patterns_keeps_the_bounds_of_its_own_start() {
+        let temp = tempfile::tempdir().unwrap();
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, pure_radon = true }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [20, 14], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+            objective = { ospw = {} }
+            stop = { iterations = 0 }
+            evaluate = { refine = 1, sub_angles = 1 }
+        "#;
+        let file = temp.path().join("job.toml");
+        std::fs::write(&file, text).unwrap();
+        let own = Job::read(&file, &[]).unwrap();
+        let raw = |job: &Job| {
+            super::super::run_leaving(job, false, Leaves::Patterns, &mut Silent, &Run::new())
+                .unwrap();
+            let arrays = read_patterns(&job.folder().join("patterns.npz")).unwrap();
+            arrays[0].raw.clone().unwrap_or(arrays[0].shown.clone())
+        };
+        let brightest = |values: &[f32]| values.iter().copied().fold(0.0f32, f32::max);
+        let at = |job: Job, name: &str| job.with_folder(&temp.path().join(name), "test");
+        let start = raw(&at(own.clone(), "own"));
+        let brighter = Patterns {
+            grid: PatternGrid::full_turn(12, 0.0, 14, 20, 0.1),
+            values: start.iter().map(|v| 3.0 * v).collect(),
+        };
+        let file = temp.path().join("brighter.npz");
+        let pair = PatternPair {
+            light: None,
+            shown: &brighter,
+            raw: None,
+        };
+        write_patterns(&file, &[pair], &Run::new()).unwrap();
+        let given = at(own.starting_from(&file).unwrap(), "given");
+        assert_eq!(brightest(&raw(&given)), brightest(&start));
+        let start = &given.spec.start["patterns"];
+        assert!(start["bounds_as"]["fbp"].is_object(), "{start}");
     }
 }
