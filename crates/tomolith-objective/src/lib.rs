@@ -408,8 +408,7 @@ mod tests {
     #[test]
     fn published_value_of_a_surface_fraction() {
         // s = 0.8 inside at dose 0.2, 0.2 outside: 0.8·0.75² + 0.2·0 with thresholds 0.9 and 0.95
-        let json =
-            serde_json::json!({"lower": 0.9, "upper": 0.95, "exponent": 2, "surface": "fraction"});
+        let json = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "fraction"});
         let (loss, gradient) = loss_of("threshold", json, &[0.8], &[0.2]);
         assert!((loss - 0.8 * 0.75f64.powi(2)).abs() < 1e-6);
         assert!((gradient[0] + 0.8 * 1.5).abs() < 1e-6);

@@ -10,9 +10,7 @@
 //! ```
 //!
 //! **Source** Nicolet et al., Inverse Rendering for Tomographic Volumetric Additive Manufacturing (2024), section 4 (T_L is
-//! our `lower`, T_U our `upper`, K our `exponent`, 2 there); Wechsler et al. (2024).
-//! K = 4 where fractions are weighed is ours: the largest deviations decide which voxels print wrong, and squares let them grow where many small ones
-//! get smaller (docs/decisions/100-fourth-powers.md).
+//! our `lower`, T_U our `upper`, K our `exponent`); Wechsler et al. (2024).
 //!
 //! **Parameters** see [`Params`]. **Cost** the label pass of [`band`](super::band), bound by memory for whole exponents from 1 to 8.
 //! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
@@ -37,8 +35,8 @@ pub struct Params {
     pub upper: f64,
     /// Largest response of part voxels without penalty, at least `upper` (default 1)
     pub ceiling: f64,
-    /// Power of the distance from the band, above 0 (default 4 with `surface = "fraction"`, else 2 as published)
-    pub exponent: Option<f64>,
+    /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
+    pub exponent: f64,
     /// Weight of part voxels, 0 or above (default 1)
     pub part_weight: f64,
     /// Weight of void voxels, 0 or above (default 1)
@@ -53,7 +51,7 @@ impl Default for Params {
             lower: 0.7,
             upper: 0.9,
             ceiling: 1.0,
-            exponent: None,
+            exponent: 2.0,
             part_weight: 1.0,
             void_weight: 1.0,
             surface: SurfaceHandling::Fraction,
@@ -67,8 +65,7 @@ impl Params {
         finite("lower", self.lower)?;
         finite("upper", self.upper)?;
         finite("ceiling", self.ceiling)?;
-        let exponent = self.exponent();
-        positive("exponent", exponent)?;
+        positive("exponent", self.exponent)?;
         not_negative("part_weight", self.part_weight)?;
         not_negative("void_weight", self.void_weight)?;
         below("lower", self.lower, "upper", self.upper)?;
@@ -90,15 +87,8 @@ impl Params {
                 self.part_weight as f32,
             ),
             void: Band::below(self.lower as f32).weighing(self.void_weight as f32),
-            p: exponent,
-            q: exponent,
-        })
-    }
-
-    fn exponent(&self) -> f64 {
-        self.exponent.unwrap_or(match self.surface {
-            SurfaceHandling::Fraction => 4.0,
-            SurfaceHandling::Voxel | SurfaceHandling::Cells => 2.0,
+            p: self.exponent,
+            q: self.exponent,
         })
     }
 }

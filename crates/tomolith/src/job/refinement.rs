@@ -9,6 +9,9 @@
 //! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
 //! [`MOST_ANGLES`] angles, which cost little where the model keeps its entries and as much as so many frames that stand still elsewhere.
 //!
+//! **Fourth powers.** On such voxels [`threshold`] counts deviations to the power of [`EXPONENT`] unless the job names one: the largest decide what prints
+//! wrong. On voxels as wide as a pixel that prints less well (docs/measured/powers.md).
+//!
 //! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
 //! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
 //!
@@ -295,6 +298,22 @@ fn turning_angles(spec: &JobSpec, lights: &[Light], [low, high]: [[f64; 3]; 2]) 
     lights
         .map(|(light, job)| job.sub_angles.unwrap_or_else(|| wanted(light)))
         .collect()
+}
+
+/// Power of the deviations on voxels that are fine enough.
+const EXPONENT: f64 = 4.0;
+
+/// The kinds of a job whose voxels the program chooses, at most half as wide as a pixel: with deviations to the power of [`EXPONENT`]. None elsewhere.
+pub(super) fn sharpened(
+    (spec, kinds): (&JobSpec, &JobKinds),
+    family: &dyn ModelFamily,
+    levels: &[Level],
+) -> Option<JobKinds> {
+    let finest = levels.last()?;
+    let is_fine = across(&finest.grid, &finest.lights, 2.0) == 1;
+    let is_free =
+        spec.multiresolution.is_none() && is_free((spec, kinds), family.capabilities().refines);
+    (is_free && is_fine).then(|| kinds.with_exponent(EXPONENT))?
 }
 
 /// By how much a wider window lowers what the void may have.

@@ -311,19 +311,27 @@ impl JobKinds {
 
     /// The same with a wider window: what the void may have at most is `lower`. None where the job has another objective, or names thresholds.
     pub(super) fn with_lower(&self, lower: f64) -> Option<Self> {
+        self.with_threshold("lower", lower, &["lower", "upper"])
+    }
+
+    /// The same with deviations to another power. None where the job has another objective, or names the power.
+    pub(super) fn with_exponent(&self, exponent: f64) -> Option<Self> {
+        self.with_threshold("exponent", exponent, &["exponent"])
+    }
+
+    /// The same with another number in its one objective, where that is [`threshold`] and the job names none of some keys.
+    fn with_threshold(&self, key: &str, number: f64, unless: &[&str]) -> Option<Self> {
         let [own] = self.objectives.as_slice() else {
             return None;
         };
-        let is_named = ["lower", "upper"].iter().any(|key| {
-            let parameters = &own.of.section.value;
-            parameters.get(key).is_some()
-        });
+        let parameters = &own.of.section.value;
+        let is_named = unless.iter().any(|key| parameters.get(key).is_some());
         if own.of.kind.name != threshold::NAME || is_named {
             return None;
         }
-        let mut wider = self.clone();
-        wider.objectives[0].of.section.value["lower"] = lower.into();
-        Some(wider)
+        let mut other = self.clone();
+        other.objectives[0].of.section.value[key] = number.into();
+        Some(other)
     }
 }
 

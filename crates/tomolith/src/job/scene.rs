@@ -183,6 +183,8 @@ impl Scene {
         let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
         let of = (&optics, family.as_ref());
         let levels = refinement::levels((&spec, &kinds), of, &grid, shape.bounds_mm());
+        let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
+        let kinds = sharpened.unwrap_or(kinds);
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
