@@ -36,7 +36,7 @@ pub struct Params {
     /// Largest response of part voxels without penalty, at least `upper` (default 1)
     pub ceiling: f64,
     /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
-    pub exponent: f64,
+    pub exponent: Option<f64>,
     /// Weight of part voxels, 0 or above (default 1)
     pub part_weight: f64,
     /// Weight of void voxels, 0 or above (default 1)
@@ -45,13 +45,16 @@ pub struct Params {
     pub surface: SurfaceHandling,
 }
 
+/// The exponent of the publications.
+const PUBLISHED: f64 = 2.0;
+
 impl Default for Params {
     fn default() -> Self {
         Params {
             lower: 0.7,
             upper: 0.9,
             ceiling: 1.0,
-            exponent: 2.0,
+            exponent: None,
             part_weight: 1.0,
             void_weight: 1.0,
             surface: SurfaceHandling::Fraction,
@@ -65,7 +68,8 @@ impl Params {
         finite("lower", self.lower)?;
         finite("upper", self.upper)?;
         finite("ceiling", self.ceiling)?;
-        positive("exponent", self.exponent)?;
+        let exponent = self.exponent.unwrap_or(PUBLISHED);
+        positive("exponent", exponent)?;
         not_negative("part_weight", self.part_weight)?;
         not_negative("void_weight", self.void_weight)?;
         below("lower", self.lower, "upper", self.upper)?;
@@ -87,8 +91,8 @@ impl Params {
                 self.part_weight as f32,
             ),
             void: Band::below(self.lower as f32).weighing(self.void_weight as f32),
-            p: self.exponent,
-            q: self.exponent,
+            p: exponent,
+            q: exponent,
         })
     }
 }
