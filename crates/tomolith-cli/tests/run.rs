@@ -635,6 +635,27 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     assert!(pocket > 0.05 * all, "{pocket} of {all}");
 }
 
+/// The window widens only where no threshold is named, and a resolved job must name none either.
+#[test]
+fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
+    let bench = Bench::new();
+    let job = r#"
+        target = { phantom = { cylinder = { size_mm = 1.0, height_mm = 0.8 } } }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 3.0 } }
+        light = [{ pixels = [64, 16], angles = 90, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        objective = { threshold = { surface = "voxel" } }
+        stop.iterations = 60
+        "#;
+    fs::write(bench.path("disc.toml"), job).unwrap();
+    let wide = bench.tomolith("run disc.toml -o wide");
+    let said = String::from_utf8_lossy(&wide.stdout) + String::from_utf8_lossy(&wide.stderr);
+    assert!(said.contains("the thresholds now move 0.05"), "{said}");
+    bench.expect(0, "run wide/job.toml -o again");
+    assert_same_bits(&bench.path("again"), &bits(&bench.path("wide")), "again");
+}
+
 #[test]
 fn scattered_light_of_cones_is_held_against_random_paths() {
     let bench = Bench::new();

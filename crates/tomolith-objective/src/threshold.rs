@@ -30,9 +30,9 @@ use tomolith_core::units::exact;
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
     /// Largest response of void voxels without penalty, below `upper` (default 0.7)
-    pub lower: f64,
+    pub lower: Option<f64>,
     /// Smallest response of part voxels without penalty (default 0.9)
-    pub upper: f64,
+    pub upper: Option<f64>,
     /// Largest response of part voxels without penalty, at least `upper` (default 1)
     pub ceiling: f64,
     /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
@@ -45,14 +45,18 @@ pub struct Params {
     pub surface: SurfaceHandling,
 }
 
+/// Largest response of void voxels without penalty where a job names none.
+pub const LOWER: f64 = 0.7;
+/// Smallest response of part voxels without penalty where a job names none.
+pub const UPPER: f64 = 0.9;
 /// The exponent of the publications.
 const PUBLISHED: f64 = 2.0;
 
 impl Default for Params {
     fn default() -> Self {
         Params {
-            lower: 0.7,
-            upper: 0.9,
+            lower: None,
+            upper: None,
             ceiling: 1.0,
             exponent: None,
             part_weight: 1.0,
@@ -65,32 +69,30 @@ impl Default for Params {
 impl Params {
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<PartAndVoid> {
-        finite("lower", self.lower)?;
-        finite("upper", self.upper)?;
+        let lower = self.lower.unwrap_or(LOWER);
+        let upper = self.upper.unwrap_or(UPPER);
+        finite("lower", lower)?;
+        finite("upper", upper)?;
         finite("ceiling", self.ceiling)?;
         let exponent = self.exponent.unwrap_or(PUBLISHED);
         positive("exponent", exponent)?;
         not_negative("part_weight", self.part_weight)?;
         not_negative("void_weight", self.void_weight)?;
-        below("lower", self.lower, "upper", self.upper)?;
-        if self.ceiling < self.upper {
+        below("lower", lower, "upper", upper)?;
+        if self.ceiling < upper {
             return Err(tomolith_core::Error::config(
                 "ceiling",
                 format!(
                     "ceiling {} is below upper {}",
                     exact(self.ceiling),
-                    exact(self.upper)
+                    exact(upper)
                 ),
                 "ceiling ≥ upper",
             ));
         }
         Ok(PartAndVoid {
-            part: Band::new(
-                self.upper as f32,
-                self.ceiling as f32,
-                self.part_weight as f32,
-            ),
-            void: Band::below(self.lower as f32).weighing(self.void_weight as f32),
+            part: Band::new(upper as f32, self.ceiling as f32, self.part_weight as f32),
+            void: Band::below(lower as f32).weighing(self.void_weight as f32),
             p: exponent,
             q: exponent,
         })

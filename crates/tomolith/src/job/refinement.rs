@@ -322,7 +322,7 @@ pub(super) const WIDER: f64 = 0.05;
 /// The kinds of a job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
 /// no lower one is left.
 pub(super) fn widened(kinds: &JobKinds, steps: usize) -> Option<JobKinds> {
-    let lower = threshold::Params::default().lower - steps as f64 * WIDER;
+    let lower = threshold::LOWER - steps as f64 * WIDER;
     if lower < WIDER {
         return None;
     }

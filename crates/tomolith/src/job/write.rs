@@ -26,6 +26,7 @@ use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
 use crate::models::Run;
+use crate::objective::threshold;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
     ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits, ReportData,
@@ -565,13 +566,19 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
 /// Thresholds of the first objective, where it has any.
 pub(crate) fn window(spec: &JobSpec) -> Option<[f64; 2]> {
     let objective = spec.objectives().ok()?.swap_remove(0).value;
-    objective.as_object()?.values().find_map(|parameters| {
-        let get = |key: &str| parameters.get(key)?.as_f64();
-        Some([
-            get("lower").or_else(|| get("d_l"))?,
-            get("upper").or_else(|| get("d_h"))?,
-        ])
-    })
+    objective
+        .as_object()?
+        .iter()
+        .find_map(|(kind, parameters)| {
+            let get = |key: &str| parameters.get(key)?.as_f64();
+            let default = |value: f64| (kind == threshold::NAME).then_some(value);
+            let lower = get("lower").or_else(|| get("d_l"));
+            let upper = get("upper").or_else(|| get("d_h"));
+            Some([
+                lower.or_else(|| default(threshold::LOWER))?,
+                upper.or_else(|| default(threshold::UPPER))?,
+            ])
+        })
 }
 
 /// Date and time, UTC.
