@@ -212,7 +212,7 @@ fn resuming_says_what_to_do_and_what_has_changed() {
     let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
     let output = bench.tomolith(
         JOB,
-        &[&more[..], &["--set", "objective.threshold.exponent=2"]].concat(),
+        &[&more[..], &["--set", "objective.threshold.part_weight=1"]].concat(),
     );
     assert!(
         output.status.success(),
