@@ -223,6 +223,23 @@ mod tests {
     use super::*;
 
     #[test]
+    fn only_the_product_of_steepness_and_midpoint_counts_where_doses_may_be_scaled() {
+        let of = |steepness, midpoint| {
+            let params = Params {
+                steepness,
+                midpoint,
+                ..Params::default()
+            };
+            Logistic::new(params).unwrap()
+        };
+        // Scaled by 4, so that rounding is the same
+        let (own, other) = (of(10.0, 0.5), of(2.5, 2.0));
+        for dose in [0.0f32, 0.125, 0.3, 0.5, 0.71, 1.0, 3.0] {
+            assert_eq!(own.value(dose), other.value(4.0 * dose), "{dose}");
+        }
+    }
+
+    #[test]
     fn the_exponential_is_right_to_two_units_in_the_last_place() {
         let one = |x: f32| exp(f32x8::splat(x)).to_array()[0];
         for i in -7900..7900 {
