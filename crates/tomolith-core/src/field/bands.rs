@@ -560,7 +560,7 @@ impl Penalty for Square {
     }
 }
 
-/// A whole power from 3 to [`Whole::MOST`], by multiplications: a pass takes little longer than that of [`Square`], with `powf` several times as long.
+/// A whole power from 3 to [`Whole::MOST`], by multiplications in place of `powf`.
 #[derive(Clone, Copy)]
 struct Whole {
     power: u8,
