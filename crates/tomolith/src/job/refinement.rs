@@ -338,8 +338,8 @@ mod tests {
     use crate::target::Shape;
     use std::sync::Arc;
 
-    /// Pitches of the levels of a small job, with further lines.
-    fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
+    /// Levels of a small job, with further lines, and its kinds where their deviations are to another power.
+    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, Option<JobKinds>) {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");
         let text = format!(
@@ -368,7 +368,29 @@ mod tests {
         let of = (&optics, family.as_ref());
         let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
         let levels = levels((&job.spec, &kinds), of, &grid, bounds);
+        let sharpened = sharpened((&job.spec, &kinds), family.as_ref(), &levels);
+        (levels, sharpened)
+    }
+
+    fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
+        let (levels, _) = levels_of(surface, more);
         levels.iter().map(|level| level.grid.pitch_mm).collect()
+    }
+
+    #[test]
+    fn fourth_powers_are_those_of_fine_voxels_that_the_program_chose() {
+        let is_sharpened = |surface: &str, more: &[&str]| levels_of(surface, more).1.is_some();
+        assert!(is_sharpened("fraction", &[]));
+        assert!(is_sharpened("fraction", &["grid.refine=2"]));
+        assert!(!is_sharpened("fraction", &["grid.refine=1"]));
+        assert!(!is_sharpened("fraction", &["stop.iou=0.9"]));
+        assert!(!is_sharpened(
+            "fraction",
+            &["objective.threshold.exponent=3"]
+        ));
+        for surface in ["voxel", "cells"] {
+            assert!(!is_sharpened(surface, &[]), "{surface}");
+        }
     }
 
     #[test]
