@@ -512,8 +512,10 @@ impl BandLoss {
             self.bands.sum(group, responses, slopes, Square)
         } else if self.p == 1.0 {
             self.bands.sum(group, responses, slopes, Distance)
-        } else if let Some(whole) = Whole::new(self.p) {
-            self.bands.sum(group, responses, slopes, whole)
+        } else if self.p == 3.0 {
+            self.bands.sum(group, responses, slopes, Whole::<3>)
+        } else if self.p == 4.0 {
+            self.bands.sum(group, responses, slopes, Whole::<4>)
         } else {
             self.bands.sum(group, responses, slopes, Power::new(self.p))
         }
@@ -560,28 +562,17 @@ impl Penalty for Square {
     }
 }
 
-/// A whole power from 3 to [`Whole::MOST`], by multiplications in place of `powf`.
+/// A whole power of 3 or more, by multiplications in place of `powf`.
 #[derive(Clone, Copy)]
-struct Whole {
-    power: u8,
-}
+struct Whole<const P: u8>;
 
-impl Whole {
-    const MOST: u8 = 8;
-
-    fn new(p: f64) -> Option<Self> {
-        let power = (3..=Self::MOST).find(|&power| f64::from(power) == p)?;
-        Some(Whole { power })
-    }
-}
-
-impl Penalty for Whole {
+impl<const P: u8> Penalty for Whole<P> {
     #[inline(always)]
     fn at(self, distance: f32x8, weight: f32x8) -> (f32x8, f32x8) {
         let size = distance.abs();
-        let rise = (3..self.power).fold(size, |rise, _| rise * size);
+        let rise = (3..P).fold(size, |rise, _| rise * size);
         let slope = weight * rise * distance;
-        (slope * distance, slope * f32::from(self.power))
+        (slope * distance, slope * f32::from(P))
     }
 }
 
@@ -684,13 +675,15 @@ impl BandLanes {
     #[inline(always)]
     fn penalize(&self, m: Group, sums: &mut [f64; 8], penalty: impl Penalty) -> Group {
         let zero = f32x8::ZERO;
-        let [(value0, slope0), (value1, slope1)] = [0, 1].map(|half| {
+        let of_half = |half: usize| {
             let m = m.0[half];
             let above = (m - self.upper.0[half]).fast_max(zero);
             let below = (self.lower.0[half] - m).fast_max(zero);
             // The last term is 0, but not for a NaN, which the others may have lost
             penalty.at(above - below + m * zero, self.weight.0[half])
-        });
+        };
+        // One by one: `map` of an array would not be inlined
+        let ((value0, slope0), (value1, slope1)) = (of_half(0), of_half(1));
         let values = (value0 + value1).to_array();
         for i in 0..8 {
             sums[i] += f64::from(values[i]);
@@ -775,14 +768,13 @@ impl Bands {
                 upper,
                 weight,
             } => {
-                let arrays =
+                let [lower, upper, weight] =
                     [lower, upper, weight].map(|a| a[range.clone()].as_chunks::<LANES>().0);
                 for (k, (m, slope)) in lanes.enumerate() {
-                    let [lower, upper, weight] = arrays.map(|a| Group::of(&a[k]));
                     let bands = BandLanes {
-                        lower,
-                        upper,
-                        weight,
+                        lower: Group::of(&lower[k]),
+                        upper: Group::of(&upper[k]),
+                        weight: Group::of(&weight[k]),
                     };
                     *slope = Lanes(bands.penalize(m, &mut sums, penalty).to_array());
                 }

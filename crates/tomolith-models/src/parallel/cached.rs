@@ -9,9 +9,9 @@
 //! # Cost
 //! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept.
 
-use super::filled::Filled;
+use super::filled::{Filled, FilledTile};
 use super::kernel::{Block, Isa, MAX_BLOCK};
-use super::patches::{self, PatchEntries, VOXELS};
+use super::patches::{self, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
 use super::{GROUP, groups, is_straight};
@@ -68,13 +68,9 @@ pub(super) struct CachedEntries {
     per_tile: usize,
 }
 
-/// What a group of views brings to a tile, patch by patch; slots are counted from the first one of the group on.
-#[derive(Default)]
+/// What a group of views brings to a tile; slots are counted from the first one of the group on.
 struct Group {
-    slots: Vec<u32>,
-    weights: Vec<[f32; VOXELS]>,
-    /// First entry of each patch, and where the last one's end; empty where nothing lights the tile.
-    starts: Vec<u32>,
+    patches: Patches,
     /// Slots of all entries, each once.
     lit_by: Vec<u32>,
 }
@@ -129,66 +125,36 @@ impl Finder {
         lit_by.sort_unstable();
         lit_by.dedup();
         lit_by.shrink_to_fit();
-        self.packed(lit_by)
-    }
-
-    /// All patches one after the other.
-    fn packed(&self, lit_by: Vec<u32>) -> Group {
-        if lit_by.is_empty() {
-            return Group::default();
-        }
-        let of_patch = |sum: &mut u32, patch: &Vec<_>| {
-            *sum += patch.len() as u32;
-            Some(*sum)
-        };
-        let ends = self.patches.iter().scan(0, of_patch);
         Group {
-            slots: self.patches.iter().flatten().map(|entry| entry.0).collect(),
-            weights: self.patches.iter().flatten().map(|entry| entry.1).collect(),
-            starts: std::iter::once(0).chain(ends).collect(),
+            patches: Patches::new(&self.patches),
             lit_by,
         }
-    }
-}
-
-impl Group {
-    /// All entries of a patch; None where there are none.
-    fn of(&self, patch: usize) -> Option<(&[u32], &[[f32; VOXELS]])> {
-        let own = self.starts[patch] as usize..self.starts[patch + 1] as usize;
-        (!own.is_empty()).then(|| (&self.slots[own.clone()], &self.weights[own]))
     }
 }
 
 /// What adding light to tiles needs, made once a thread.
 #[derive(Default)]
 pub(super) struct Bench {
-    /// Which entries of a patch are lit.
+    /// Which slots of a group are lit.
+    lit: Vec<bool>,
+    /// Which entries of a patch count.
     chosen: Vec<u32>,
     /// Lanes of voxels of a patch that are outside the tile.
     outside: Vec<f32>,
 }
 
-impl Bench {
-    /// The entries that `keep` wants, slots counted from `first` on.
-    fn choose<'a>(
-        &'a mut self,
-        (slots, weights): (&'a [u32], &'a [[f32; VOXELS]]),
-        first: u32,
-        keep: impl Fn(u32) -> bool,
-    ) -> PatchEntries<'a> {
-        self.chosen.resize(slots.len(), 0);
-        let mut count = 0;
-        for (i, &slot) in slots.iter().enumerate() {
-            // Written either way: no branch to guess
-            self.chosen[count] = i as u32;
-            count += usize::from(keep(slot));
+impl Group {
+    /// Notes in `lit` which slots `is_lit` says are; how many.
+    fn light(&self, lit: &mut Vec<bool>, is_lit: impl Fn(u32) -> bool) -> usize {
+        if lit.len() < self.patches.rows() {
+            lit.resize(self.patches.rows(), false);
         }
-        PatchEntries {
-            first,
-            slots,
-            weights,
-            chosen: &self.chosen[..count],
-        }
+        // Entries have no other slots
+        let each = self.lit_by.iter().map(|&slot| {
+            lit[slot as usize] = is_lit(slot);
+            usize::from(lit[slot as usize])
+        });
+        each.sum()
     }
 }
 
@@ -226,7 +192,8 @@ impl CachedEntries {
     /// Bytes of all entries.
     #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
-        let entries: usize = self.groups.iter().map(|group| group.slots.len()).sum();
+        let of_groups = self.groups.iter().map(|group| group.patches.len());
+        let entries: usize = of_groups.sum();
         entries * BYTES as usize
     }
 
@@ -247,24 +214,27 @@ impl CachedEntries {
         let first = views.start / GROUP * GROUP * columns;
         let own = slots_of(views, columns);
         for (i, &block) in filled.blocks.iter().enumerate() {
-            let is_lit = |slot: u32| own.contains(&slot) && filled.any_in(first + slot as usize, i);
-            if !group.lit_by.iter().any(|&slot| is_lit(slot)) {
+            let lit = group.light(&mut bench.lit, |slot| {
+                own.contains(&slot) && filled.any_in(first + slot as usize, i)
+            });
+            if lit == 0 {
                 continue;
             }
             let source = &slots[first * block.row * LANES..];
             for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
                 let across = lines[0].len() / (block.row * LANES);
                 for x in 0..across.div_ceil(EDGE) {
-                    let Some(entries) = group.of(y * PATCHES + x) else {
+                    let Some(mut entries) = group.patches.of(y * PATCHES + x, 0) else {
                         continue;
                     };
-                    let mut outside = std::mem::take(&mut bench.outside);
-                    let entries = bench.choose(entries, 0, is_lit);
-                    if !entries.chosen.is_empty() {
-                        let out = voxels_of(lines, x * EDGE, block, &mut outside);
+                    if lit < group.lit_by.len() {
+                        let is_lit = |slot: u32| bench.lit[slot as usize];
+                        entries = entries.choose(&mut bench.chosen, is_lit);
+                    }
+                    if !entries.is_empty() {
+                        let out = voxels_of(lines, x * EDGE, block, &mut bench.outside);
                         patches::gather(isa, out, source, entries, block);
                     }
-                    bench.outside = outside;
                 }
             }
         }
@@ -276,23 +246,23 @@ impl CachedEntries {
         (isa, columns): (Isa, usize),
         (index, views): (usize, &Range<usize>),
         (tile, nx): (&Tile, usize),
-        (cotangent, filled): (&[f32], &Filled),
+        (cotangent, filled, of_tile): (&[f32], &Filled, &FilledTile),
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
         let group = self.group(index, views);
-        let of_tile = filled.of_tile(tile, nx);
         if group.lit_by.is_empty() || of_tile.is_empty() {
             return;
         }
         let own = slots_of(views, columns);
+        let is_whole = own.start == 0 && own.end as usize >= group.patches.rows();
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in filled.blocks.iter().enumerate() {
             if !of_tile.any_in(i) {
                 continue;
             }
             for patch in 0..PATCHES * PATCHES {
-                let Some(entries) = group.of(patch) else {
+                let Some(mut entries) = group.patches.of(patch, own.start) else {
                     continue;
                 };
                 let voxel = |corner: usize| {
@@ -313,7 +283,9 @@ impl CachedEntries {
                     }
                     None => &dark[..block.count * LANES],
                 });
-                let entries = bench.choose(entries, own.start, |slot| own.contains(&slot));
+                if !is_whole {
+                    entries = entries.choose(&mut bench.chosen, |slot| own.contains(&slot));
+                }
                 patches::spread(isa, lanes, values, entries, block);
             }
         }

@@ -84,7 +84,7 @@ use crate::{
 };
 use cached::{Bench, CachedEntries};
 use chains::GUARD;
-use filled::{Filled, NeededEntries};
+use filled::{Filled, FilledTile, NeededEntries};
 use gather::Gatherer;
 use heights::Spread;
 use kernel::Isa;
@@ -451,6 +451,8 @@ impl Parallel {
         };
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
+        let of_tiles = self.tiles.par_iter().map(|tile| filled.of_tile(tile, nx));
+        let of_tiles: Vec<FilledTile> = of_tiles.collect();
         let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         lanes.as_mut_slice()[used.clone()][views.start * per_view..views.end * per_view]
@@ -471,7 +473,7 @@ impl Parallel {
                                 }
                                 if let Some(cache) = cache {
                                     let at = (index, &group);
-                                    let given = (cotangent, &filled);
+                                    let given = (cotangent, &filled, &of_tiles[index]);
                                     let isa = (self.path.isa, plan.columns);
                                     cache.collect(isa, at, (tile, nx), given, own, bench);
                                     continue;
@@ -480,7 +482,8 @@ impl Parallel {
                                     self.path,
                                     group.clone(),
                                     (index, tile, nx),
-                                    (cotangent, &filled, &mut *own),
+                                    (cotangent, &filled, &of_tiles[index]),
+                                    own,
                                     entries,
                                 );
                             }

@@ -14,31 +14,118 @@ use tomolith_core::field::LANES;
 /// Voxels of a patch, row by row.
 pub(super) const VOXELS: usize = 4;
 
-/// Some of the columns that light a patch: row `slots[i] − first` counts `weights[i]` in its voxels, for all i of `chosen`.
-#[derive(Clone, Copy)]
-pub(super) struct PatchEntries<'a> {
-    pub(super) first: u32,
-    pub(super) slots: &'a [u32],
-    pub(super) weights: &'a [[f32; VOXELS]],
-    pub(super) chosen: &'a [u32],
+/// What columns bring to the patches of a tile, patch by patch.
+#[derive(Default)]
+pub(super) struct Patches {
+    slots: Vec<u32>,
+    weights: Vec<[f32; VOXELS]>,
+    /// First entry of each patch, and where the last one's end; empty where there are no entries.
+    starts: Vec<u32>,
+    /// One more than the highest slot.
+    rows: u32,
 }
 
-impl PatchEntries<'_> {
-    fn iter(&self) -> impl Iterator<Item = (usize, &[f32; VOXELS])> {
-        self.chosen.iter().map(|&i| {
-            let i = i as usize;
-            (
-                self.slots[i].wrapping_sub(self.first) as usize,
-                &self.weights[i],
-            )
+impl Patches {
+    /// All patches one after the other; each entry is a slot, and what it counts in the four voxels.
+    pub(super) fn new(patches: &[Vec<(u32, [f32; VOXELS])>]) -> Self {
+        let of_patch = |sum: &mut u32, patch: &Vec<_>| {
+            *sum += patch.len() as u32;
+            Some(*sum)
+        };
+        let ends = patches.iter().scan(0, of_patch);
+        let starts: Vec<u32> = std::iter::once(0).chain(ends).collect();
+        if starts.last() == Some(&0) {
+            return Patches::default();
+        }
+        let slots: Vec<u32> = patches.iter().flatten().map(|entry| entry.0).collect();
+        Patches {
+            rows: slots.iter().fold(0, |rows, &slot| rows.max(slot + 1)),
+            weights: patches.iter().flatten().map(|entry| entry.1).collect(),
+            slots,
+            starts,
+        }
+    }
+
+    /// One more than the highest slot; 0 where there are no entries.
+    pub(super) fn rows(&self) -> usize {
+        self.rows as usize
+    }
+
+    /// How many entries there are.
+    #[cfg(test)]
+    pub(super) fn len(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// All entries of a patch, for rows that are counted from `first` on; None where there are none.
+    pub(super) fn of(&self, patch: usize, first: u32) -> Option<PatchEntries<'_>> {
+        let [start, end] = [0, 1].map(|i| self.starts.get(patch + i).map(|&start| start as usize));
+        let own = start?..end?;
+        (!own.is_empty()).then(|| PatchEntries {
+            first,
+            rows: self.rows,
+            slots: &self.slots[own.clone()],
+            weights: &self.weights[own],
+            chosen: None,
         })
+    }
+}
+
+/// Columns that light a patch: row `slots[i] − first` counts `weights[i]` in its voxels.
+#[derive(Clone, Copy)]
+pub(super) struct PatchEntries<'a> {
+    first: u32,
+    /// Above all slots.
+    rows: u32,
+    slots: &'a [u32],
+    weights: &'a [[f32; VOXELS]],
+    /// Which of them count, where not all do: indices below their number.
+    chosen: Option<&'a [u32]>,
+}
+
+impl<'a> PatchEntries<'a> {
+    /// Those whose slot `keep` wants, kept in `chosen`.
+    pub(super) fn choose(self, chosen: &'a mut Vec<u32>, keep: impl Fn(u32) -> bool) -> Self {
+        if chosen.len() < self.slots.len() {
+            chosen.resize(self.slots.len(), 0);
+        }
+        let mut count = 0;
+        for (i, &slot) in self.slots.iter().enumerate() {
+            // Written either way: no branch to guess
+            chosen[count] = i as u32;
+            count += usize::from(keep(slot));
+        }
+        PatchEntries {
+            chosen: Some(&chosen[..count]),
+            ..self
+        }
+    }
+
+    /// Whether none counts.
+    pub(super) fn is_empty(&self) -> bool {
+        self.chosen.is_some_and(<[u32]>::is_empty)
+    }
+
+    /// Row and weights of those that count, in order.
+    fn each(&self, mut see: impl FnMut(usize, &[f32; VOXELS])) {
+        let row = |slot: u32| slot.wrapping_sub(self.first) as usize;
+        match self.chosen {
+            None => (self.slots.iter().zip(self.weights))
+                .for_each(|(&slot, weights)| see(row(slot), weights)),
+            Some(chosen) => (chosen.iter().map(|&i| i as usize))
+                .for_each(|i| see(row(self.slots[i]), &self.weights[i])),
+        }
     }
 
     /// Refuses rows outside of so many.
     fn check(&self, rows: usize) {
-        let highest = self.iter().fold(0, |highest, (slot, _)| slot.max(highest));
+        if self.first == 0 && self.rows as usize <= rows {
+            return;
+        }
+        let mut highest = None;
+        self.each(|row, _| highest = highest.max(Some(row)));
         assert!(
-            highest < rows || self.chosen.is_empty(),
+            highest.is_none_or(|highest| highest < rows),
             "slot outside the rows"
         );
     }
@@ -121,14 +208,14 @@ fn gather_plain<const FUSED: bool>(
         for (sum, out) in sums.iter_mut().zip(out.iter()) {
             sum.copy_from_slice(&out[v * LANES..][..LANES]);
         }
-        for (slot, weights) in entries.iter() {
+        entries.each(|slot, weights| {
             let column = &source[(slot * block.row + block.first + v) * LANES..][..LANES];
             for (sum, &weight) in sums.iter_mut().zip(weights) {
                 for (sum, &value) in sum.iter_mut().zip(column) {
                     *sum = add::<FUSED>(weight, value, *sum);
                 }
             }
-        }
+        });
         for (sum, out) in sums.iter().zip(out.iter_mut()) {
             out[v * LANES..][..LANES].copy_from_slice(sum);
         }
@@ -145,14 +232,14 @@ fn spread_plain<const FUSED: bool>(
 ) {
     for v in 0..block.count {
         let of_voxel = values.map(|values| &values[v * LANES..][..LANES]);
-        for (slot, weights) in entries.iter() {
+        entries.each(|slot, weights| {
             let column = &mut rows[(slot * block.row + block.first + v) * LANES..][..LANES];
             for (values, &weight) in of_voxel.iter().zip(weights) {
                 for (sum, &value) in column.iter_mut().zip(*values) {
                     *sum = add::<FUSED>(weight, value, *sum);
                 }
             }
-        }
+        });
     }
 }
 
@@ -217,8 +304,7 @@ mod x86 {
         unsafe {
             let mut sums: [[__m512; N]; VOXELS] =
                 out.map(|out| std::array::from_fn(|v| _mm512_loadu_ps(out.add(v * 16))));
-            for &i in entries.chosen {
-                let i = i as usize;
+            let mut add = |i: usize| {
                 let from =
                     base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
                 let weights = entries.weights.get_unchecked(i);
@@ -228,6 +314,18 @@ mod x86 {
                     let weight = _mm512_set1_ps(weight);
                     for (sum, &value) in sums.iter_mut().zip(&column) {
                         *sum = _mm512_fmadd_ps(weight, value, *sum);
+                    }
+                }
+            };
+            match entries.chosen {
+                None => {
+                    for i in 0..entries.slots.len() {
+                        add(i);
+                    }
+                }
+                Some(chosen) => {
+                    for &i in chosen {
+                        add(i as usize);
                     }
                 }
             }
@@ -276,8 +374,7 @@ mod x86 {
         unsafe {
             let values: [[__m512; N]; VOXELS] =
                 values.map(|from| std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16))));
-            for &i in entries.chosen {
-                let i = i as usize;
+            let add = |i: usize| {
                 let to =
                     base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
                 let weights = entries.weights.get_unchecked(i);
@@ -291,6 +388,18 @@ mod x86 {
                 }
                 for (v, &sum) in sums.iter().enumerate() {
                     _mm512_storeu_ps(to.add(v * 16), sum);
+                }
+            };
+            match entries.chosen {
+                None => {
+                    for i in 0..entries.slots.len() {
+                        add(i);
+                    }
+                }
+                Some(chosen) => {
+                    for &i in chosen {
+                        add(i as usize);
+                    }
                 }
             }
         }
@@ -328,31 +437,36 @@ mod tests {
 
     const ROW: usize = 20;
 
-    /// Rows of lanes, values of the voxels, and columns of which one is left out.
-    fn given(count: usize) -> (Vec<f32>, Vec<f32>, [u32; 4], Vec<[f32; VOXELS]>) {
+    /// Rows of lanes, values of the voxels, and the columns of a patch.
+    fn given(count: usize) -> (Vec<f32>, Vec<f32>, Vec<(u32, [f32; VOXELS])>) {
         let weights = noise(3, 4 * VOXELS);
+        let weights = weights.as_chunks().0.iter().copied();
         (
             noise(1, 5 * ROW * LANES),
             noise(2, VOXELS * count * LANES),
-            [3, 0, 1, 4],
-            weights
-                .chunks(VOXELS)
-                .map(|w| [w[0], w[1], w[2], w[3]])
-                .collect(),
+            [3, 0, 1, 4].into_iter().zip(weights).collect(),
         )
     }
 
-    /// For every path and block: rows and voxels, and what both directions make of them.
-    fn on_every_path(see: impl Fn(Block, [&[f32]; 2], [&[f32]; 2])) {
+    /// The columns that count: all but the first slot, or all.
+    fn lit(columns: &[(u32, [f32; VOXELS])], all: bool) -> Vec<(u32, [f32; VOXELS])> {
+        let counts = |column: &&(u32, _)| all || column.0 != 0;
+        columns.iter().filter(counts).copied().collect()
+    }
+
+    /// For every path, block, and all columns or some: rows and voxels, and what both directions make of them.
+    fn on_every_path(see: impl Fn(Block, bool, [&[f32]; 2], [&[f32]; 2])) {
+        let counts = [1, 2, 5, 6, 7, 13, 16];
+        let cases = counts.into_iter().flat_map(|n| [(n, true), (n, false)]);
         for isa in Isa::available() {
-            for count in [1, 2, 5, 6, 7, 13, 16] {
-                let (rows, values, slots, weights) = given(count);
-                let entries = PatchEntries {
-                    first: 0,
-                    slots: &slots,
-                    weights: &weights,
-                    chosen: &[0, 2, 3],
-                };
+            for (count, all) in cases.clone() {
+                let (rows, values, columns) = given(count);
+                let patches = Patches::new(&[Vec::new(), columns]);
+                let mut chosen = Vec::new();
+                let mut entries = patches.of(1, 0).unwrap();
+                if !all {
+                    entries = entries.choose(&mut chosen, |slot| slot != 0);
+                }
                 let block = Block {
                     row: ROW,
                     first: ROW - count.max(4),
@@ -365,51 +479,53 @@ mod tests {
                 let mut summed = rows.clone();
                 let of_voxel = |i| &values[i * count * LANES..(i + 1) * count * LANES];
                 spread(isa, &mut summed, [0, 1, 2, 3].map(of_voxel), entries, block);
-                see(block, [&rows, &values], [&summed, &gathered]);
+                see(block, all, [&rows, &values], [&summed, &gathered]);
             }
         }
     }
 
     #[test]
     fn every_path_is_the_sum_written_out() {
-        on_every_path(|block, [rows, values], [summed, gathered]| {
-            let (_, _, slots, weights) = given(block.count);
+        on_every_path(|block, all, [rows, values], [summed, gathered]| {
+            let lit = lit(&given(block.count).2, all);
             let lanes = block.count * LANES;
             let place = |slot: u32, lane| (slot as usize * ROW + block.first) * LANES + lane;
-            let lit = || [0, 2, 3].map(|i: usize| (slots[i], weights[i]));
             for lane in 0..lanes {
                 for i in 0..VOXELS {
-                    let sum: f32 = (lit().iter())
+                    let sum: f32 = (lit.iter())
                         .map(|(slot, weights)| weights[i] * rows[place(*slot, lane)])
                         .sum();
                     let at = i * lanes + lane;
                     assert!((gathered[at] - values[at] - sum).abs() < 1e-5);
                 }
-                for (slot, weights) in lit() {
+                for (slot, weights) in &lit {
                     let sum: f32 = (0..VOXELS)
                         .map(|i| weights[i] * values[i * lanes + lane])
                         .sum();
-                    let at = place(slot, lane);
+                    let at = place(*slot, lane);
                     assert!((summed[at] - rows[at] - sum).abs() < 1e-5);
                 }
             }
             // What is left out, and lanes beside the block, stay as they are
-            let left_out = place(1 - 1, 0)..place(0, lanes);
-            assert_eq!(summed[left_out.clone()], rows[left_out]);
+            if !all {
+                let left_out = place(0, 0)..place(0, lanes);
+                assert_eq!(summed[left_out.clone()], rows[left_out]);
+            }
             assert_eq!(summed[..block.first * LANES], rows[..block.first * LANES]);
         });
     }
 
     #[test]
-    #[should_panic(expected = "slot outside")]
-    fn a_slot_outside_the_rows_is_refused() {
-        // One before the first
-        let entries = PatchEntries {
-            first: 2,
-            slots: &[1],
-            weights: &[[1.0; VOXELS]],
-            chosen: &[0],
-        };
+    fn a_patch_without_entries_has_none() {
+        assert!(Patches::new(&[Vec::new(), Vec::new()]).of(1, 0).is_none());
+        let patches = Patches::new(&[vec![(7, [1.0; VOXELS])], Vec::new()]);
+        assert_eq!((patches.rows(), patches.len()), (8, 1));
+        assert!(patches.of(0, 0).is_some() && patches.of(1, 0).is_none());
+    }
+
+    /// Spreads a column of slot 1 to a single row, counted from `first` on.
+    fn spread_beyond(first: u32) {
+        let patches = Patches::new(&[vec![(1, [1.0; VOXELS])]]);
         let block = Block {
             row: 1,
             first: 0,
@@ -419,8 +535,20 @@ mod tests {
             Isa::in_use(),
             &mut [0.0; 16],
             [&[0.0; 16]; VOXELS],
-            entries,
+            patches.of(0, first).unwrap(),
             block,
         );
+    }
+
+    #[test]
+    #[should_panic(expected = "slot outside")]
+    fn a_slot_before_the_rows_is_refused() {
+        spread_beyond(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "slot outside")]
+    fn a_slot_after_the_rows_is_refused() {
+        spread_beyond(0);
     }
 }

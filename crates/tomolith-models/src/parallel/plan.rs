@@ -2,7 +2,7 @@
 
 use super::chains::{Avx512, Chain};
 use super::comb::Comb;
-use super::filled::{Filled, NeededEntries};
+use super::filled::{Filled, FilledTile, NeededEntries};
 use super::heights::{Heights, Intervals, Levels};
 use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
@@ -282,10 +282,10 @@ impl LightPlan {
         path: KernelPath,
         views: Range<usize>,
         (index, tile, nx): (usize, &Tile, usize),
-        (cotangent, filled, lanes): (&[f32], &Filled, &mut [f32]),
+        (cotangent, filled, of_tile): (&[f32], &Filled, &FilledTile),
+        lanes: &mut [f32],
         (found, needed): &mut (TileEntries, NeededEntries),
     ) {
-        let of_tile = filled.of_tile(tile, nx);
         if of_tile.is_empty() {
             return;
         }
