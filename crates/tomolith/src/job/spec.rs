@@ -934,7 +934,7 @@ impl Default for ResinSpec {
 impl Default for StopSpec {
     fn default() -> Self {
         StopSpec {
-            iterations: 40,
+            iterations: 55,
             projected_gradient: None,
             change: None,
             gap: None,
