@@ -113,10 +113,10 @@ pub(crate) fn optimize(
                 .map_or(job_start.as_ref(), |given| given as _);
             let mut x = stage.start(scene, job_start, cancel)?;
             bounds = match scene.kinds.bounding_start()? {
-                None => stage.limits(scene, &x)?,
+                None => stage.limits(scene, &x),
                 Some(own) => {
                     let own = stage.start(scene, own.as_ref(), cancel)?;
-                    let bounds = stage.limits(scene, &own)?;
+                    let bounds = stage.limits(scene, &own);
                     clip(&mut x, stage.model.patterns(), &bounds)?;
                     bounds
                 }
@@ -155,7 +155,7 @@ pub(crate) fn optimize(
                 return Err(at_section("optimizer", Error::Canceled));
             }
             Ok(outcome) if is_last => {
-                let normalizes = scene.optimizer()?.normalizes();
+                let normalizes = scene.kinds.normalizes;
                 let mut warnings = sofar.warnings;
                 if let Some(text) = idle(&outcome.history, normalizes, scene.spec.bounds.bits) {
                     warnings.push(text.clone());

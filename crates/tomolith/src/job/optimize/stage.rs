@@ -163,9 +163,9 @@ impl<'a> Stage<'a> {
         Sum::new(vec![(1.0, Box::new(joined))])
     }
 
-    pub(crate) fn limits(&self, scene: &Scene, start: &HostField) -> Result<Vec<Limits>> {
-        let normalizes = scene.optimizer()?.normalizes();
-        Ok(limits(&scene.spec, self.model.as_ref(), start, normalizes))
+    pub(crate) fn limits(&self, scene: &Scene, start: &HostField) -> Vec<Limits> {
+        let (model, normalizes) = (self.model.as_ref(), scene.kinds.normalizes);
+        limits(&scene.spec, model, start, normalizes)
     }
 
     /// The process window of patterns, where an objective looks for it.

@@ -68,6 +68,8 @@ pub(crate) struct Scene {
     pub(crate) extent: Extent,
     /// M, a row per species; None: one species that all lights drive alike.
     pub(crate) mixing: Option<Vec<species::Row>>,
+    /// What the map of each property makes of a response.
+    pub(crate) property_maps: Vec<Arc<dyn Response>>,
     /// Further species, on the same voxels.
     pub(crate) others: Vec<Scene>,
     /// The same job with some keys set otherwise, on the same voxels.
@@ -134,7 +136,7 @@ impl Scene {
             .map_err(known_elsewhere)?;
         cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
         time_refusals::must_be_whole(&spec, &kinds)?;
-        property::must_fit(&spec, &job.base())?;
+        let property_maps = property::maps(&spec, &job.base())?;
         counted_as(&spec, shape.is_gray())?;
         let unit = ask_for_unit(&spec, &optics, shape.as_ref());
         let placed = match on {
@@ -229,6 +231,7 @@ impl Scene {
             has_cells,
             levels,
             mixing: spec.mixing()?,
+            property_maps,
             others: Vec::new(),
             scenarios: Vec::new(),
             kinds,
