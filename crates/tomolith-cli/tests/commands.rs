@@ -1,66 +1,11 @@
 //! The commands beside `run`: each does its work, says it as JSON, and refuses bad input with exit code 2.
 
+mod bench;
+
+use bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
-
-const JOB: &str = r#"[target]
-phantom = "gear"
-size_mm = 2.0
-[grid]
-pitch_mm = 0.1
-[resin]
-refractive_index = 1.5
-absorption_per_mm = 0.05
-[vial.index_matched]
-radius_mm = 3.0
-[[light]]
-pixels = [32, 16]
-angles = 24
-projector.collimated = { pixel_pitch_mm = 0.1 }
-[stop]
-iterations = 4
-"#;
-
-struct Bench {
-    temp: tempfile::TempDir,
-}
-
-impl Bench {
-    fn new() -> Self {
-        let bench = Bench {
-            temp: tempfile::tempdir().unwrap(),
-        };
-        fs::write(bench.path("job.toml"), JOB).unwrap();
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    /// Runs a line that must end with a code; what it said.
-    fn expect(&self, code: i32, line: &str) -> String {
-        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
-            .current_dir(self.temp.path())
-            .args(line.split(' '))
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stdout).into_owned()
-            + &String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{line}: {said}");
-        said
-    }
-
-    /// The last line of a command with `--json`.
-    fn json(&self, line: &str) -> Value {
-        let said = self.expect(0, &format!("{line} --json"));
-        let value: Value = serde_json::from_str(said.trim().lines().last().unwrap()).unwrap();
-        assert_eq!(value["event"], "done", "{line}");
-        value
-    }
-}
 
 /// A .npy file of f64 of a shape.
 fn npy(shape: &str, values: &[f64]) -> Vec<u8> {

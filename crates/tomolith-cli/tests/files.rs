@@ -1,88 +1,19 @@
 //! Files that other programs made: movies, frames, arrays, meshes.
 
+mod bench;
+
+use bench::{Bench, JOB, said};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 use tomolith::io::npy::{read_patterns, read_volume};
 
-const JOB: &str = r#"[target]
-phantom = "gear"
-size_mm = 2.0
-[grid]
-pitch_mm = 0.1
-[resin]
-refractive_index = 1.5
-absorption_per_mm = 0.05
-[vial.index_matched]
-radius_mm = 3.0
-[[light]]
-pixels = [32, 16]
-angles = 24
-projector.collimated = { pixel_pitch_mm = 0.1 }
-[stop]
-iterations = 2
-"#;
-
-struct Bench {
-    temp: tempfile::TempDir,
-}
-
 impl Bench {
-    fn new() -> Self {
-        let bench = Bench {
-            temp: tempfile::tempdir().unwrap(),
-        };
-        bench.write("job.toml", JOB.as_bytes());
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    fn write(&self, name: &str, bytes: &[u8]) {
-        fs::write(self.path(name), bytes).unwrap();
-    }
-
-    /// A line, with programs in this folder alone on its path.
-    fn output(&self, line: &str, programs: &Path) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_tomolith"))
-            .current_dir(self.temp.path())
-            .env("PATH", programs)
-            .args(line.split(' '))
-            .output()
-            .unwrap()
-    }
-
-    /// What a line said that must end with a code, on a machine without other programs.
-    fn expect(&self, code: i32, line: &str) -> String {
-        said(code, line, &self.output(line, &self.path("nothing")))
-    }
-
-    /// The last line of a command with `--json`.
-    fn json(&self, line: &str) -> Value {
-        let said = self.expect(0, &format!("{line} --json"));
-        serde_json::from_str(said.trim().lines().last().unwrap()).unwrap()
-    }
-
     /// What the light of the simulated patterns is.
     fn shown(&self, folder: &str) -> Vec<f32> {
         let mut arrays = read_patterns(&self.path(folder).join("patterns.npz")).unwrap();
         arrays.remove(0).shown
     }
-}
-
-/// What was said, without the line breaks and the frame of its display.
-fn said(code: i32, line: &str, output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stdout).into_owned()
-        + &String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(code), "{line}: {text}");
-    if text.starts_with('{') {
-        return text;
-    }
-    let words = text.split_whitespace().filter(|word| *word != "│");
-    words.collect::<Vec<_>>().join(" ")
 }
 
 fn contains(text: &str, parts: &[&str]) {

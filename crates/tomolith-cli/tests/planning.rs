@@ -1,73 +1,14 @@
 //! `calibrate` fits, `expose` and `analyze`: what they find, what they write, and bad input with one message.
 
+mod bench;
+
+use bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
-use std::path::PathBuf;
-use std::process::Command;
-
-const JOB: &str = r#"[target]
-phantom = "gear"
-size_mm = 2.0
-[grid]
-pitch_mm = 0.1
-[resin]
-refractive_index = 1.5
-absorption_per_mm = 0.05
-[vial.index_matched]
-radius_mm = 3.0
-[[light]]
-pixels = [32, 16]
-angles = 24
-projector.collimated = { pixel_pitch_mm = 0.1 }
-[stop]
-iterations = 4
-"#;
-
-struct Bench {
-    temp: tempfile::TempDir,
-}
 
 impl Bench {
-    fn new() -> Self {
-        Bench {
-            temp: tempfile::tempdir().unwrap(),
-        }
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-
     fn read(&self, name: &str) -> String {
         fs::read_to_string(self.path(name)).unwrap()
-    }
-
-    /// Runs a line that must end with a code; what it said, without line breaks. `~` stands for a blank in a word.
-    fn expect(&self, code: i32, line: &str) -> String {
-        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
-            .current_dir(self.temp.path())
-            .args(line.split(' ').map(|word| word.replace('~', " ")))
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stdout).into_owned()
-            + &String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{line}: {said}");
-        if said.starts_with('{') {
-            return said;
-        }
-        let words = said.split_whitespace().filter(|word| *word != "│");
-        words.collect::<Vec<_>>().join(" ")
-    }
-
-    fn json(&self, line: &str) -> Value {
-        let said = self.expect(0, &format!("{line} --json"));
-        let value: Value = serde_json::from_str(said.trim()).unwrap();
-        assert_eq!(value["event"], "done", "{line}");
-        value
     }
 
     /// A refusal: one message with all these parts.

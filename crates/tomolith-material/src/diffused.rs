@@ -247,7 +247,8 @@ fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
 impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, is_linear, renew, is_renewed, memory, restore, updates, of_light);
+    forward!(self => *self.model; all but z_coupling, describe);
+    forward!(DoseModel, self => *self.model; of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if let [arc] = &self.arcs[..] {
@@ -257,21 +258,6 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         }
         dose.fill(0.0);
         self.dose_of(0..frames_of(self.patterns()), x, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        if let [arc] = &self.arcs[..] {
-            let mut own = cotangent.clone();
-            self.multiply(arc, &mut own);
-            return self.model.pullback(x, &own, grad, run);
-        }
-        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
     }
 
     fn pullback_of(

@@ -152,7 +152,8 @@ impl Frozen {
 impl DoseModel for Frozen {
     type Field = HostField;
 
-    forward!(DoseModel, self => self.absorbed; patterns, outputs, new_patterns, new_dose, updates, of_light);
+    forward!(self => self.absorbed; all but z_coupling, is_linear, renew, is_renewed, memory, restore, describe);
+    forward!(DoseModel, self => self.absorbed; of_light);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.absorbed.dose(x, dose, run)?;
@@ -166,18 +167,6 @@ impl DoseModel for Frozen {
             });
         }
         Ok(())
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut scaled = cotangent.clone();
-        self.scale(&mut scaled);
-        self.absorbed.pullback(x, &scaled, grad, run)
     }
 
     fn pullback_of(

@@ -29,7 +29,6 @@ use std::sync::{Mutex, PoisonError};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::response::{Identity, Response};
 use tomolith_core::units::exact;
 
 /// Voxels that a thread takes through all stages at a time: they stay in the second cache.
@@ -66,7 +65,6 @@ pub struct Photopolymer {
     domain: Domain,
     slots: Vec<Slot>,
     chains: Vec<Chain>,
-    responses: Vec<Box<dyn Response>>,
     /// Volumes of inhibitors that begin as they were given.
     given: Vec<(usize, HostField)>,
     spectral: Option<Spectral>,
@@ -84,10 +82,7 @@ impl Photopolymer {
         let mut slots = Vec::new();
         let chains = params.networks.iter();
         let chains: Vec<Chain> = chains.map(|n| chain_of(n, &mut slots)).collect();
-        let responses = params.networks.iter();
-        let responses = responses.map(|_| Box::new(Identity) as Box<dyn Response>);
         let mut material = Photopolymer {
-            responses: responses.collect(),
             mixing,
             domain,
             slots,
@@ -102,16 +97,6 @@ impl Photopolymer {
             material.spectral = Some(Spectral::new(material.domain.layout()));
         }
         Ok(material)
-    }
-
-    /// A scalar response of the degree of cure of a network: what bands and metrics see.
-    ///
-    /// # Panics
-    /// When there is no such network.
-    #[must_use]
-    pub fn with_response(mut self, network: usize, response: Box<dyn Response>) -> Self {
-        self.responses[network] = response;
-        self
     }
 
     /// Starts an inhibitor as it was measured or left by an earlier print (file order, 0 or above), instead of its `initial`.
@@ -645,10 +630,6 @@ impl Material for Photopolymer {
             scale: chain.per_gel,
             gel: 1.0,
         }
-    }
-
-    fn response(&self, species: usize) -> &dyn Response {
-        self.responses[species].as_ref()
     }
 
     fn longest_step_s(&self) -> f64 {

@@ -375,19 +375,6 @@ impl DoseModel for Printing {
         Ok(())
     }
 
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        if self.is_plain() {
-            return self.optics[0].pullback(x, cotangent, grad, run);
-        }
-        self.pullback_of(0..frames_of(&self.patterns), x, cotangent, grad, run)
-    }
-
     fn pullback_of(
         &self,
         frames: Range<usize>,

@@ -17,7 +17,7 @@ use crate::{Absorption, Model};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{DoseModel, Run, frames_of};
+use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::forward;
@@ -258,22 +258,7 @@ fn less(depth: f32) -> f32 {
 impl DoseModel for Shaded {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, renew, is_renewed, memory, restore, updates);
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        dose.fill(0.0);
-        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
-    }
+    forward!(self => *self.model; all but describe);
 
     fn pullback_of(
         &self,
@@ -314,15 +299,6 @@ impl DoseModel for Shaded {
             self.weaken(self.azimuth(frame), own.as_slice(), dose.as_mut_slice());
         }
         Ok(())
-    }
-
-    fn along(&self, _x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        if !self.model.is_linear() {
-            return Ok(None);
-        }
-        let mut term = self.new_dose()?;
-        self.dose(d, &mut term, run)?;
-        Ok(Some(vec![term]))
     }
 
     fn describe(&self) -> String {

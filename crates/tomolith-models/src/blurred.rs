@@ -182,7 +182,7 @@ impl Carried<'_> {
 impl DoseModel for Blurred {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; outputs, new_dose, is_linear, is_renewed, memory, restore, updates);
+    forward!(self => *self.model; all but patterns, new_patterns, z_coupling, renew, describe);
 
     fn patterns(&self) -> &[PatternLayout] {
         &self.patterns
@@ -201,26 +201,6 @@ impl DoseModel for Blurred {
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.model.dose(&self.spread(&self.all(), x)?, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let lit = self.spread(&self.all(), x)?;
-        let mut own = lit.zeros_like();
-        self.model.pullback(&lit, cotangent, &mut own, run)?;
-        let (from, to) = (self.model.patterns(), grad.as_mut_slice());
-        self.carry(
-            &self.all(),
-            (from, own.as_slice()),
-            (&self.patterns, to),
-            -1,
-        );
-        Ok(())
     }
 
     fn pullback_of(

@@ -19,7 +19,7 @@ pub mod rays;
 pub mod scenarios;
 mod scene;
 pub mod selection;
-mod several;
+pub mod several;
 pub mod sharded;
 pub mod spectral;
 pub mod successive_orders;

@@ -127,7 +127,8 @@ pub fn darken(x: &mut [f32], dark: &[bool]) {
 impl DoseModel for MaskedModel {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, memory, restore, is_linear, updates, of_light);
+    forward!(self => *self.model; all but renew, describe);
+    forward!(DoseModel, self => *self.model; of_light);
 
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
         self.model.renew(iteration, &self.masked(x), run)
@@ -135,18 +136,6 @@ impl DoseModel for MaskedModel {
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.model.dose(&self.masked(x), dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        self.model.pullback(&self.masked(x), cotangent, grad, run)?;
-        self.dim(0..grad.len(), grad);
-        Ok(())
     }
 
     fn pullback_of(

@@ -14,21 +14,18 @@
 //! of a dose for each, one after the other.
 
 use crate::HostModel;
-use crate::several;
+pub use crate::several::SharedModel;
+use crate::several::{Joint, Several};
 use std::ops::Range;
-use std::sync::Arc;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseLayout, PatternLayout};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
-
-/// A model that others share.
-pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
+use tomolith_core::field::HostField;
 
 /// Several models of the same images; see the [module](self).
-pub struct Scenarios {
-    models: Vec<SharedModel>,
-    outputs: Vec<DoseLayout>,
-}
+pub type Scenarios = Several<SameImages>;
+
+/// The models are lit by the same images, and each has its output.
+pub struct SameImages;
 
 impl Scenarios {
     /// The first model and how the dose may differ from it. Each model has one output, on the same voxels, and lights of the same pixels.
@@ -64,46 +61,12 @@ impl Scenarios {
                 ..own.clone()
             });
         }
-        Ok(Scenarios { models, outputs })
-    }
-
-    /// The patterns as model `k` has them.
-    fn shown(&self, k: usize, x: &HostField) -> Result<HostField> {
-        if k == 0 {
-            return Ok(x.clone());
-        }
-        let mut own = self.models[k].new_patterns()?;
-        let layouts = self.models[0].patterns().iter();
-        for (from, to) in layouts.zip(self.models[k].patterns()) {
-            each_common(from, to, |from, to| {
-                own.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
-            });
-        }
-        Ok(own)
-    }
-
-    /// grad += what model `k` has of the gradient.
-    fn gather(&self, k: usize, own: &HostField, grad: &mut HostField) {
-        let layouts = self.models[0].patterns().iter();
-        for (to, from) in layouts.zip(self.models[k].patterns()) {
-            each_common(to, from, |to, from| {
-                let pixels = grad.as_mut_slice()[to].iter_mut();
-                pixels
-                    .zip(&own.as_slice()[from])
-                    .for_each(|(grad, own)| *grad += own);
-            });
-        }
-    }
-
-    /// The block of output `k`.
-    fn block(&self, k: usize, field: &HostField) -> HostField {
-        HostField::from_slice(&field.as_slice()[self.outputs[k].range()])
-    }
-
-    /// field_k += q
-    fn add(&self, k: usize, q: &HostField, field: &mut HostField) {
-        let block = field.as_mut_slice()[self.outputs[k].range()].iter_mut();
-        block.zip(q.as_slice()).for_each(|(sum, q)| *sum += q);
+        Ok(Several {
+            patterns: models[0].patterns().to_vec(),
+            models,
+            outputs,
+            joint: SameImages,
+        })
     }
 }
 
@@ -125,100 +88,56 @@ fn each_common(
     }
 }
 
-impl DoseModel for Scenarios {
-    type Field = HostField;
-
-    fn patterns(&self) -> &[PatternLayout] {
-        self.models[0].patterns()
+impl Joint for SameImages {
+    fn parts(all: &Scenarios, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
+        let models = 0..all.models.len();
+        models.map(|k| (k, frames.clone())).collect()
     }
 
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        self.models[0].new_patterns()
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        let end = self.outputs.last().map_or(0, |last| last.range().end);
-        Ok(HostField::zeros(end))
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let mut q = self.models[0].new_dose()?;
-        for (k, model) in self.models.iter().enumerate() {
-            model.dose(
-                &self.shown(k, x)?,
-                &mut q,
-                &several::part(&self.models, run),
-            )?;
-            dose.as_mut_slice()[self.outputs[k].range()].copy_from_slice(q.as_slice());
+    fn shown(all: &Scenarios, k: usize, x: &HostField) -> Result<HostField> {
+        if k == 0 {
+            return Ok(x.clone());
         }
-        Ok(())
+        let mut own = all.models[k].new_patterns()?;
+        for (from, to) in all.patterns.iter().zip(all.models[k].patterns()) {
+            each_common(from, to, |from, to| {
+                own.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
+            });
+        }
+        Ok(own)
     }
 
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
+    fn add(all: &Scenarios, k: usize, q: &HostField, doses: &mut HostField) {
+        let block = doses.as_mut_slice()[all.outputs[k].range()].iter_mut();
+        block.zip(q.as_slice()).for_each(|(sum, q)| *sum += q);
+    }
+
+    fn split(all: &Scenarios, k: usize, cotangent: &HostField, c: &mut HostField) {
+        let own = &cotangent.as_slice()[all.outputs[k].range()];
+        c.as_mut_slice().copy_from_slice(own);
+    }
+
+    /// The gradient of a model is 0 where nobody asked for it.
+    fn gather(
+        all: &Scenarios,
+        k: usize,
+        _frames: Range<usize>,
+        own: &HostField,
         grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        grad.fill(0.0);
-        for (k, model) in self.models.iter().enumerate() {
-            let mut own = model.new_patterns()?;
-            let (shown, c) = (self.shown(k, x)?, self.block(k, cotangent));
-            model.pullback(&shown, &c, &mut own, &several::part(&self.models, run))?;
-            self.gather(k, &own, grad);
+    ) {
+        for (to, from) in all.patterns.iter().zip(all.models[k].patterns()) {
+            each_common(to, from, |to, from| {
+                let pixels = grad.as_mut_slice()[to].iter_mut();
+                pixels
+                    .zip(&own.as_slice()[from])
+                    .for_each(|(grad, own)| *grad += own);
+            });
         }
-        Ok(())
     }
 
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        for (k, model) in self.models.iter().enumerate() {
-            let mut q = model.new_dose()?;
-            model.dose_of(frames.clone(), &self.shown(k, x)?, &mut q, run)?;
-            self.add(k, &q, dose);
-        }
-        Ok(())
-    }
-
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let own = |k: usize| Ok([self.shown(k, x)?, self.shown(k, d)?]);
-        let add = |k: usize, q: &HostField, sum: &mut HostField| self.add(k, q, sum);
-        several::along(&self.models, own, || self.new_dose(), add, run)
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        several::z_coupling(&self.models)
-    }
-
-    fn is_linear(&self) -> bool {
-        several::is_linear(&self.models)
-    }
-
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        several::renew(&self.models, iteration, |k| self.shown(k, x), run)
-    }
-
-    fn is_renewed(&self) -> bool {
-        several::is_renewed(&self.models)
-    }
-
-    fn updates(&self) -> u64 {
-        several::updates(&self.models)
-    }
-
-    fn describe(&self) -> String {
-        let models = self.models.len();
-        format!("{models} scenarios, the job: {}", self.models[0].describe())
+    fn describe(all: &Scenarios) -> String {
+        let models = all.models.len();
+        format!("{models} scenarios, the job: {}", all.models[0].describe())
     }
 }
 
@@ -227,6 +146,8 @@ mod tests {
     use super::*;
     use crate::parallel::Parallel;
     use tomolith_core::check;
+    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::field::Field;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;

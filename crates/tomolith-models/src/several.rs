@@ -1,87 +1,194 @@
 //! Several models that act as one: what a sum over lights ([`spectral`](super::spectral)) and the same light under several scenarios
 //! ([`scenarios`](super::scenarios)) have in common.
 //!
-//! Each model has patterns and a dose of its own; `own` gives the former from the joint patterns, `add` brings the latter to the joint dose.
+//! Each model has patterns and a dose of its own. How these follow from the joint ones and back is all that a [`Joint`] says.
 
-use crate::{DoseModel, Run, ZCoupling};
-use std::ops::Deref;
+use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of};
+use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::error::Result;
-use tomolith_core::field::HostField;
+use tomolith_core::field::{Field, HostField};
 
-/// Whoever holds a model.
-pub(crate) trait Holds: Deref<Target = dyn DoseModel<Field = HostField>> {}
+/// A model that others share.
+pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
 
-impl<P: Deref<Target = dyn DoseModel<Field = HostField>>> Holds for P {}
-
-/// The part of a run that one of the models has.
-pub(crate) fn part(models: &[impl Holds], run: &Run) -> Run {
-    run.part(1.0 / models.len() as f64)
+/// Models that act as one; see the [module](self).
+pub struct Several<J> {
+    pub(crate) models: Vec<SharedModel>,
+    pub(crate) patterns: Vec<PatternLayout>,
+    pub(crate) outputs: Vec<DoseLayout>,
+    pub(crate) joint: J,
 }
 
-/// The coupling that reaches farthest.
-pub(crate) fn z_coupling(models: &[impl Holds]) -> ZCoupling {
-    let reach = |coupling: ZCoupling| match coupling {
-        ZCoupling::None => 0.0,
-        ZCoupling::Halo(mm) => mm,
-        ZCoupling::Full => f64::INFINITY,
-    };
-    let reaches = models.iter().map(|model| reach(model.z_coupling()));
-    match reaches.fold(0.0, f64::max) {
-        0.0 => ZCoupling::None,
-        mm if mm.is_finite() => ZCoupling::Halo(mm),
-        _ => ZCoupling::Full,
+/// What the patterns and the dose of one of several models have to do with the joint ones. Models count as `k`.
+pub trait Joint: Send + Sync + Sized {
+    /// The models that show some of the joint frames, and which of their own frames these are.
+    fn parts(all: &Several<Self>, frames: &Range<usize>) -> Vec<(usize, Range<usize>)>;
+
+    /// The patterns of a model.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn shown(all: &Several<Self>, k: usize, x: &HostField) -> Result<HostField>;
+
+    /// doses += what they have of the dose `q` of a model.
+    fn add(all: &Several<Self>, k: usize, q: &HostField, doses: &mut HostField);
+
+    /// The cotangent of a model: the transpose of [`add`](Self::add). Overwrites `c`.
+    fn split(all: &Several<Self>, k: usize, cotangent: &HostField, c: &mut HostField);
+
+    /// grad += the gradient of a model, of some of its frames: the transpose of [`shown`](Self::shown).
+    fn gather(
+        all: &Several<Self>,
+        k: usize,
+        frames: Range<usize>,
+        own: &HostField,
+        grad: &mut HostField,
+    );
+
+    /// As [`DoseModel::of_light`].
+    fn of_light(_all: &Several<Self>, _i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        None
+    }
+
+    /// As [`DoseModel::describe`].
+    fn describe(all: &Several<Self>) -> String;
+}
+
+impl<J> Several<J> {
+    /// The part of a run that one of the models has.
+    fn part(&self, run: &Run) -> Run {
+        run.part(1.0 / self.models.len() as f64)
     }
 }
 
-/// Whether all are linear.
-pub(crate) fn is_linear(models: &[impl Holds]) -> bool {
-    models.iter().all(|model| model.is_linear())
-}
+impl<J: Joint> DoseModel for Several<J> {
+    type Field = HostField;
 
-/// Whether any becomes another map on the way.
-pub(crate) fn is_renewed(models: &[impl Holds]) -> bool {
-    models.iter().any(|model| model.is_renewed())
-}
-
-/// Updates of a dose of all.
-pub(crate) fn updates(models: &[impl Holds]) -> u64 {
-    models.iter().map(|model| model.updates()).sum()
-}
-
-/// Lets every model become another map; whether any did.
-pub(crate) fn renew(
-    models: &[impl Holds],
-    iteration: usize,
-    own: impl Fn(usize) -> Result<HostField>,
-    run: &Run,
-) -> Result<bool> {
-    let mut any = false;
-    for (k, model) in models.iter().enumerate() {
-        any |= model.renew(iteration, &own(k)?, run)?;
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.patterns
     }
-    Ok(any)
-}
 
-/// The joint dose along a step, power by power; None where one of the models has none.
-pub(crate) fn along(
-    models: &[impl Holds],
-    own: impl Fn(usize) -> Result<[HostField; 2]>,
-    new_dose: impl Fn() -> Result<HostField>,
-    add: impl Fn(usize, &HostField, &mut HostField),
-    run: &Run,
-) -> Result<Option<Vec<HostField>>> {
-    let mut all: Vec<HostField> = Vec::new();
-    for (k, model) in models.iter().enumerate() {
-        let [x, d] = own(k)?;
-        let Some(powers) = model.along(&x, &d, run)? else {
-            return Ok(None);
-        };
-        for (power, q) in powers.iter().enumerate() {
-            if power == all.len() {
-                all.push(new_dose()?);
+    fn outputs(&self) -> &[DoseLayout] {
+        &self.outputs
+    }
+
+    fn new_patterns(&self) -> Result<HostField> {
+        let end = self.patterns.last().map_or(0, |last| last.range().end);
+        Ok(HostField::zeros(end))
+    }
+
+    fn new_dose(&self) -> Result<HostField> {
+        let end = self.outputs.last().map_or(0, |last| last.range().end);
+        Ok(HostField::zeros(end))
+    }
+
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        dose.fill(0.0);
+        let mut q = self.models[0].new_dose()?;
+        for (k, model) in self.models.iter().enumerate() {
+            model.dose(&J::shown(self, k, x)?, &mut q, &self.part(run))?;
+            J::add(self, k, &q, dose);
+        }
+        Ok(())
+    }
+
+    fn dose_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let mut q = self.models[0].new_dose()?;
+        for (k, own) in J::parts(self, &frames) {
+            q.fill(0.0);
+            self.models[k].dose_of(own, &J::shown(self, k, x)?, &mut q, &self.part(run))?;
+            J::add(self, k, &q, dose);
+        }
+        Ok(())
+    }
+
+    fn pullback_of(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        for (range, _) in elements_of(&self.patterns, &frames) {
+            grad.as_mut_slice()[range].fill(0.0);
+        }
+        let mut c = self.models[0].new_dose()?;
+        for (k, own) in J::parts(self, &frames) {
+            J::split(self, k, cotangent, &mut c);
+            let (model, part) = (&self.models[k], self.part(run));
+            let mut back = model.new_patterns()?;
+            model.pullback_of(own.clone(), &J::shown(self, k, x)?, &c, &mut back, &part)?;
+            J::gather(self, k, own, &back, grad);
+        }
+        Ok(())
+    }
+
+    /// The joint dose, power by power; None where one of the models has none.
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let mut all: Vec<HostField> = Vec::new();
+        for (k, model) in self.models.iter().enumerate() {
+            let [x, d] = [J::shown(self, k, x)?, J::shown(self, k, d)?];
+            let Some(powers) = model.along(&x, &d, run)? else {
+                return Ok(None);
+            };
+            for (power, q) in powers.iter().enumerate() {
+                if power == all.len() {
+                    all.push(self.new_dose()?);
+                }
+                J::add(self, k, q, &mut all[power]);
             }
-            add(k, q, &mut all[power]);
+        }
+        Ok(Some(all))
+    }
+
+    /// The coupling that reaches farthest.
+    fn z_coupling(&self) -> ZCoupling {
+        let reach = |coupling: ZCoupling| match coupling {
+            ZCoupling::None => 0.0,
+            ZCoupling::Halo(mm) => mm,
+            ZCoupling::Full => f64::INFINITY,
+        };
+        let reaches = self.models.iter().map(|model| reach(model.z_coupling()));
+        match reaches.fold(0.0, f64::max) {
+            0.0 => ZCoupling::None,
+            mm if mm.is_finite() => ZCoupling::Halo(mm),
+            _ => ZCoupling::Full,
         }
     }
-    Ok(Some(all))
+
+    fn is_linear(&self) -> bool {
+        self.models.iter().all(|model| model.is_linear())
+    }
+
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for (k, model) in self.models.iter().enumerate() {
+            any |= model.renew(iteration, &J::shown(self, k, x)?, run)?;
+        }
+        Ok(any)
+    }
+
+    fn is_renewed(&self) -> bool {
+        self.models.iter().any(|model| model.is_renewed())
+    }
+
+    fn updates(&self) -> u64 {
+        self.models.iter().map(|model| model.updates()).sum()
+    }
+
+    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        J::of_light(self, i)
+    }
+
+    fn describe(&self) -> String {
+        J::describe(self)
+    }
 }

@@ -52,7 +52,7 @@ impl Sharded {
 impl DoseModel for Sharded {
     type Field = HostField;
 
-    forward!(DoseModel, self => *self.model; patterns, outputs, new_dose, z_coupling, is_linear, renew, is_renewed);
+    forward!(self => *self.model; all but new_patterns, updates, describe);
 
     fn new_patterns(&self) -> Result<HostField> {
         let patterns = self.model.new_patterns()?;
@@ -62,17 +62,6 @@ impl DoseModel for Sharded {
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         let done = self.model.dose(x, dose, run);
         self.add_up(done, dose)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let done = self.model.pullback(x, cotangent, grad, run);
-        together(self.ranks.as_ref(), done)
     }
 
     fn dose_of(

@@ -24,20 +24,18 @@
 //! One call of every light's model, and one pass over its dose per species that it drives. Memory: patterns and dose of one light at a
 //! time.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, own_frames, several};
+use crate::several::{Joint, Several, SharedModel};
+use crate::{DoseLayout, DoseModel, HostModel, PatternLayout, own_frames};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 
 /// Models of single lights, and the matrix M.
-pub struct SpectralMixing {
-    lights: Vec<Box<dyn DoseModel<Field = HostField>>>,
-    /// M, a row per species.
-    matrix: Vec<Vec<f32>>,
-    patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
-}
+pub type SpectralMixing = Several<Mixing>;
+
+/// M, a row per species.
+pub struct Mixing(Vec<Vec<f32>>);
 
 impl SpectralMixing {
     /// The doses of `species` (name, row of M) by models of one light each.
@@ -47,10 +45,7 @@ impl SpectralMixing {
     ///
     /// # Panics
     /// When there is no light.
-    pub fn new(
-        lights: Vec<Box<dyn DoseModel<Field = HostField>>>,
-        species: &[(String, Vec<f64>)],
-    ) -> Result<Self> {
+    pub fn new(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<Self> {
         let own = lights[0].outputs()[0].clone();
         for light in &lights {
             let [layout] = light.outputs() else {
@@ -95,13 +90,11 @@ impl SpectralMixing {
             offset += moved.len();
             patterns.push(moved);
         }
-        let matrix = species
-            .iter()
-            .map(|(_, row)| row.iter().map(|&m| m as f32).collect())
-            .collect();
-        Ok(SpectralMixing {
-            lights,
-            matrix,
+        let rows = species.iter();
+        let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
+        Ok(Several {
+            joint: Mixing(matrix.collect()),
+            models: lights.into_iter().map(SharedModel::from).collect(),
             patterns,
             outputs,
         })
@@ -110,167 +103,69 @@ impl SpectralMixing {
     /// M, a row per species.
     #[must_use]
     pub fn matrix(&self) -> &[Vec<f32>] {
-        &self.matrix
+        &self.joint.0
     }
 
-    /// The patterns of a light in a field of its own.
-    fn own(&self, light: usize, x: &HostField) -> HostField {
-        HostField::from_slice(&x.as_slice()[self.patterns[light].range()])
+    /// Every species of a joint field, and what the light brings it.
+    fn driven(&self, light: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
+        let rows = self.outputs.iter().zip(self.matrix());
+        rows.map(move |(layout, row)| (layout.range(), row[light]))
+    }
+}
+
+/// sum += m·v
+fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
+    let blocks = sum.par_chunks_mut(BLOCK).zip(v.par_chunks(BLOCK));
+    blocks.for_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
+}
+
+impl Joint for Mixing {
+    fn parts(all: &SpectralMixing, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
+        own_frames(&all.patterns, frames).collect()
+    }
+
+    fn shown(all: &SpectralMixing, light: usize, x: &HostField) -> Result<HostField> {
+        let own = all.patterns[light].range();
+        Ok(HostField::from_slice(&x.as_slice()[own]))
     }
 
     /// doses += M_·λ q
-    fn add(&self, light: usize, q: &HostField, doses: &mut HostField) {
-        for (layout, row) in self.outputs.iter().zip(&self.matrix) {
-            let m = row[light];
-            if m == 0.0 {
-                continue;
-            }
-            let doses = &mut doses.as_mut_slice()[layout.range()];
-            let blocks = doses.par_chunks_mut(BLOCK);
-            blocks
-                .zip(q.as_slice().par_chunks(BLOCK))
-                .for_each(|(doses, q)| doses.iter_mut().zip(q).for_each(|(d, &q)| *d += m * q));
+    fn add(all: &SpectralMixing, light: usize, q: &HostField, doses: &mut HostField) {
+        for (range, m) in all.driven(light).filter(|(_, m)| *m != 0.0) {
+            add_scaled(&mut doses.as_mut_slice()[range], m, q.as_slice());
         }
     }
 
     /// c ← M_·λᵀ cotangent
-    fn unmix(&self, light: usize, cotangent: &HostField, c: &mut HostField) {
+    fn split(all: &SpectralMixing, light: usize, cotangent: &HostField, c: &mut HostField) {
         c.fill(0.0);
-        for (layout, row) in self.outputs.iter().zip(&self.matrix) {
-            let m = row[light];
-            let own = cotangent.as_slice()[layout.range()].par_chunks(BLOCK);
-            c.as_mut_slice()
-                .par_chunks_mut(BLOCK)
-                .zip(own)
-                .for_each(|(c, own)| c.iter_mut().zip(own).for_each(|(c, &o)| *c += m * o));
+        for (range, m) in all.driven(light) {
+            add_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]);
         }
     }
-}
 
-impl DoseModel for SpectralMixing {
-    type Field = HostField;
-
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.patterns.last().map_or(0, |last| last.range().end),
-        ))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.outputs.last().map_or(0, |last| last.range().end),
-        ))
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        dose.fill(0.0);
-        let mut q = self.lights[0].new_dose()?;
-        for (i, light) in self.lights.iter().enumerate() {
-            let part = several::part(&self.lights, run);
-            light.dose(&self.own(i, x), &mut q, &part)?;
-            self.add(i, &q, dose);
-        }
-        Ok(())
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut c = self.lights[0].new_dose()?;
-        for (i, light) in self.lights.iter().enumerate() {
-            self.unmix(i, cotangent, &mut c);
-            let mut own = light.new_patterns()?;
-            let part = several::part(&self.lights, run);
-            light.pullback(&self.own(i, x), &c, &mut own, &part)?;
-            grad.as_mut_slice()[self.patterns[i].range()].copy_from_slice(own.as_slice());
-        }
-        Ok(())
-    }
-
-    fn dose_of(
-        &self,
+    fn gather(
+        all: &SpectralMixing,
+        light: usize,
         frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut q = self.lights[0].new_dose()?;
-        for (i, own) in own_frames(&self.patterns, &frames) {
-            q.fill(0.0);
-            self.lights[i].dose_of(own, &self.own(i, x), &mut q, run)?;
-            self.add(i, &q, dose);
-        }
-        Ok(())
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
+        own: &HostField,
         grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut c = self.lights[0].new_dose()?;
-        for (i, own) in own_frames(&self.patterns, &frames) {
-            self.unmix(i, cotangent, &mut c);
-            let (light, layout) = (&self.lights[i], &self.patterns[i]);
-            let mut back = light.new_patterns()?;
-            light.pullback_of(own.clone(), &self.own(i, x), &c, &mut back, run)?;
-            let range = layout.elements_of(own);
-            let own = range.start - layout.offset..range.end - layout.offset;
-            grad.as_mut_slice()[range].copy_from_slice(&back.as_slice()[own]);
-        }
-        Ok(())
+    ) {
+        let layout = &all.patterns[light];
+        let range = layout.elements_of(frames);
+        let own = &own.as_slice()[range.start - layout.offset..range.end - layout.offset];
+        grad.as_mut_slice()[range].copy_from_slice(own);
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let own = |i: usize| Ok([self.own(i, x), self.own(i, d)]);
-        let add = |i: usize, q: &HostField, doses: &mut HostField| self.add(i, q, doses);
-        several::along(&self.lights, own, || self.new_dose(), add, run)
+    fn of_light(all: &SpectralMixing, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+        all.models.get(i).map(AsRef::as_ref)
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        several::z_coupling(&self.lights)
-    }
-
-    fn is_linear(&self) -> bool {
-        several::is_linear(&self.lights)
-    }
-
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        several::renew(&self.lights, iteration, |i| Ok(self.own(i, x)), run)
-    }
-
-    fn is_renewed(&self) -> bool {
-        several::is_renewed(&self.lights)
-    }
-
-    fn updates(&self) -> u64 {
-        several::updates(&self.lights)
-    }
-
-    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
-        self.lights.get(i).map(AsRef::as_ref)
-    }
-
-    fn describe(&self) -> String {
-        let lights: Vec<String> = self.lights.iter().map(|light| light.describe()).collect();
+    fn describe(all: &SpectralMixing) -> String {
+        let lights: Vec<String> = all.models.iter().map(|light| light.describe()).collect();
         format!(
             "{} species by {} lights ({})",
-            self.outputs.len(),
+            all.outputs.len(),
             lights.len(),
             lights.join("; ")
         )
@@ -280,6 +175,7 @@ impl DoseModel for SpectralMixing {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Run;
     use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -287,11 +183,7 @@ mod tests {
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
 
-    fn light(
-        frames: usize,
-        columns: usize,
-        absorption: f64,
-    ) -> Box<dyn DoseModel<Field = HostField>> {
+    fn light(frames: usize, columns: usize, absorption: f64) -> HostModel {
         let pixels = PatternGrid::full_turn(frames, 0.1, 12, columns, 0.1);
         let light = Light::new(pixels, Resin::absorbing(1.48, absorption));
         let grid = VolumeGrid::centered([10, 14, 14], 0.1);
@@ -327,7 +219,8 @@ mod tests {
             .map(|i| {
                 let light = model.of_light(i).unwrap();
                 let mut q = light.new_dose().unwrap();
-                light.dose(&model.own(i, &x), &mut q, &run).unwrap();
+                let own = Mixing::shown(&model, i, &x).unwrap();
+                light.dose(&own, &mut q, &run).unwrap();
                 q
             })
             .collect();

@@ -119,14 +119,4 @@ impl ShownFrames {
     pub fn mean(&self) -> f64 {
         self.sums.iter().sum::<f64>() / (self.sums.len() * self.pixels) as f64
     }
-
-    /// Light of one pass in which each frame is shown for some time (s), white having an irradiance (mW/cm²), J.
-    #[must_use]
-    pub fn pass_j(&self, irradiance: f64, frame_s: f64) -> f64 {
-        delivered_j(
-            &[(irradiance, self.mean())],
-            self.area_cm2(),
-            frame_s * self.sums.len() as f64,
-        )
-    }
 }

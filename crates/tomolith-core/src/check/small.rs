@@ -140,10 +140,6 @@ impl LinearOperator for SmallModel {
         Ok(())
     }
 
-    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.adjoint_of(0..self.entries.len(), cotangent, grad, run)
-    }
-
     fn adjoint_of(
         &self,
         frames: Range<usize>,

@@ -47,12 +47,15 @@ pub trait DoseModel: Send + Sync {
     /// # Errors
     /// When there is not enough memory.
     fn new_dose(&self) -> Result<Self::Field>;
-    /// F(x); overwrites `dose`.
+    /// F(x); overwrites `dose`. By default that of all frames.
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
-    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()>;
-    /// F′(x)ᵀ c; overwrites `grad`.
+    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
+        dose.fill(0.0);
+        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
+    }
+    /// F′(x)ᵀ c; overwrites `grad`. By default that of all frames.
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
@@ -62,7 +65,9 @@ pub trait DoseModel: Send + Sync {
         cotangent: &Self::Field,
         grad: &mut Self::Field,
         run: &Run,
-    ) -> Result<()>;
+    ) -> Result<()> {
+        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
+    }
     /// Dose of some frames only, *added* to `dose`: printing in time, streaming, sharding by angle.
     ///
     /// # Errors
@@ -74,8 +79,7 @@ pub trait DoseModel: Send + Sync {
         dose: &mut Self::Field,
         run: &Run,
     ) -> Result<()>;
-    /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others. By default all are computed and these
-    /// taken; models that know their frames take the time of these alone.
+    /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others.
     ///
     /// # Errors
     /// As [`pullback`](Self::pullback).
@@ -86,22 +90,25 @@ pub trait DoseModel: Send + Sync {
         cotangent: &Self::Field,
         grad: &mut Self::Field,
         run: &Run,
-    ) -> Result<()> {
-        let mut all = grad.zeros_like();
-        self.pullback(x, cotangent, &mut all, run)?;
-        take_elements(self.patterns(), &frames, &all, grad);
-        Ok(())
-    }
-    /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial. Searches know F(x).
+    ) -> Result<()>;
+    /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial: the default of
+    /// models that are not linear. Searches know F(x).
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled), or not enough memory.
     fn along(
         &self,
-        x: &Self::Field,
+        _x: &Self::Field,
         d: &Self::Field,
         run: &Run,
-    ) -> Result<Option<Vec<Self::Field>>>;
+    ) -> Result<Option<Vec<Self::Field>>> {
+        if !self.is_linear() {
+            return Ok(None);
+        }
+        let mut term = self.new_dose()?;
+        self.dose(d, &mut term, run)?;
+        Ok(Some(vec![term]))
+    }
     /// How far a row reaches along z.
     fn z_coupling(&self) -> ZCoupling;
     /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
@@ -132,14 +139,6 @@ pub trait DoseModel: Send + Sync {
     }
     /// One line for people: which model, which kernel.
     fn describe(&self) -> String;
-}
-
-/// Copies the elements of some frames.
-fn take_elements<F: Field>(lights: &[PatternLayout], frames: &Range<usize>, all: &F, to: &mut F) {
-    let all = all.to_host();
-    for (range, _) in elements_of(lights, frames) {
-        to.write(range.start, &all[range]);
-    }
 }
 
 /// A linear dose model; every one of them is a [`DoseModel`].
@@ -176,7 +175,9 @@ pub trait LinearOperator: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
-    fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()>;
+    fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()> {
+        self.adjoint_of(0..self.frames(), cotangent, grad, run)
+    }
     /// The elements of Aᵀ c that belong to some frames, as [`DoseModel::pullback_of`].
     ///
     /// # Errors
@@ -187,12 +188,7 @@ pub trait LinearOperator: Send + Sync {
         cotangent: &Self::Field,
         grad: &mut Self::Field,
         run: &Run,
-    ) -> Result<()> {
-        let mut all = grad.zeros_like();
-        self.adjoint(cotangent, &mut all, run)?;
-        take_elements(self.patterns(), &frames, &all, grad);
-        Ok(())
-    }
+    ) -> Result<()>;
     /// Number of frames of all lights.
     fn frames(&self) -> usize {
         frames_of(self.patterns())
@@ -222,21 +218,6 @@ impl<A: LinearOperator> DoseModel for A {
         Ok(LinearOperator::renew(self, iteration))
     }
 
-    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
-        dose.fill(0.0);
-        self.add_forward(0..self.frames(), x, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        _x: &Self::Field,
-        cotangent: &Self::Field,
-        grad: &mut Self::Field,
-        run: &Run,
-    ) -> Result<()> {
-        self.adjoint(cotangent, grad, run)
-    }
-
     fn dose_of(
         &self,
         frames: Range<usize>,
@@ -256,17 +237,6 @@ impl<A: LinearOperator> DoseModel for A {
         run: &Run,
     ) -> Result<()> {
         self.adjoint_of(frames, cotangent, grad, run)
-    }
-
-    fn along(
-        &self,
-        _x: &Self::Field,
-        d: &Self::Field,
-        run: &Run,
-    ) -> Result<Option<Vec<Self::Field>>> {
-        let mut dose = LinearOperator::new_dose(self)?;
-        self.add_forward(0..self.frames(), d, &mut dose, run)?;
-        Ok(Some(vec![dose]))
     }
 
     fn is_linear(&self) -> bool {

@@ -93,8 +93,14 @@ impl LinearOperator for Cross {
         Ok(())
     }
 
-    fn adjoint(&self, c: &HostField, grad: &mut HostField, _: &Run) -> Result<()> {
-        for pixel in 0..4 * N {
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        c: &HostField,
+        grad: &mut HostField,
+        _: &Run,
+    ) -> Result<()> {
+        for pixel in frames.start * N..frames.end * N {
             let ray = self.ray(pixel / N, pixel % N).into_iter();
             let sum = ray
                 .map(|(v, w)| w * f64::from(c.as_slice()[v]))

@@ -230,21 +230,7 @@ struct Counting(SmallModel, Arc<AtomicUsize>);
 impl DoseModel for Counting {
     type Field = HostField;
 
-    forward!(DoseModel, self => self.0; patterns, outputs, new_patterns, new_dose, z_coupling, is_linear, updates, describe);
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.0.dose(x, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        c: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        self.pullback_of(0..frames_of(self.patterns()), x, c, grad, run)
-    }
+    forward!(self => self.0; all);
 
     fn dose_of(
         &self,
@@ -266,10 +252,6 @@ impl DoseModel for Counting {
     ) -> Result<()> {
         self.1.fetch_add(frames.len(), Ordering::Relaxed);
         self.0.pullback_of(frames, x, c, grad, run)
-    }
-
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        DoseModel::along(&self.0, x, d, run)
     }
 }
 

@@ -647,10 +647,6 @@ impl LinearOperator for Rays {
         Ok(())
     }
 
-    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.adjoint_of(0..self.frames(), cotangent, grad, run)
-    }
-
     fn adjoint_of(
         &self,
         frames: Range<usize>,

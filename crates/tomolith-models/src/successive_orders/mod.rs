@@ -379,10 +379,6 @@ impl LinearOperator for SuccessiveOrders {
         Ok(())
     }
 
-    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.adjoint_of(0..self.frames(), cotangent, grad, run)
-    }
-
     fn adjoint_of(
         &self,
         frames: Range<usize>,

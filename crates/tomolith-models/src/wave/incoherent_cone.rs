@@ -307,10 +307,6 @@ impl LinearOperator for IncoherentCone {
         self.0.add_dose(frames, x, dose, run)
     }
 
-    fn adjoint(&self, cotangent: &HostField, grad: &mut HostField, run: &Run) -> Result<()> {
-        self.adjoint_of(0..self.0.frames(), cotangent, grad, run)
-    }
-
     /// Linear: the same wherever it is taken.
     fn adjoint_of(
         &self,

@@ -9,7 +9,7 @@ use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::parallel::is_straight;
-use crate::{DoseLayout, PatternLayout, Run, ZCoupling, frames_of};
+use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -123,11 +123,6 @@ impl<W: Way<f32>> Lights<W> {
             light.pull_back((layout, own), x.as_slice(), cotangent.as_slice(), grad, run)?;
         }
         Ok(())
-    }
-
-    /// Of all lights.
-    pub(super) fn frames(&self) -> usize {
-        frames_of(&self.patterns)
     }
 
     /// How far along z light reaches from its row.

@@ -102,7 +102,7 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::{concise, exact};
@@ -523,21 +523,6 @@ impl DoseModel for Wave {
 
     fn new_dose(&self) -> Result<HostField> {
         Ok(self.0.new_dose())
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        dose.fill(0.0);
-        self.0.add_dose(0..self.0.frames(), x, dose, run)
-    }
-
-    fn pullback(
-        &self,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        (self.0).pull_back(0..self.0.frames(), x, cotangent, grad, run)
     }
 
     fn pullback_of(

@@ -8,8 +8,9 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::check::small::SmallModel;
-use tomolith_core::dose::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling};
+use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::HostField;
+use tomolith_core::forward;
 use tomolith_core::response::Identity;
 use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
 
@@ -291,6 +292,8 @@ impl Twisted {
 impl DoseModel for Twisted {
     type Field = HostField;
 
+    forward!(self => self.inner; all but is_linear, renew, is_renewed, describe);
+
     fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
         let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
         Ok(self.round.swap(round, Ordering::Relaxed) != round)
@@ -298,22 +301,6 @@ impl DoseModel for Twisted {
 
     fn is_renewed(&self) -> bool {
         self.every.is_some()
-    }
-
-    fn patterns(&self) -> &[PatternLayout] {
-        DoseModel::patterns(&self.inner)
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        DoseModel::outputs(&self.inner)
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        DoseModel::new_patterns(&self.inner)
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        DoseModel::new_dose(&self.inner)
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
@@ -325,14 +312,15 @@ impl DoseModel for Twisted {
         self.inner.dose(&x, dose, run)
     }
 
-    fn pullback(
+    fn pullback_of(
         &self,
+        frames: Range<usize>,
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.inner.pullback(x, cotangent, grad, run)?;
+        self.inner.pullback_of(frames, x, cotangent, grad, run)?;
         grad.scale(self.gain() as f32);
         if self.squared {
             grad.as_mut_slice()
@@ -354,16 +342,8 @@ impl DoseModel for Twisted {
         Ok(None)
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
-    }
-
     fn is_linear(&self) -> bool {
         !self.squared
-    }
-
-    fn updates(&self) -> u64 {
-        0
     }
 
     fn describe(&self) -> String {
@@ -703,21 +683,7 @@ struct Induced(SmallModel, f32);
 impl DoseModel for Induced {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        DoseModel::patterns(&self.0)
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        DoseModel::outputs(&self.0)
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        DoseModel::new_patterns(&self.0)
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        DoseModel::new_dose(&self.0)
-    }
+    forward!(self => self.0; all but is_linear, describe);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.0.dose(x, dose, run)?;
@@ -726,8 +692,9 @@ impl DoseModel for Induced {
         Ok(())
     }
 
-    fn pullback(
+    fn pullback_of(
         &self,
+        frames: Range<usize>,
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
@@ -738,27 +705,15 @@ impl DoseModel for Induced {
         let mut c = cotangent.clone();
         let pairs = c.as_mut_slice().iter_mut().zip(dose.as_slice());
         pairs.for_each(|(c, dose)| *c = if *dose > self.1 { *c } else { 0.0 });
-        self.0.pullback(x, &c, grad, run)
+        self.0.pullback_of(frames, x, &c, grad, run)
     }
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
         unreachable!("optimizers ask for all frames")
     }
 
-    fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
-        Ok(None)
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
-    }
-
     fn is_linear(&self) -> bool {
         false
-    }
-
-    fn updates(&self) -> u64 {
-        DoseModel::updates(&self.0)
     }
 
     fn describe(&self) -> String {

@@ -34,16 +34,17 @@ impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
         Ok(())
     }
 
-    fn pullback(
+    fn pullback_of(
         &self,
+        frames: Range<usize>,
         x: &SealedField,
         cotangent: &SealedField,
         grad: &mut SealedField,
         run: &Run,
     ) -> Result<()> {
-        let mut host = self.0.new_patterns()?;
+        let mut host = opened(grad);
         self.0
-            .pullback(&opened(x), &opened(cotangent), &mut host, run)?;
+            .pullback_of(frames, &opened(x), &opened(cotangent), &mut host, run)?;
         grad.copy_from_host(host.as_slice());
         Ok(())
     }

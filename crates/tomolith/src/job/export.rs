@@ -6,6 +6,7 @@ use super::document::is_within;
 use super::folder::unusable;
 use super::progress::{Event, Progress, watched};
 use super::read::Job;
+use super::resolve::response;
 use super::resources::{memory_budget_mb, require};
 use super::scene::Scene;
 use super::stages::stage;
@@ -15,7 +16,6 @@ use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
 use crate::models::{DoseModel, Family, Run, matrix, planner};
-use crate::response::RESPONSES;
 use serde::Serialize;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -206,10 +206,8 @@ fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option
     let Some(threshold) = report["evaluation"]["gel_threshold"].as_f64() else {
         return Ok(None);
     };
-    let (kind, inner) = Section::new("response", job.spec.response.clone())
-        .based(&job.base())
-        .kind(RESPONSES)?;
-    let response = (kind.build)(&inner)?;
+    let own = Section::new("response", job.spec.response.clone());
+    let response = response(own.based(&job.base()))?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
 }
 

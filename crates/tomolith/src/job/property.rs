@@ -15,7 +15,9 @@ use super::spec::{JobSpec, PropertySpec};
 use crate::error::{Error, Result};
 use crate::grid::Volume;
 use crate::kind::Section;
+use crate::response::Response;
 use std::path::Path;
+use std::sync::Arc;
 
 /// A property on the job's voxels; NaN where nothing is solid.
 pub(crate) struct Property {
@@ -25,12 +27,12 @@ pub(crate) struct Property {
     pub(crate) values: Volume<f32>,
 }
 
-/// Checks names and responses of the properties of a job.
+/// The map of each property of a job, whose names are checked, too.
 ///
 /// # Errors
 /// [`Error::Config`].
-pub(super) fn must_fit(spec: &JobSpec, base: &Path) -> Result<()> {
-    for (i, property) in spec.property.iter().enumerate() {
+pub(super) fn maps(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<dyn Response>>> {
+    let map_of = |(i, property): (usize, &PropertySpec)| {
         let key = format!("property[{i}]");
         let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
         for (part, name) in [("of", &property.of), ("over", &property.over)] {
@@ -45,23 +47,15 @@ pub(super) fn must_fit(spec: &JobSpec, base: &Path) -> Result<()> {
                 ));
             }
         }
-        map_of(property, i, base)?;
-    }
-    Ok(())
-}
-
-fn map_of(
-    property: &PropertySpec,
-    i: usize,
-    base: &Path,
-) -> Result<std::sync::Arc<dyn crate::response::Response>> {
-    response(Section::new(format!("property[{i}].map"), property.map.clone()).based(base))
+        response(Section::new(format!("{key}.map"), property.map.clone()).based(base))
+    };
+    spec.property.iter().enumerate().map(map_of).collect()
 }
 
 /// The properties of a print.
 ///
 /// # Errors
-/// As [`must_fit`].
+/// As [`Scene::responses`].
 pub(super) fn properties(scene: &Scene, judged: &Evaluated) -> Result<Vec<Property>> {
     if scene.spec.property.is_empty() {
         return Ok(Vec::new());
@@ -82,8 +76,7 @@ pub(super) fn properties(scene: &Scene, judged: &Evaluated) -> Result<Vec<Proper
         (0..responses.len()).find(is_named)
     };
     let mut properties = Vec::new();
-    for (i, spec) in scene.spec.property.iter().enumerate() {
-        let map = map_of(spec, i, &scene.base)?;
+    for (spec, map) in scene.spec.property.iter().zip(&scene.property_maps) {
         let of = &responses[number(&spec.of).unwrap_or(0)].0;
         let over = number(&spec.over).map(|s| &responses[s].0);
         let value = |v: usize| {

@@ -38,6 +38,8 @@ pub(crate) struct JobKinds {
     bounding: Option<Named<BuildStart>>,
     /// What the optimizer needs beside it.
     pub(crate) requirements: Requirements,
+    /// Whether it divides doses by their largest.
+    pub(crate) normalizes: bool,
     /// Where files begin.
     base: PathBuf,
 }
@@ -190,7 +192,7 @@ impl JobKinds {
         let penalties = penalties.collect::<Result<Vec<_>>>()?;
         let optimizer = Section::new("optimizer", spec.optimizer.clone());
         let optimizer = Named::read(&optimizer, OPTIMIZERS)?;
-        let requirements = (optimizer.kind.build)(&optimizer.section)?.requirements();
+        let method = (optimizer.kind.build)(&optimizer.section)?;
         let start = Section::new("start", spec.start.clone());
         let bounding = spec.start.pointer("/patterns/bounds_as");
         let bounding = bounding.map(|own| Section::new("start.patterns.bounds_as", own.clone()));
@@ -198,7 +200,8 @@ impl JobKinds {
         Ok(JobKinds {
             objectives,
             penalties,
-            requirements,
+            requirements: method.requirements(),
+            normalizes: method.normalizes(),
             optimizer,
             start: Named::read(&start, STARTS)?,
             bounding,

@@ -147,7 +147,7 @@ impl ResolvedJob {
         let stage = Stage::new(scene, &self.voxels, level, &mut Silent, run)?;
         let start = stage.start(scene, scene.start()?.as_ref(), run)?;
         Ok(Task {
-            limits: stage.limits(scene, &start)?,
+            limits: stage.limits(scene, &start),
             penalties: scene.penalties(stage.model.patterns())?,
             objective: stage.objective(scene, 0)?,
             start,

@@ -1,0 +1,177 @@
+//! A run as it is read from its folder.
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_io::npy::read_volume;
+
+/// What a folder must hold.
+const ACCEPTED: &str = "the folder of a run of Tomolith, with report.json";
+
+/// A run to be compared.
+#[derive(Clone, Debug)]
+pub struct ComparedRun {
+    /// Its name on the page.
+    pub name: String,
+    /// `report.json`.
+    pub report: Value,
+    /// `job.toml`, flat: key path → value.
+    pub job: BTreeMap<String, String>,
+    /// `dose.npy`, on the job's voxels; None where the folder has none.
+    pub dose: Option<Volume<f32>>,
+    /// `history.csv`: column → numbers, not a number where there is none; empty for a simulation.
+    pub history: BTreeMap<String, Vec<f64>>,
+}
+
+impl ComparedRun {
+    /// Reads a run folder.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when it is no folder of a run; [`Error::Io`] when its report cannot be read.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let path = folder.join("report.json");
+        let refused = |path: &Path, found: String| Error::Format {
+            path: path.to_owned(),
+            found,
+            accepted: ACCEPTED.to_owned(),
+        };
+        if let Some(found) = is_no_run(folder) {
+            return Err(refused(folder, found.to_owned()));
+        }
+        let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+        let bad = |found: String| refused(&path, found);
+        let report: Value = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
+        if report["schema"] != "tomolith.report/1" {
+            return Err(bad(format!("schema {}", report["schema"])));
+        }
+        let job = std::fs::read_to_string(folder.join("job.toml")).unwrap_or_default();
+        let job: Value = toml::from_str(&job).unwrap_or_default();
+        let mut flat = BTreeMap::new();
+        flatten("", &job, &mut flat);
+        flat.remove("output.folder");
+        let history = std::fs::read_to_string(folder.join("history.csv")).unwrap_or_default();
+        let name = folder.file_name().map_or_else(
+            || folder.display().to_string(),
+            |name| name.to_string_lossy().into_owned(),
+        );
+        let dose = dose_of(&folder.join("dose.npy"), &report)?;
+        Ok(ComparedRun {
+            name,
+            report,
+            dose,
+            job: flat,
+            history: columns(&history),
+        })
+    }
+
+    pub(super) fn number(&self, pointer: &str) -> Option<f64> {
+        self.report.pointer(pointer)?.as_f64()
+    }
+
+    pub(super) fn points(&self, x: impl Fn(usize) -> Option<f64>, column: &str) -> Vec<[f64; 2]> {
+        let Some(values) = self.history.get(column) else {
+            return Vec::new();
+        };
+        let point =
+            |(i, &y): (usize, &f64)| Some([x(i)?, y]).filter(|p| p.iter().all(|v| v.is_finite()));
+        values.iter().enumerate().filter_map(point).collect()
+    }
+
+    /// Model calls after row `i` of the history.
+    pub(super) fn calls(&self, i: usize) -> Option<f64> {
+        let at = |name: &str| self.history.get(name)?.get(i).copied();
+        Some(at("forward_calls")? + at("adjoint_calls")?)
+    }
+
+    pub(super) fn seconds(&self, i: usize) -> Option<f64> {
+        self.history.get("seconds")?.get(i).copied()
+    }
+}
+
+/// Why a path is not the folder of a run; None when it holds a report.
+fn is_no_run(folder: &Path) -> Option<&'static str> {
+    if !folder.exists() {
+        Some("there is no such folder")
+    } else if !folder.is_dir() {
+        Some("a file, not a folder")
+    } else if !folder.join("report.json").is_file() {
+        Some("no report.json in it, so no run has ended here")
+    } else {
+        None
+    }
+}
+
+pub(super) fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, String>) {
+    let below = |key: &str| {
+        if path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{path}.{key}")
+        }
+    };
+    match value {
+        Value::Object(map) if !map.is_empty() => map
+            .iter()
+            .for_each(|(key, value)| flatten(&below(key), value, flat)),
+        Value::Array(list) if list.iter().any(Value::is_object) => {
+            for (i, value) in list.iter().enumerate() {
+                flatten(&format!("{path}[{i}]"), value, flat);
+            }
+        }
+        Value::Null => {}
+        Value::Object(_) => drop(flat.insert(path.to_owned(), "(defaults)".to_owned())),
+        Value::String(text) => drop(flat.insert(path.to_owned(), text.clone())),
+        other => drop(flat.insert(path.to_owned(), other.to_string())),
+    }
+}
+
+/// Columns of a table with a header; a cell that cannot be read as a number becomes NaN.
+pub(super) fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines
+        .next()
+        .unwrap_or_default()
+        .split(',')
+        .filter(|name| !name.is_empty())
+        .collect();
+    let mut table: BTreeMap<String, Vec<f64>> = names
+        .iter()
+        .map(|name| ((*name).to_owned(), Vec::new()))
+        .collect();
+    for line in lines {
+        for (name, cell) in names.iter().zip(line.split(',')) {
+            if let Some(column) = table.get_mut(*name) {
+                column.push(cell.parse().unwrap_or(f64::NAN));
+            }
+        }
+    }
+    table
+}
+
+/// The dose of a run on its job's voxels, which lie in the box of those that it was judged on.
+///
+/// # Errors
+/// As [`read_volume`].
+fn dose_of(path: &Path, report: &Value) -> Result<Option<Volume<f32>>> {
+    if !path.exists() {
+        return Ok(None);
+    }
+    let (shape, values) = read_volume(path)?;
+    let number = |pointer: &str| report.pointer(pointer).and_then(Value::as_f64);
+    let (Some(fine), Some(pitch)) = (
+        number("/evaluation/grid/shape_zyx/2"),
+        number("/evaluation/grid/pitch_mm"),
+    ) else {
+        return Ok(None);
+    };
+    let center = |axis: usize| number(&format!("/evaluation/grid/center_xyz_mm/{axis}"));
+    let grid = VolumeGrid {
+        shape,
+        pitch_mm: pitch * fine / shape[2].max(1) as f64,
+        height_mm: pitch * fine / shape[2].max(1) as f64,
+        center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
+    };
+    Ok((!grid.is_empty()).then_some(Volume { grid, values }))
+}

@@ -1,0 +1,219 @@
+//! The optimization of a job: from voxels to patterns.
+
+mod stage;
+mod start;
+mod watch;
+
+use super::levels::Levelled;
+use super::progress::{Event, Progress};
+use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
+use super::scene::{Scene, Voxels, at_section};
+use crate::error::{Error, Result};
+use crate::grid::{PatternGrid, Patterns};
+use crate::models::Run;
+use crate::objective::FoundWindow;
+use crate::optimize::start::given::Given;
+use crate::optimize::{Checkpoints, Outcome, StopReason};
+use stage::SoFar;
+pub(super) use stage::Stage;
+use start::clip;
+use std::path::Path;
+use std::time::Instant;
+pub(super) use watch::Quality;
+use watch::idle;
+
+/// What an optimization came to.
+pub(crate) struct Optimized {
+    /// Per light, before quantization.
+    pub(crate) raw: Vec<Patterns>,
+    /// Loss, history, why it ended.
+    pub(crate) outcome: Outcome,
+    /// Which model, and why.
+    pub(crate) model: String,
+    /// Voxel-angle updates of one model call.
+    pub(crate) updates: u64,
+    /// Metrics on the own grid, where they were measured.
+    qualities: Vec<Quality>,
+    /// How long measuring them took, s.
+    pub(crate) metrics_s: f64,
+    /// The patterns on few levels of the machine, where they were improved on them.
+    pub(crate) levels: Option<Levelled>,
+    /// How long that took, s.
+    pub(crate) levels_s: f64,
+    /// The process window of the patterns before they are written, where an objective looks for it.
+    pub(crate) window: Option<FoundWindow>,
+    /// That it did nothing, or could not be kept.
+    pub(crate) warnings: Vec<String>,
+}
+
+impl Optimized {
+    /// By how much the IoU on the level's voxels rose over the last quarter of the iterations; None where it was not measured.
+    pub(crate) fn gain_in_the_end(&self) -> Option<f64> {
+        let last = self.qualities.last()?;
+        let begin = last.iteration - last.iteration.div_ceil(4);
+        let before = self.qualities.iter().rfind(|q| q.iteration <= begin)?;
+        Some(last.iou? - before.iou?)
+    }
+
+    /// The metrics after an iteration, where they were measured.
+    pub(crate) fn quality_at(&self, iteration: usize) -> Option<Quality> {
+        self.qualities
+            .iter()
+            .copied()
+            .find(|q| q.iteration == iteration)
+    }
+}
+
+/// Runs the optimizer of a job, or goes on from the checkpoint in its folder.
+///
+/// # Errors
+/// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
+pub(crate) fn optimize(
+    scene: &Scene,
+    voxels: &Voxels,
+    place: &Path,
+    resume: bool,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Optimized> {
+    let tables = tables(&scene.spec)?;
+    let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
+    scene.must_agree(fingerprint)?;
+    let mut checkpoints =
+        Checkpoints::new(place, fingerprint, &scene.spec.checkpoint)?.describing(tables);
+    let resumed = if resume || scene.is_first() {
+        resumes(&checkpoints, resume, progress)
+    } else {
+        Ok(None)
+    };
+    let resumed = scene.agreed(resumed)?;
+    if resumed.is_none() {
+        checkpoints.begin_anew();
+    }
+    let job_start = scene.start()?;
+    let mut carried: Option<Vec<Patterns>> = None;
+    let mut bounds = Vec::new();
+    let mut pixels: Option<Vec<&PatternGrid>> = None;
+    let mut sofar = SoFar::default();
+    let own_levels = scene.own_levels();
+    for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
+        let is_last = i + 1 == scene.levels.len();
+        let stage = scene.agreed(Stage::new(scene, voxels, own_level, progress, cancel))?;
+        let stage = stage.shared(scene);
+        if i == 0 {
+            let text = stage.reason.clone();
+            progress.event(&Event::Note { text });
+        }
+        let mut start = None;
+        let own = level.lights.iter().map(|light| &light.pixels).collect();
+        if pixels.as_ref() != Some(&own) {
+            let given = scene.own_start(level)?;
+            let job_start = given
+                .as_ref()
+                .map_or(job_start.as_ref(), |given| given as _);
+            let mut x = stage.start(scene, job_start, cancel)?;
+            bounds = match scene.kinds.bounding_start()? {
+                None => stage.limits(scene, &x),
+                Some(own) => {
+                    let own = stage.start(scene, own.as_ref(), cancel)?;
+                    let bounds = stage.limits(scene, &own);
+                    clip(&mut x, stage.model.patterns(), &bounds)?;
+                    bounds
+                }
+            };
+            (start, pixels) = (Some(x), Some(own));
+        }
+        if resumed.is_some_and(|at| i < at) {
+            continue;
+        }
+        let mut x = match (carried.take(), start) {
+            (None, Some(x)) => x,
+            (None, None) => stage.model.new_patterns()?,
+            (Some(raw), _) => {
+                let given = Given(scene.own_patterns(level, raw));
+                stage.start(scene, &given, cancel)?
+            }
+        };
+        checkpoints.begin_level(i);
+        if let Some(shares) = scene.shares(level, stage.model.patterns()) {
+            checkpoints.share(shares);
+        }
+        let ran = stage.run_and_widen(
+            scene,
+            (&mut x, &bounds),
+            &mut checkpoints,
+            &mut sofar,
+            progress,
+            cancel,
+        );
+        let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
+        let raw = stage.patterns(&mut x);
+        let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
+        match ran {
+            Ok(outcome) if outcome.reason == StopReason::Canceled => {
+                keep(scene, &raw, place, progress, cancel)?;
+                return Err(at_section("optimizer", Error::Canceled));
+            }
+            Ok(outcome) if is_last => {
+                let normalizes = scene.kinds.normalizes;
+                let mut warnings = sofar.warnings;
+                if let Some(text) = idle(&outcome.history, normalizes, scene.spec.bounds.bits) {
+                    warnings.push(text.clone());
+                    progress.event(&Event::Warning { text });
+                }
+                let window = stage.window(scene, &x, cancel)?;
+                if let Some(text) = window.and_then(|window| window.warning()) {
+                    warnings.push(text.clone());
+                    progress.event(&Event::Warning { text });
+                }
+                let begin = Instant::now();
+                let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
+                    Ok(levels) => levels,
+                    Err(error) => {
+                        keep(scene, &raw, place, progress, cancel)?;
+                        return Err(at_section("optimizer", error));
+                    }
+                };
+                let raw = stage.levelled(scene, raw, progress, cancel)?;
+                return Ok(Optimized {
+                    raw,
+                    levels,
+                    levels_s: begin.elapsed().as_secs_f64(),
+                    outcome,
+                    updates: stage.model.updates(),
+                    model: stage.reason,
+                    qualities: sofar.qualities,
+                    metrics_s: sofar.metrics_s,
+                    window,
+                    warnings,
+                });
+            }
+            Ok(outcome) => {
+                sofar.rows = outcome.history;
+                sofar.counters = outcome.counters;
+                carried = Some(raw);
+            }
+            // A checkpoint that does not fit: nothing was done
+            Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
+            Err(error) => {
+                keep(scene, &raw, place, progress, cancel)?;
+                return Err(at_section("optimizer", error));
+            }
+        }
+    }
+    unreachable!("a job has a level")
+}
+
+impl Scene {
+    /// Name of a light for files: none when there is only one.
+    pub(crate) fn light_name(&self, i: usize) -> Option<&str> {
+        if self.spec.light.len() == 1 {
+            None
+        } else {
+            self.spec.light[i].name.as_deref()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,363 @@
+//! One level of the optimization: its voxels, its model, its objective, and the loop on it.
+
+use super::start::{limits, start_input, starting_patterns};
+use super::watch::{Quality, Watch};
+use crate::error::{Error, Result};
+use crate::field::HostField;
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::job::in_time::planned_in_time;
+use crate::job::levels::{self, Levelled};
+use crate::job::progress::{Event, Progress};
+use crate::job::refinement::{self, Level};
+use crate::job::scene::{Scene, Voxels};
+use crate::job::species::planned;
+use crate::job::{heights, scenarios};
+use crate::models::masked::{darken, pixels_through};
+use crate::models::scenarios::SharedModel;
+use crate::models::sharded::Sharded;
+use crate::models::{DoseLayout, DoseModel, OpticalScene, Run};
+use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
+use crate::optimize;
+use crate::optimize::start::InitialPatterns;
+use crate::optimize::{Checkpoints, Counters, Limits, Outcome, Problem, Row, Stop, StopReason};
+use crate::units::concise;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// What the levels before have done.
+#[derive(Default)]
+pub(super) struct SoFar {
+    pub(super) rows: Vec<Row>,
+    pub(super) counters: Counters,
+    pub(super) qualities: Vec<Quality>,
+    pub(super) metrics_s: f64,
+    pub(super) warnings: Vec<String>,
+}
+
+/// One level, ready to be optimized.
+pub(crate) struct Stage<'a> {
+    pub(super) level: &'a Level,
+    pub(crate) voxels: Cow<'a, Voxels>,
+    /// Those of further species.
+    pub(super) others: Vec<Voxels>,
+    pub(crate) model: Box<dyn DoseModel<Field = HostField>>,
+    pub(super) straight: Option<Box<dyn DoseModel<Field = HostField>>>,
+    /// That of the job as it is, where `model` is that of all scenarios.
+    pub(super) nominal: Option<SharedModel>,
+    /// Pixels that stay dark.
+    pub(super) dark: Vec<bool>,
+    /// Which model, and why.
+    pub(super) reason: String,
+}
+
+impl<'a> Stage<'a> {
+    pub(crate) fn new(
+        scene: &Scene,
+        voxels: &'a Voxels,
+        level: &'a Level,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Self> {
+        let voxels = if level.grid == scene.grid {
+            Cow::Borrowed(voxels)
+        } else {
+            Cow::Owned(scene.voxels_under(&level.grid, &cancel.aside())?)
+        };
+        let others = scene.others.iter();
+        let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
+        let others = others.collect::<Result<Vec<_>>>()?;
+        let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
+        let optics = OpticalScene {
+            lights: &level.lights,
+            ..scene.optimizing()
+        };
+        let asked = scene.optics.model.as_ref();
+        let plan = if scene.is_optimized_in_time() {
+            planned_in_time(scene, (asked, optics), level, &all, cancel)?
+        } else {
+            planned(scene, asked, optics, &level.grid, Some(&all), cancel)?
+        };
+        let straight = plan.surrogate.as_deref();
+        let known = straight.unwrap_or(&plan.model);
+        let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
+        let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
+        for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
+            *dark |= left_out;
+        }
+        let model = plan.model.and_dark(of_bodies.unwrap_or_default());
+        let (model, nominal) = scenarios::joined(scene, model, &dark, level, cancel)?;
+        Ok(Stage {
+            level,
+            voxels,
+            others,
+            model,
+            straight: plan.surrogate,
+            nominal,
+            dark,
+            reason: plan.reason,
+        })
+    }
+
+    /// The same with the dose of the frames of all ranks, where the scene's frames are shared. Called by all ranks.
+    pub(super) fn shared(mut self, scene: &Scene) -> Self {
+        let Some(ranks) = &scene.ranks else {
+            return self;
+        };
+        let of_all = |model| Sharded::new(model, Arc::clone(ranks));
+        self.straight = (self.straight).map(|model| Box::new(of_all(model)) as Box<_>);
+        self.model = Box::new(of_all(self.model));
+        self.reason = format!(
+            "{}; its frames are shared by {} ranks",
+            self.reason,
+            ranks.size()
+        );
+        self
+    }
+
+    pub(crate) fn start(
+        &self,
+        scene: &Scene,
+        start: &dyn InitialPatterns,
+        cancel: &Run,
+    ) -> Result<HostField> {
+        let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
+        let models = (own, self.straight.as_deref());
+        let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
+        darken(x.as_mut_slice(), &self.dark);
+        Ok(x)
+    }
+
+    /// The voxels of every species.
+    fn all_voxels(&self) -> Vec<&Voxels> {
+        std::iter::once(self.voxels.as_ref())
+            .chain(&self.others)
+            .collect()
+    }
+
+    /// The loss of all species; with thresholds that lie so many steps further apart than those of the job.
+    pub(crate) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
+        let outputs = self.model.outputs();
+        let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
+            let wider = match wider {
+                0 => None,
+                steps => refinement::widened(&scene.kinds, steps),
+            };
+            scene.objective(wider.as_ref().unwrap_or(&scene.kinds), layout, voxels)
+        };
+        if outputs.len() == 1 {
+            return own(scene, &outputs[0], &self.voxels);
+        }
+        // Scenarios ask the same of every output
+        let same = (scene, self.voxels.as_ref());
+        let of_species = scene.species().zip(self.all_voxels());
+        let asked = of_species.chain(std::iter::repeat_n(same, scene.scenarios.len()));
+        let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
+        for ((scene, voxels), layout) in asked.zip(outputs) {
+            let alone = DoseLayout {
+                offset: 0,
+                ..layout.clone()
+            };
+            parts.push((layout, Box::new(own(scene, &alone, voxels)?)));
+        }
+        let joined = PerBlock::new(parts, scenarios::join(&scene.spec));
+        Sum::new(vec![(1.0, Box::new(joined))])
+    }
+
+    pub(crate) fn limits(&self, scene: &Scene, start: &HostField) -> Vec<Limits> {
+        let (model, normalizes) = (self.model.as_ref(), scene.kinds.normalizes);
+        limits(&scene.spec, model, start, normalizes)
+    }
+
+    /// The process window of patterns, where an objective looks for it.
+    pub(super) fn window(
+        &self,
+        scene: &Scene,
+        x: &HostField,
+        cancel: &Run,
+    ) -> Result<Option<FoundWindow>> {
+        if !scene.kinds.seeks_window() {
+            return Ok(None);
+        }
+        let mut dose = self.model.new_dose()?;
+        self.model.dose(x, &mut dose, &cancel.aside())?;
+        Ok(self.objective(scene, 0)?.window(&dose))
+    }
+
+    /// The patterns in `x`, whose pixels that are to stay dark are made dark.
+    pub(super) fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
+        darken(x.as_mut_slice(), &self.dark);
+        levels::patterns(self.model.patterns(), x)
+    }
+
+    /// The patterns with rows rescaled so that all heights are done at once, where the job asks for it.
+    pub(super) fn levelled(
+        &self,
+        scene: &Scene,
+        raw: Vec<Patterns>,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Vec<Patterns>> {
+        let asked = scene
+            .spec
+            .schedule
+            .as_ref()
+            .is_some_and(|s| s.level_heights);
+        if !asked {
+            return Ok(raw);
+        }
+        let own = scene.species().map(|species| species.voxels(&scene.grid));
+        let own = own.collect::<Result<Vec<_>>>()?;
+        let voxels: Vec<&Voxels> = own.iter().collect();
+        heights::level(scene, &voxels, raw, progress, cancel)
+    }
+
+    /// The patterns on few levels of the machine, where the job has few.
+    pub(super) fn improve(
+        &self,
+        scene: &Scene,
+        x: &HostField,
+        bounds: &[Limits],
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Option<Levelled>> {
+        let model = self.model.as_ref();
+        let objective = self.objective(scene, 0)?;
+        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+            .with_penalties(scene.penalties(model.patterns())?);
+        levels::improve(scene, &mut problem, x, progress)
+    }
+
+    /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
+    pub(super) fn run_and_widen(
+        &self,
+        scene: &Scene,
+        (x, bounds): (&mut HostField, &[Limits]),
+        checkpoints: &mut Checkpoints,
+        sofar: &mut SoFar,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Outcome> {
+        let own = (scene, 0);
+        let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
+        for steps in 1.. {
+            let at = outcome.history.last().map_or(0, |row| row.iteration);
+            if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
+                break;
+            }
+            let mut widened = false;
+            for species in scene.species() {
+                widened |= refinement::widened(&species.kinds, steps).is_some();
+            }
+            if !widened {
+                break;
+            }
+            progress.event(&Event::Note {
+                text: format!("every voxel is within its thresholds after iteration {at}: the thresholds now move {} further apart", concise(refinement::WIDER * steps as f64)),
+            });
+            sofar.rows = outcome.history;
+            sofar.counters = outcome.counters;
+            outcome = self.run((scene, steps), (x, bounds), None, sofar, progress, cancel)?;
+        }
+        Ok(outcome)
+    }
+
+    /// Runs the optimizer on this level, after the iterations of those before.
+    fn run(
+        &self,
+        (scene, wider): (&Scene, usize),
+        (x, bounds): (&mut HostField, &[Limits]),
+        checkpoints: Option<&mut Checkpoints>,
+        sofar: &mut SoFar,
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<Outcome> {
+        let model = self.model.as_ref();
+        // What is watched on the way is the first species, the part
+        let layout = model.outputs()[0].clone();
+        let objective = self.objective(scene, wider)?;
+        let spec = &scene.spec;
+        let mut optimizer = scene.optimizer()?;
+        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+            .with_penalties(scene.penalties(model.patterns())?)
+            .with_bits(spec.bounds.bits)?;
+        let response = scene.response();
+        let input = start_input(model, &self.voxels, response.as_ref(), &[]);
+        if optimizer.requirements().target.is_some() {
+            problem = problem.with_target(input.target_field()?);
+        }
+        if optimizer.requirements().edges.is_some() {
+            problem = problem.with_edges(input.edge_field()?);
+        }
+        problem.counters = sofar.counters;
+        let stop = Stop {
+            iterations: self.level.until,
+            projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
+            change: spec.stop.change.unwrap_or(0.0),
+            gap: spec.stop.gap.unwrap_or(0.0),
+            seconds: spec.stop.wall_s,
+            keep: spec.stop.keep,
+        };
+        let mut labels = layout.field_of(&self.voxels.labels);
+        labels.truncate(layout.voxels());
+        let mut watch = Watch {
+            scene,
+            iterations: scene.levels.last().map_or(0, |level| level.until),
+            updates: model.updates(),
+            labels,
+            layout,
+            is_gray: self.voxels.target.gray,
+            qualities: std::mem::take(&mut sofar.qualities),
+            metrics_s: sofar.metrics_s,
+            warnings: std::mem::take(&mut sofar.warnings),
+            progress,
+        };
+        let ran = optimize::run_after(
+            std::mem::take(&mut sofar.rows),
+            &mut problem,
+            optimizer.as_mut(),
+            x,
+            &stop,
+            checkpoints,
+            &mut [&mut watch],
+        );
+        (sofar.qualities, sofar.metrics_s) = (watch.qualities, watch.metrics_s);
+        sofar.warnings = watch.warnings;
+        ran
+    }
+}
+
+/// The pixels whose light would pass a body that is to stay dark, when there is one.
+///
+/// # Errors
+/// [`Error::Config`] when that leaves no pixel.
+fn dark_pixels(
+    scene: &Scene,
+    grid: &VolumeGrid,
+    model: &dyn DoseModel<Field = HostField>,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Option<Vec<bool>>> {
+    let Some(shares) = scene.keep_dark(grid)? else {
+        return Ok(None);
+    };
+    let places = Volume {
+        values: shares.values.iter().map(|&share| share >= 0.5).collect(),
+        grid: shares.grid,
+    };
+    let dark = pixels_through(model, &places, cancel)?;
+    let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
+    if count == all {
+        return Err(Error::config(
+            "target.body",
+            "every pixel that lights the part lights a keep-dark body too",
+            "a keep-dark body that leaves light a path to the part",
+        ));
+    }
+    let share = 100.0 * count as f64 / all as f64;
+    progress.event(&Event::Note {
+        text: format!(
+            "{share:.1} % of the pixels stay dark: their light would pass a keep-dark body"
+        ),
+    });
+    Ok(Some(dark))
+}

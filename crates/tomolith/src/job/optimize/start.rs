@@ -1,0 +1,163 @@
+//! Where an optimization begins, and the bounds that follow from it.
+
+use crate::error::{Error, Result};
+use crate::field::{Field, HostField};
+use crate::job::scene::{Scene, Voxels};
+use crate::job::spec::JobSpec;
+use crate::job::species::{Row as SpeciesRow, beginnings};
+use crate::models::{DoseModel, PatternLayout, Quantity, Run};
+use crate::optimize;
+use crate::optimize::Limits;
+use crate::optimize::start::{InitialPatterns, StartInput};
+use crate::response::Response;
+
+/// What a start or a method's marks are computed from.
+pub(super) fn start_input<'a>(
+    model: &'a dyn DoseModel<Field = HostField>,
+    voxels: &'a Voxels,
+    response: &'a dyn Response,
+    limits: &'a [Limits],
+) -> StartInput<'a> {
+    StartInput {
+        model,
+        target: &voxels.target,
+        labels: &voxels.labels,
+        response,
+        limits,
+    }
+}
+
+/// Part of the mean energy of lit pixels that every pixel has at the start of amplitudes: one that is dark, and lights nothing with
+/// others together, would stay dark for ever.
+const GLIMMER: f64 = 0.01;
+
+/// Where the optimization begins: within the bounds that the job gives. A model whose unknowns are amplitudes begins at the
+/// roots of what straight light would begin with.
+pub(super) fn starting_patterns(
+    scene: &Scene,
+    voxels: &[&Voxels],
+    (model, straight): (
+        &dyn DoseModel<Field = HostField>,
+        Option<&dyn DoseModel<Field = HostField>>,
+    ),
+    start: &dyn InitialPatterns,
+    cancel: &Run,
+) -> Result<HostField> {
+    let bounds = &scene.spec.bounds;
+    let given = scene.spec.light.iter().map(|light| Limits {
+        min: light.bounds.min.unwrap_or(bounds.min),
+        max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
+    });
+    let limits: Vec<Limits> = given.collect();
+    let response = scene.response();
+    let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
+    let known = straight.unwrap_or(model);
+    let mut x = match scene.rows() {
+        Some(rows) if !start.is_given() => {
+            starting_lights(scene, (&rows, voxels), known, start, (&limits, cancel))?
+        }
+        _ => start.patterns(&input(known), cancel)?,
+    };
+    if model.patterns()[0].quantity == Quantity::Energy {
+        return Ok(x);
+    }
+    into_amplitudes(&mut x, GLIMMER)?;
+    if start.is_given() && scene.kinds.starts_as_given() {
+        return Ok(x);
+    }
+    // A pupil takes light that rays would have brought
+    input(model).scaled_anew(x, cancel)
+}
+
+/// Brings patterns into bounds.
+pub(super) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
+    let bounds = x.compile_bounds(&optimize::problem::bounds(lights, bounds)?);
+    let step = x.zeros_like();
+    x.move_along(&step, 0.0, &bounds);
+    Ok(())
+}
+
+/// Where each light begins: with the species that it drives most, as if it were alone.
+fn starting_lights(
+    scene: &Scene,
+    (rows, voxels): (&[SpeciesRow], &[&Voxels]),
+    model: &dyn DoseModel<Field = HostField>,
+    start: &dyn InitialPatterns,
+    (limits, cancel): (&[Limits], &Run),
+) -> Result<HostField> {
+    let mut x = model.new_patterns()?;
+    let scenes: Vec<&Scene> = scene.species().collect();
+    for (i, begins) in beginnings(rows).into_iter().enumerate() {
+        let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
+            continue;
+        };
+        let response = scenes[s].response();
+        let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
+        let mut own = start.patterns(&input, cancel)?;
+        own.scale((factor * scene.dose_needed(s, i)?) as f32);
+        x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
+    }
+    Ok(x)
+}
+
+/// Energies → amplitudes, none of them dark.
+///
+/// # Errors
+/// [`Error::Config`] when all are dark: no step leads away from there.
+fn into_amplitudes(x: &mut HostField, glimmer: f64) -> Result<()> {
+    let lit = x.as_slice().iter().filter(|&&v| v > 0.0);
+    let (count, sum) = lit.fold((0.0, 0.0), |(n, s), &v| (n + 1.0, s + f64::from(v)));
+    let (count, sum) = (x.total(count), x.total(sum));
+    if count == 0.0 {
+        return Err(Error::config(
+            "start",
+            "patterns that are dark everywhere",
+            "a start that is not dark: the gradient of [model.wave] is zero at dark patterns",
+        ));
+    }
+    let least = glimmer * sum / count;
+    for value in x.as_mut_slice() {
+        *value = f64::from(*value).max(least).sqrt() as f32;
+    }
+    Ok(())
+}
+
+/// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
+/// pixels at the silhouette grow far beyond all others, and the projector's gray levels are spent on them. A method that
+/// normalizes its doses has a scale of its own, to which the start says nothing.
+pub(super) fn limits(
+    spec: &JobSpec,
+    model: &dyn DoseModel<Field = HostField>,
+    start: &HostField,
+    normalizes: bool,
+) -> Vec<Limits> {
+    let quantity = model.patterns()[0].quantity;
+    let of_all = start.max_abs();
+    let alone = |layout: &PatternLayout| {
+        let own = &start.as_slice()[layout.range()];
+        let own = own.iter().fold(0.0f32, |most, v| most.max(v.abs()));
+        // A light that begins dark may become as bright as the others
+        if own > 0.0 { own } else { of_all }
+    };
+    let lights = model.patterns().iter().zip(&spec.light);
+    let limits = lights.map(|(layout, light)| {
+        let largest = if spec.species.is_empty() {
+            of_all
+        } else {
+            alone(layout)
+        };
+        let largest = f64::from(quantity.energy(largest));
+        let min = light.bounds.min.unwrap_or(spec.bounds.min);
+        let natural = if largest > min && !normalizes {
+            largest
+        } else {
+            f64::INFINITY
+        };
+        let max = light.bounds.max.or(spec.bounds.max);
+        Limits {
+            min,
+            max: max.unwrap_or(natural),
+        }
+    });
+    limits.collect()
+}

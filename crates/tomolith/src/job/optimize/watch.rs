@@ -1,0 +1,161 @@
+//! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
+
+use crate::field::HostField;
+use crate::job::progress::{Event, Progress};
+use crate::job::scene::Scene;
+use crate::metrics::quick::quick;
+use crate::metrics::scan::Scan;
+use crate::models::DoseLayout;
+use crate::optimize::{Observer, Room, Row, StepReport};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Metrics after an iteration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quality {
+    pub(super) iteration: usize,
+    pub(crate) iou: Option<f64>,
+    pub(crate) process_window: Option<f64>,
+}
+
+/// What to say when no step was better than the start, whose patterns are then the result. A method that normalizes its doses
+/// begins with its first step, and is idle when its loss never changes.
+pub(super) fn idle(history: &[Row], normalizes: bool, bits: Option<u32>) -> Option<String> {
+    let (start, steps) = history.get(usize::from(normalizes)..)?.split_first()?;
+    let moves = |row: &Row| row.loss < start.loss || normalizes && row.loss != start.loss;
+    if steps.is_empty() || start.loss == 0.0 || steps.iter().any(moves) {
+        return None;
+    }
+    let why = bits.map_or_else(
+        || "a shorter step or another start may help".to_owned(),
+        |bits| {
+            format!(
+                "bounds.bits = {bits} rounds changes below half a level away: more bits or a longer step may help"
+            )
+        },
+    );
+    Some(format!(
+        "no step lowered the loss, the patterns are those of the start; {why}"
+    ))
+}
+
+/// Iterations that are measured before only every second one is, and again before every fourth, and so on.
+const MEASURED: usize = 8;
+
+/// Whether the print is measured after an iteration: the start, each up to 8, every second up to 16, every fourth up to
+/// 32, …: at least ten points for any run of ten iterations, and seldom enough to cost less than 2 % of the time.
+pub(super) fn is_measured(iteration: usize) -> bool {
+    let step = (iteration.saturating_sub(1) / MEASURED + 1).next_power_of_two();
+    iteration.is_multiple_of(step)
+}
+
+/// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
+pub(super) struct Watch<'a> {
+    pub(super) scene: &'a Scene,
+    /// Iterations of all levels.
+    pub(super) iterations: usize,
+    pub(super) updates: u64,
+    /// Labels in the order of the dose field's voxels; the padding is outside.
+    pub(super) labels: Vec<u8>,
+    /// Where those lie.
+    pub(super) layout: DoseLayout,
+    /// A gray target has no IoU worth following.
+    pub(super) is_gray: bool,
+    pub(super) qualities: Vec<Quality>,
+    pub(super) metrics_s: f64,
+    pub(super) warnings: Vec<String>,
+    pub(super) progress: &'a mut dyn Progress,
+}
+
+impl Watch<'_> {
+    fn reached(&mut self, report: &StepReport<'_, HostField>) -> bool {
+        let stop = &self.scene.spec.stop;
+        let (loss, asked) = (stop.loss, stop.iou);
+        let begin = Instant::now();
+        let quality = self.measure(report, asked.is_some());
+        self.metrics_s += begin.elapsed().as_secs_f64();
+        let enough = asked
+            .zip(quality.and_then(|q| q.iou))
+            .is_some_and(|(asked, iou)| iou >= asked);
+        report.row.loss <= loss || enough
+    }
+
+    /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
+    fn measure(&mut self, report: &StepReport<'_, HostField>, decides: bool) -> Option<Quality> {
+        let iteration = report.row.iteration;
+        let last = iteration == self.iterations;
+        if !(decides || !self.is_gray && (last || is_measured(iteration))) {
+            return None;
+        }
+        let response = self.scene.response();
+        let dose = self.layout.voxels_of(report.dose.as_slice());
+        let values: Cow<'_, [f32]> = if response.is_identity() {
+            dose
+        } else {
+            Cow::Owned(dose.par_iter().map(|&d| response.value(d)).collect())
+        };
+        let quality = if decides {
+            exact(iteration, &self.labels, &values)
+        } else {
+            quick(&self.labels, &values).map(|(iou, process_window)| Quality {
+                iteration,
+                iou: Some(iou),
+                process_window,
+            })
+        };
+        self.qualities.extend(quality);
+        quality
+    }
+}
+
+/// Metrics over all thresholds.
+fn exact(iteration: usize, labels: &[u8], response: &[f32]) -> Option<Quality> {
+    let scan = Scan::new(labels, response).ok()?;
+    let (part, void) = (scan.part(), scan.void());
+    Some(Quality {
+        iteration,
+        iou: scan.best_plateau().map(|plateau| plateau.iou),
+        process_window: part
+            .zip(void)
+            .map(|(part, void)| f64::from(part.min) - f64::from(void.max)),
+    })
+}
+
+impl Observer<HostField> for Watch<'_> {
+    fn on_step(&mut self, report: &StepReport<'_, HostField>) -> ControlFlow<()> {
+        let row = report.row;
+        let calls = (row.forward + row.adjoint) as f64;
+        self.progress.event(&Event::Iteration {
+            iteration: row.iteration,
+            iterations: self.iterations,
+            loss: row.loss,
+            projected_gradient: report.relative_gradient,
+            elapsed_s: row.seconds,
+            updates_per_s: calls * self.updates as f64 / report.counters.model_s.max(1e-9),
+        });
+        if self.reached(report) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    fn on_room(&mut self, room: &Room) {
+        match room {
+            Room::None(error) => {
+                let text = format!(
+                    "no checkpoint can be written ({error}): the run goes on, but a crash or Ctrl-C would lose its work; \
+                     free some disk space, and checkpoints will be written again"
+                );
+                self.warnings.push(text.clone());
+                self.progress.event(&Event::Warning { text });
+            }
+            Room::Again => {
+                let text = "disk space is free again: a checkpoint was written".to_owned();
+                self.progress.event(&Event::Note { text });
+            }
+        }
+    }
+}

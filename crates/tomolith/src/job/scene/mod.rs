@@ -1,0 +1,393 @@
+//! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
+
+mod grid;
+mod memory;
+mod remarks;
+mod voxels;
+
+use super::build::Optics;
+use super::compatibility::wall_tolerance_mm;
+use super::estimate::Extent;
+use super::folder::RunFolder;
+use super::kinds::known_elsewhere;
+use super::read::Job;
+use super::refinement::{self, Level};
+use super::resolve::{JobKinds, counted_as, try_kinds};
+use super::resources::{available_disk_mb, require};
+use super::scenarios::{self, Scenario};
+use super::spec::JobSpec;
+use super::{
+    cells, clip, device, in_time, light, multiresolution, property, species, time_refusals,
+};
+use crate::error::{Error, Result};
+use crate::exposure::Printer;
+use crate::field::HostField;
+use crate::grid::VolumeGrid;
+use crate::models::{DoseLayout, OpticalScene, PatternLayout, Purpose, Run, planner};
+use crate::objective::penalty::Penalties;
+use crate::objective::{ObjectiveInput, Sum};
+use crate::optimize::Optimizer;
+use crate::optimize::start::InitialPatterns;
+use crate::ranks::Communicator;
+use crate::response::{Response, dose_for};
+use crate::target::{self, Shape, label};
+use grid::{bounds_of, grid_of, moved};
+use memory::{bytes_stacked, judged_mb, quasi_newton_memory, with_fields};
+use remarks::{
+    ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, on_its_own_grid,
+};
+pub(super) use remarks::{at_section, few_angles};
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+pub(super) use voxels::Voxels;
+
+/// A job that can be run.
+pub(crate) struct Scene {
+    /// The tables; the optimizer's memory may have been lowered.
+    pub(crate) spec: JobSpec,
+    /// The folder that files of the tables begin in.
+    pub(crate) base: PathBuf,
+    /// Name of the part.
+    pub(crate) name: String,
+    /// The shape.
+    pub(crate) shape: Arc<dyn Shape>,
+    /// The kinds that the job names.
+    pub(crate) kinds: JobKinds,
+    /// Whether its surface cuts voxels of the optimization into cells.
+    pub(crate) has_cells: bool,
+    /// Vial and lights.
+    pub(crate) optics: Optics,
+    /// The machine, one per light.
+    pub(crate) printers: Option<Vec<Printer>>,
+    /// The job's voxels.
+    pub(crate) grid: VolumeGrid,
+    /// Voxels of the optimization, from coarse to fine.
+    pub(crate) levels: Vec<Level>,
+    /// How large it all is.
+    pub(crate) extent: Extent,
+    /// M, a row per species; None: one species that all lights drive alike.
+    pub(crate) mixing: Option<Vec<species::Row>>,
+    /// What the map of each property makes of a response.
+    pub(crate) property_maps: Vec<Arc<dyn Response>>,
+    /// Further species, on the same voxels.
+    pub(crate) others: Vec<Scene>,
+    /// The same job with some keys set otherwise, on the same voxels.
+    pub(crate) scenarios: Vec<Scenario>,
+    /// Choices that were made.
+    pub(crate) notes: Vec<String>,
+    /// What may be wrong.
+    pub(crate) warnings: Vec<String>,
+    /// The processes that share the frames of the optimization; None: this one works alone.
+    pub(crate) ranks: Option<Arc<dyn Communicator>>,
+}
+
+impl Scene {
+    /// Reads the target and refuses whatever can be refused before heavy work.
+    ///
+    /// # Errors
+    /// Everything of the sections "Bad input": see [`Error`].
+    pub(crate) fn new(job: &Job, run: &Run) -> Result<Self> {
+        Self::of_all_species(job, run).map_err(|e| job.locate(e))
+    }
+
+    fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
+        let of_first = |e| match job.spec.species.is_empty() {
+            true => e,
+            false => species::at_species(&job.spec, 0, e),
+        };
+        let mut scene = Self::of_species(job, 0, None, run).map_err(of_first)?;
+        for s in 1..job.spec.species.len() {
+            let other = Self::of_species(job, s, Some(&scene.grid), run);
+            scene
+                .others
+                .push(other.map_err(|e| species::at_species(&job.spec, s, e))?);
+        }
+        species::must_fit(&scene)?;
+        in_time::must_be_shaded(&scene)?;
+        scene.scenarios = scenarios::of_job(job, &scene, run)?;
+        Ok(scene)
+    }
+
+    /// The scene of one species; on these voxels where they are given.
+    pub(crate) fn of_species(
+        job: &Job,
+        s: usize,
+        on: Option<&VolumeGrid>,
+        run: &Run,
+    ) -> Result<Self> {
+        let mut spec = job.spec.of_species(s);
+        for pointer in ["/patterns/file", "/patterns/bounds_as/patterns/file"] {
+            if let Some(Value::String(file)) = spec.start.pointer_mut(pointer) {
+                *file = job.base().join(&*file).to_string_lossy().into_owned();
+            }
+        }
+        RunFolder::check(&job.folder())?;
+        let mut optics = Optics::new(&spec, &job.base())?;
+        let printers = device::printers(&spec, &job.base(), &optics.lights)?;
+        let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
+        notes.extend(given_patterns(&spec, &optics)?);
+        let shape = target::build_under(&spec.target, &job.base(), "target", run)
+            .map_err(|e| at_target(&spec, e))?;
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
+        let has_cells = kinds.cells_key().is_some();
+        try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
+            .map_err(known_elsewhere)?;
+        cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
+        time_refusals::must_be_whole(&spec, &kinds)?;
+        let property_maps = property::maps(&spec, &job.base())?;
+        counted_as(&spec, shape.is_gray())?;
+        let unit = ask_for_unit(&spec, &optics, shape.as_ref());
+        let placed = match on {
+            Some(grid) => Ok((grid.clone(), 0.0)),
+            None => grid_of(
+                &spec,
+                &optics,
+                bounds_of(&spec, shape.as_ref(), &job.base(), run)?,
+            ),
+        };
+        optics.wall_tolerance_mm =
+            wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
+        let touching = optics
+            .must_hold(&spec, shape.as_ref())
+            .map_err(|e| asking(e, unit.as_deref()))?;
+        if spec.target.insert_shadow.unwrap_or(true) {
+            optics.add_inserts(shape.as_ref())?;
+        }
+        let (grid, moved_mm) = placed?;
+        notes.extend(moved(moved_mm));
+        notes.extend(chosen(&spec));
+        must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
+        time_refusals::must_be_stable(&spec, &grid)?;
+        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
+        // A file that is missing is told before numbers that do not suit it
+        let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
+        optics.must_be_judged(&spec)?;
+        let light = light::must_arrive(&optics, &grid)?;
+        for (path, common) in kinds.common() {
+            common
+                .check_files(&grid, &job.base())
+                .map_err(|e| e.under(path))?;
+        }
+        let lit = optimizing(&optics, &shape, has_cells);
+        let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
+        let of = (&optics, family.as_ref());
+        let levels = refinement::levels((&spec, &kinds), of, &grid, shape.bounds_mm());
+        let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
+        let kinds = sharpened.unwrap_or(kinds);
+        let chosen = || refinement::judged(&grid, &levels);
+        let refine = spec.evaluate.refine.unwrap_or_else(chosen);
+        let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
+        let canvases = printers.iter().flatten().map(Printer::canvas_grid);
+        let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
+        let last = &levels[levels.len() - 1];
+        let finest = last.grid.clone();
+        let turned = OpticalScene {
+            lights: &last.lights,
+            ..lit
+        };
+        let kept = family.cost(&turned, &finest).unwrap_or_default();
+        let kept_of_the_job = family.cost(&lit, &grid)?;
+        let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
+        let of_the_job = (&grid, &optics.lights[..], spec.stop.iterations);
+        let effort = refinement::effort(&levels, of_the_job, entries);
+        let extent = Extent {
+            effort: effort * (1 + spec.scenario.len()) as f64,
+            cached_entries: kept.cached_entries,
+            cached_bytes: kept.cached_bytes,
+            finest,
+            fields: with_fields(&spec, &kinds, shape.is_gray())
+                + if has_cells { cells::FIELDS } else { 0 },
+            canvas: canvases.map(|canvas| canvas.len()).sum(),
+            stacked: bytes_stacked(&spec),
+            scenarios: spec.scenario.len(),
+            working_mb: [
+                kept_of_the_job.working_bytes as f64 / 1e6,
+                judged_mb(&optics, &grid, refine)?,
+            ],
+            ..plain
+        };
+        let mut scene = Scene {
+            base: job.base(),
+            name: spec.target.name(),
+            warnings: [
+                shape.warnings(),
+                cut_off.into_iter().collect(),
+                few_angles(&spec).into_iter().collect(),
+                on_its_own_grid(&spec).into_iter().collect(),
+                optics.leaning(shape.as_ref()),
+                optics.moved_away(shape.as_ref()),
+                optics.coarse(shape.as_ref()),
+                touching,
+                light,
+                covered,
+                unit.into_iter().collect(),
+            ]
+            .concat(),
+            notes,
+            ranks: None,
+            shape,
+            has_cells,
+            levels,
+            mixing: spec.mixing()?,
+            property_maps,
+            others: Vec::new(),
+            scenarios: Vec::new(),
+            kinds,
+            spec,
+            optics,
+            printers,
+            grid,
+            extent,
+        };
+        let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
+        scene.warnings.extend(notes.cloned());
+        scene.warnings.extend(multiresolution::left_out(&scene));
+        scene.bound_by_time()?;
+        if scene.spec.resin.pure_radon
+            && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
+        {
+            scene
+                .warnings
+                .push("resin.pure_radon = true: the absorption is not used".to_owned());
+        }
+        scene.fit_memory()?;
+        let disk = available_disk_mb(&job.folder());
+        require(
+            "output.folder",
+            "disk for the run folder",
+            scene.extent.disk_mb(),
+            disk,
+            "a folder on a larger disk, or a smaller job",
+        )?;
+        Ok(scene)
+    }
+
+    /// Notes on which voxels the patterns will be optimized.
+    pub(crate) fn note_levels(&mut self) {
+        self.notes
+            .extend(refinement::note(&self.levels, &self.grid));
+    }
+
+    /// Bounds the pixels by what the machine can give in the time that it has.
+    fn bound_by_time(&mut self) -> Result<()> {
+        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response().as_ref())?
+        else {
+            return Ok(());
+        };
+        let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
+        if max < self.spec.bounds.min {
+            return Err(Error::config(
+                "printer.time_s",
+                format!(
+                    "in {seconds} s a pixel gives {white:.4}, less than bounds.min = {}",
+                    self.spec.bounds.min
+                ),
+                "more time or more light",
+            ));
+        }
+        self.spec.bounds.max = Some(max);
+        self.notes.push(format!(
+            "in {seconds} s the brightest pixel gives {white:.4}: bounds.max is {max:.4}"
+        ));
+        Ok(())
+    }
+
+    /// The finer grid of the evaluation.
+    pub(crate) fn fine_grid(&self) -> VolumeGrid {
+        self.grid.refined(self.extent.refine)
+    }
+
+    /// What light passes in the optimization, and the surface where an objective has cells.
+    pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
+        optimizing(&self.optics, &self.shape, self.has_cells)
+    }
+
+    /// Refuses a start that asks for doses which the material does not have, once the values of a gray target are known.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
+        if !voxels.target.gray || !self.kinds.asks_for_doses() {
+            return Ok(());
+        }
+        let values = voxels
+            .target
+            .inside
+            .values
+            .iter()
+            .zip(&voxels.labels.values);
+        let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
+        let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
+        dose_for(self.response().as_ref(), f64::from(highest))
+            .map(drop)
+            .map_err(|e| e.under("response"))
+    }
+
+    /// The response of the material.
+    pub(crate) fn response(&self) -> Arc<dyn Response> {
+        Arc::clone(&self.kinds.response)
+    }
+
+    /// The sum of the objectives of the job, or of kinds that differ from its own in these alone.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn objective(
+        &self,
+        kinds: &JobKinds,
+        layout: &DoseLayout,
+        voxels: &Voxels,
+    ) -> Result<Sum<HostField>> {
+        let Voxels { target, labels, .. } = voxels;
+        let input = ObjectiveInput {
+            layout,
+            labels,
+            target,
+            response: self.response(),
+        };
+        let sum = kinds.objective(&input, true);
+        sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
+    }
+
+    /// The penalties on the patterns.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
+        self.kinds.penalties(lights)
+    }
+
+    /// The optimizer.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
+        self.kinds.optimizer()
+    }
+
+    /// Where the optimizer begins.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
+        self.kinds.start()
+    }
+}
+
+/// What light passes in an optimization for a shape.
+fn optimizing<'a>(
+    optics: &'a Optics,
+    shape: &'a Arc<dyn Shape>,
+    has_cells: bool,
+) -> OpticalScene<'a> {
+    OpticalScene {
+        solid: has_cells.then_some(shape),
+        purpose: Purpose::Optimize,
+        ..optics.scene()
+    }
+}
+
+#[cfg(test)]
+mod tests;

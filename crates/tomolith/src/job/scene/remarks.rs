@@ -1,0 +1,197 @@
+//! What is said of a job before it runs: doubts of the unit, few angles, choices that no line of the screen shows; and which key an error is of.
+
+use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
+use crate::io::npy::read_patterns;
+use crate::job::build::Optics;
+use crate::job::resources::compared;
+use crate::job::spec::JobSpec;
+use crate::optics::light::Light;
+use crate::optimize::Keep;
+use crate::target::Shape;
+use crate::units::concise;
+use serde_json::Value;
+use std::path::Path;
+
+/// The key that says how many voxels there are.
+pub(super) fn grid_key(spec: &JobSpec) -> String {
+    let key = if spec.grid.shape.is_some() {
+        "grid.shape"
+    } else {
+        "grid.pitch_mm"
+    };
+    key.to_owned()
+}
+
+/// Says which key asked for voxels that the memory does not hold.
+pub(super) fn at_grid(spec: &JobSpec, error: Error) -> Error {
+    match error {
+        Error::Resources {
+            what,
+            needed_mb,
+            available_mb,
+            advice,
+        } => Error::config(
+            grid_key(spec),
+            match available_mb {
+                Some(mb) => compared(&what, needed_mb, mb),
+                None => {
+                    format!("{what}: {needed_mb} MB needed, but the system refused to allocate it")
+                }
+            },
+            advice,
+        ),
+        other => other,
+    }
+}
+
+/// Finds the key of the first setting that this target does not support.
+pub(crate) fn at_section(path: &str, error: Error) -> Error {
+    match error {
+        Error::Unsupported { what, reason } => {
+            let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
+            Error::config(path, format!("{what}, but {found}"), accepted)
+        }
+        other => other,
+    }
+}
+
+/// Says which key named the file that could not be read.
+pub(super) fn at_target(spec: &JobSpec, error: Error) -> Error {
+    let key = match (&spec.target.mesh, &spec.target.stack) {
+        (Some(_), _) => "target.mesh",
+        (None, Some(_)) => "target.stack",
+        (None, None) => "target.image",
+    };
+    match error {
+        Error::Io { .. } => Error::config(key, error.to_string(), "a file that can be read"),
+        Error::Mesh { ref accepted, .. } | Error::Format { ref accepted, .. } => {
+            let accepted = accepted.clone();
+            let text = error.to_string();
+            let found = text
+                .split("; accepted: ")
+                .next()
+                .unwrap_or(&text)
+                .to_owned();
+            Error::config(key, found, accepted)
+        }
+        other => other,
+    }
+}
+
+/// A part of a mesh is expected to be no smaller than this share of what the resin holds.
+const SMALL: f64 = 0.01;
+
+/// Asks for the unit of a mesh whose part is far too large or small for the vial.
+pub(super) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Option<String> {
+    let across = 2.0 * optics.vial.resin_wall().inscribed_radius();
+    let height = |light: &Light| {
+        let field = light.pixels.field_mm();
+        field[1][1] - field[0][1]
+    };
+    let room = optics.lights.iter().map(height).fold(across, f64::max);
+    let expected = [SMALL * across, room];
+    spec.target.ask_for_unit(shape.bounds_mm(), expected)
+}
+
+/// Adds a question to what would be accepted.
+pub(super) fn asking(mut error: Error, question: Option<&str>) -> Error {
+    if let (Error::Config { accepted, .. }, Some(question)) = (&mut error, question) {
+        accepted.push_str("; ");
+        accepted.push_str(question);
+    }
+    error
+}
+
+/// Refuses a part smaller than a voxel, where its file may be in another unit.
+pub(super) fn must_be_seen(
+    shape: &dyn Shape,
+    grid: &VolumeGrid,
+    question: Option<&str>,
+) -> Result<()> {
+    let [low, high] = shape.bounds_mm();
+    let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    match question {
+        Some(_) if longest < grid.pitch_mm => {
+            let found = format!(
+                "the part is {} mm long, a voxel of the grid {} mm",
+                concise(longest),
+                concise(grid.pitch_mm)
+            );
+            let error = Error::config("target", found, "a target larger than a voxel");
+            Err(asking(error, question))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says that no finer voxels will be looked at.
+pub(super) fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
+    (spec.evaluate.refine == Some(1)).then(|| {
+        "evaluate.refine = 1: the print is evaluated on the job's own voxels, where IoU is higher than on finer ones; leave the key out for finer voxels"
+            .to_owned()
+    })
+}
+
+/// Directions from which light comes, below which a part cannot take its shape.
+const FEW_ANGLES: usize = 12;
+
+/// Warns of light that comes from a handful of directions.
+pub(crate) fn few_angles(spec: &JobSpec) -> Option<String> {
+    let azimuths = spec.light.iter().flat_map(|light| {
+        let (azimuths, _) = light.angles.azimuths(light.rotation);
+        // Directions that differ by less than a thousandth of a degree are one
+        azimuths
+            .into_iter()
+            .map(|azimuth| (azimuth.to_degrees().rem_euclid(360.0) * 1e3).round() as u64 % 360_000)
+    });
+    let count = azimuths.collect::<std::collections::BTreeSet<_>>().len();
+    (count < FEW_ANGLES).then(|| {
+        let from = if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
+        format!(
+            "light.angles: light comes from {from} only, so doses add up along stripes and no part takes its shape; \
+             use some hundred angles"
+        )
+    })
+}
+
+/// What a job chooses of its method that no line of the screen shows.
+pub(super) fn chosen(spec: &JobSpec) -> Vec<String> {
+    let has_edges = spec.optimizer["osmo"]["edges"] == true;
+    let edges = has_edges.then_some(
+        "optimizer.osmo.edges = true: each step ends with two more halves, at the part's surface",
+    );
+    let last = (spec.stop.keep == Keep::Last).then_some(
+        "stop.keep = \"last\": the patterns are those of the last iteration, the best ones or not",
+    );
+    [edges, last]
+        .into_iter()
+        .flatten()
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.
+pub(super) fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
+    let Some(file) = spec.start.pointer("/patterns/file").and_then(Value::as_str) else {
+        return Ok(Vec::new());
+    };
+    let key = "start.patterns.file";
+    let lights = optics.lights.len();
+    let accepted = format!(
+        "patterns.npz of a run, or an .npz with an array `patterns` [angle, row, column]; of {lights} light(s)"
+    );
+    let arrays = read_patterns(Path::new(file))
+        .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
+    if arrays.len() != lights {
+        let found = format!("patterns of {} lights", arrays.len());
+        return Err(Error::config(key, found, accepted));
+    }
+    let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
+        let (found, own) = (array.shape, light.pixels.shape());
+        (found != own).then(|| {
+            format!("{key}: patterns of {found:?} [angle, row, column] are resampled to {own:?} over the same field of view")
+        })
+    });
+    Ok(others.collect())
+}

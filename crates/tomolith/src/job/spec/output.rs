@@ -1,0 +1,110 @@
+//! `[evaluate]` and `[output]`: how the written patterns are judged, and what is written.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct EvaluateSpec {
+    /// Bits to which patterns are quantized, 1 to 16.
+    pub bit_depth: u32,
+    /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
+    /// are rounded.
+    pub levels: Levelling,
+    /// Angles at which the arc of a frame is averaged.
+    pub sub_angles: usize,
+    /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
+    /// optimization's, up to 3·10⁷ voxels, and at least 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refine: Option<usize>,
+    /// Dose at which the resin turns solid; the one with the best IoU when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub threshold: Option<f64>,
+    /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
+    pub trim_percent: f64,
+    /// Whether distances between the surfaces of print and target are measured. They take most of the time of a small evaluation, and a sweep that collects none
+    /// leaves them out.
+    pub surfaces: bool,
+    /// IoU that the evaluation must reach: below it the command ends with exit code 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require_iou: Option<f64>,
+    /// Gray targets: share of the voxels that must be in their bands, 0 to 1; below it the command ends with exit code 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require_in_band: Option<f64>,
+}
+
+/// How patterns come to few levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Levelling {
+    /// They are improved on them.
+    #[default]
+    #[serde(rename = "optimized")]
+    Optimized,
+    /// Each pixel takes the nearest.
+    Rounded,
+}
+
+/// What is written, and where.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct OutputSpec {
+    /// The run folder, relative to the current folder; `out/` and the job's name when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub folder: Option<PathBuf>,
+    /// Turns of the vial per minute: gives the movie its frame rate.
+    pub rpm: f64,
+    /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it) or "lossless" (PNG frames in a
+    /// QuickTime file, every level exact at any bit depth).
+    pub movie: MovieCoding,
+}
+
+/// How the movie's frames are coded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MovieCoding {
+    /// MP4 with H.264.
+    #[default]
+    H264,
+    /// QuickTime with PNG.
+    Lossless,
+}
+
+impl MovieCoding {
+    /// How the name of the file ends.
+    #[must_use]
+    pub fn ending(self) -> &'static str {
+        match self {
+            MovieCoding::H264 => "mp4",
+            MovieCoding::Lossless => "mov",
+        }
+    }
+}
+
+impl Default for EvaluateSpec {
+    fn default() -> Self {
+        EvaluateSpec {
+            bit_depth: 8,
+            levels: Levelling::Optimized,
+            sub_angles: 4,
+            refine: None,
+            threshold: None,
+            trim_percent: 0.025,
+            surfaces: true,
+            require_iou: None,
+            require_in_band: None,
+        }
+    }
+}
+
+impl Default for OutputSpec {
+    fn default() -> Self {
+        OutputSpec {
+            folder: None,
+            rpm: 10.0,
+            movie: MovieCoding::default(),
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! `[[scenario]]`, `[robust]`, `[multiresolution]`, `[bounds]` and `[stop]`: what the optimization looks for, where, and how long.
+
+use crate::optimize::Keep;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// The job with some keys set otherwise: a vial that is wider, a resin that absorbs more, an axis that is off.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioSpec {
+    /// Its name in the report; its number when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Keys of `vial`, `resin`, `light`, `motion` or `bath` and their values here, as `{ "vial.index_matched.radius_mm" = 5.08 }`.
+    pub set: Map<String, Value>,
+}
+
+/// What is minimized over the job and its scenarios.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct RobustSpec {
+    /// "mean" (default) of their losses, or nearly the "worst" of them.
+    pub of: RobustOf,
+}
+
+/// How the losses of scenarios become one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RobustOf {
+    /// Their mean.
+    #[default]
+    Mean,
+    /// Their mean of power 8, which is nearly the largest.
+    Worst,
+}
+
+impl RobustOf {
+    /// Its name in a job.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            RobustOf::Mean => "mean",
+            RobustOf::Worst => "worst",
+        }
+    }
+}
+
+/// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct MultiresolutionSpec {
+    /// Number of coarser levels, 1 to 6.
+    pub levels: usize,
+    /// Iterations on each of them.
+    pub iterations: usize,
+}
+
+impl Default for MultiresolutionSpec {
+    fn default() -> Self {
+        MultiresolutionSpec {
+            levels: 1,
+            iterations: 20,
+        }
+    }
+}
+
+/// Limits of pattern values, in units of the response's dose.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct BoundsSpec {
+    /// Smallest value, ≥ 0.
+    pub min: f64,
+    /// Largest value; when left out, the largest pixel of the start (none for a dark start).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+    /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bits: Option<u32>,
+}
+
+/// When the optimization ends: at the first of these.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct StopSpec {
+    /// Iterations of the optimizer.
+    pub iterations: usize,
+    /// Norm of the projected gradient, relative to that of the start, at which it ends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projected_gradient: Option<f64>,
+    /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<f64>,
+    /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
+    /// objectives; looked at after every fifth iteration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Loss at which the optimization ends; it always ends at 0.
+    pub loss: f64,
+    /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iou: Option<f64>,
+    /// Wall time after which it ends, s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_s: Option<f64>,
+    /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
+    /// the job's voxels, and where that is 1 the process window), or those of the "last" iteration.
+    pub keep: Keep,
+}
+
+impl Default for StopSpec {
+    fn default() -> Self {
+        StopSpec {
+            iterations: 55,
+            projected_gradient: None,
+            change: None,
+            gap: None,
+            loss: 0.0,
+            iou: None,
+            wall_s: None,
+            keep: Keep::Best,
+        }
+    }
+}
