@@ -90,6 +90,11 @@ impl PointSpread {
         let (Some([first, _]), Some([last, _])) = (profile.first(), profile.last()) else {
             return bad("no radii".to_owned(), "two columns, radius in mm and light");
         };
+        if profile.len() < 2 {
+            let found = format!("a single radius, {} mm", exact(*first));
+            let accepted = "two rows or more, radius in mm and light: the spread is linear between them and 0 beyond the last. Without a spread leave the key out";
+            return bad(found, accepted);
+        }
         if *first != 0.0 || !rises || !last.is_finite() {
             let found = format!("radii from {} to {} mm", exact(*first), exact(*last));
             return bad(found, "radii that begin at 0 and rise");

@@ -105,6 +105,8 @@ mod tests {
         for (text, word) in [
             ("0, 1\n0.1, -1\n", "-1 at 0.1 mm"),
             ("0, 0\n0.1, 0\n", "no light"),
+            ("0, 1\n", "a single radius, 0 mm"),
+            ("0.2, 1\n", "a single radius, 0.2 mm"),
             ("0, nan\n0.1, 0\n", "NaN at 0 mm"),
             ("0.1, 1\n0.2, 0\n", "radii from 0.1 to 0.2 mm"),
             (
