@@ -138,10 +138,14 @@ pub(crate) fn optimize(
                 Some(own) => {
                     let own = stage.start(scene, own.as_ref(), cancel)?;
                     let bounds = stage.limits(scene, &own)?;
+                    sofar.first_loss = stage.first_loss(scene, &own, cancel)?;
                     clip(&mut x, stage.model.patterns(), &bounds)?;
                     bounds
                 }
             };
+            if scene.kinds.scales_start() && resumed.is_none() {
+                stage.brighten(scene, &mut x, &bounds, cancel)?;
+            }
             (start, pixels) = (Some(x), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
@@ -233,6 +237,8 @@ struct SoFar {
     qualities: Vec<Quality>,
     metrics_s: f64,
     warnings: Vec<String>,
+    /// The loss that counts as the first one, where it is not that of the start.
+    first_loss: Option<f64>,
 }
 
 /// One level, ready to be optimized.
@@ -326,6 +332,84 @@ impl<'a> Stage<'a> {
         let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
+    }
+
+    /// The loss of the start that bounds the pixels, where a run ends at a part of it.
+    fn first_loss(&self, scene: &Scene, own: &HostField, cancel: &Run) -> Result<Option<f64>> {
+        if scene.spec.stop.relative_loss.is_none() {
+            return Ok(None);
+        }
+        let mut dose = self.model.new_dose()?;
+        self.model.dose(own, &mut dose, cancel)?;
+        Ok(Some(self.objective(scene, 0)?.value(&dose)))
+    }
+
+    /// Takes the patterns with the lowest loss, of those given and further files, each as bright as suits the objective best; for doses that are linear in
+    /// them. One dose call each, two where the bounds hold what would be brighter.
+    fn brighten(
+        &self,
+        scene: &Scene,
+        x: &mut HostField,
+        bounds: &[Limits],
+        cancel: &Run,
+    ) -> Result<()> {
+        if !self.model.is_linear() {
+            return Ok(());
+        }
+        let objective = self.objective(scene, 0)?;
+        let mut dose = self.model.new_dose()?;
+        let mut lowest = f64::INFINITY;
+        let further = match scene.ranks {
+            None => scene.kinds.further_starts(),
+            Some(_) => Vec::new(),
+        };
+        let mut candidate = x.clone();
+        for next in std::iter::once(None).chain(further.iter().map(Some)) {
+            if let Some(file) = next {
+                candidate = self.start(scene, file, cancel)?;
+                clip(&mut candidate, self.model.patterns(), bounds)?;
+            }
+            let both = (&mut candidate, &mut dose);
+            let loss = self.scale(&objective, both, bounds, cancel)?;
+            if loss < lowest {
+                lowest = loss;
+                x.clone_from(&candidate);
+            }
+            if lowest == 0.0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Multiplies patterns by the factor with which their loss is lowest, unless the bounds spoil it; that loss.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn scale(
+        &self,
+        objective: &Sum<HostField>,
+        (x, dose): (&mut HostField, &mut HostField),
+        bounds: &[Limits],
+        cancel: &Run,
+    ) -> Result<f64> {
+        self.model.dose(x, dose, cancel)?;
+        let own = objective.value(dose);
+        let (factor, mut loss) = optimize::brightness::lowest(&|factor| {
+            let mut scaled = dose.clone();
+            scaled.scale(factor as f32);
+            objective.value(&scaled)
+        });
+        let mut scaled = x.clone();
+        scaled.scale(factor as f32);
+        let mut within = scaled.clone();
+        clip(&mut within, self.model.patterns(), bounds)?;
+        if within.as_slice() != scaled.as_slice() {
+            self.model.dose(&within, dose, cancel)?;
+            loss = objective.value(dose);
+        }
+        if loss < own {
+            *x = within;
+        }
+        Ok(loss.min(own))
     }
 
     /// The voxels of every species.
@@ -490,6 +574,8 @@ impl<'a> Stage<'a> {
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
             gap: spec.stop.gap.unwrap_or(0.0),
+            relative_loss: spec.stop.relative_loss.unwrap_or(0.0),
+            first_loss: sofar.first_loss,
             seconds: spec.stop.wall_s,
             keep: spec.stop.keep,
         };
