@@ -402,7 +402,8 @@ impl<'a> Stage<'a> {
         scaled.scale(factor as f32);
         let mut within = scaled.clone();
         clip(&mut within, self.model.patterns(), bounds)?;
-        if within.as_slice() != scaled.as_slice() {
+        // Ranks ask for a dose together
+        if x.any(within.as_slice() != scaled.as_slice()) {
             self.model.dose(&within, dose, cancel)?;
             loss = objective.value(dose);
         }
