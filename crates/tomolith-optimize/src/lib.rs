@@ -7,6 +7,7 @@
 pub mod adam;
 mod alternating;
 pub mod bclp;
+pub mod brightness;
 pub mod cal;
 pub mod check;
 pub mod checkpoint;

@@ -26,6 +26,10 @@ pub struct Stop {
     /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
     /// never); convex problems only
     pub gap: f64,
+    /// Stop when the loss falls to this part of the first one, 0 or above and below 1 (default 0: only at 0)
+    pub relative_loss: f64,
+    /// The loss that counts as the first one, where it is not that of the start
+    pub first_loss: Option<f64>,
     /// Stop after this many seconds, above 0; no limit when it is not given
     pub seconds: Option<f64>,
     /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
@@ -39,6 +43,8 @@ impl Default for Stop {
             projected_gradient: 0.0,
             change: 0.0,
             gap: 0.0,
+            relative_loss: 0.0,
+            first_loss: None,
             seconds: None,
             keep: Keep::Best,
         }
@@ -75,6 +81,9 @@ impl Stop {
         }
         if !(0.0..1.0).contains(&self.gap) {
             return refuse("gap", self.gap, "0 or above, below 1");
+        }
+        if !(0.0..1.0).contains(&self.relative_loss) {
+            return refuse("relative_loss", self.relative_loss, "0 or above, below 1");
         }
         match self.seconds {
             Some(s) if !(s.is_finite() && s > 0.0) => {
@@ -491,6 +500,10 @@ impl<F: Field> State<F> {
         }
         let first = self.history.iter().find_map(|row| row.projected_gradient);
         let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
+        let first_loss = stop
+            .first_loss
+            .or_else(|| self.history.first().map(|row| row.loss));
+        broken |= first_loss.is_some_and(|first| row.loss < stop.relative_loss * first);
         // On other paths the loss may be above zero again
         let goes_on = problem.model().is_renewed();
         // Ranks have clocks and signals of their own

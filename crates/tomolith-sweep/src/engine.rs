@@ -366,7 +366,7 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
             .map_or("not defined".to_owned(), |v| v.to_string());
         text.push_str(&format!("# {metric} = {value}\n"));
     }
-    if plan.runs[i].parent.is_some() {
+    if !plan.runs[i].parents.is_empty() {
         text.push_str("# These are from a warm start. This job starts as the job file says: its numbers will differ a little.\n");
     }
     Ok(text + &spec.to_toml()?)
@@ -381,9 +381,11 @@ fn own_runs(plan: &SweepPlan, shard: Option<Shard>) -> BTreeSet<usize> {
     let share = (number - 1) * count / of..number * count / of;
     let mut own = BTreeSet::new();
     for i in share {
-        let mut next = Some(firsts[i]);
-        while let Some(i) = next.filter(|&i| own.insert(i)) {
-            next = plan.runs[i].parent.map(|parent| firsts[parent]);
+        let mut next = vec![firsts[i]];
+        while let Some(i) = next.pop() {
+            if own.insert(i) {
+                next.extend(plan.runs[i].parents.iter().map(|&parent| firsts[parent]));
+            }
         }
     }
     own
@@ -555,7 +557,7 @@ impl Slot<'_> {
         };
         while let Some((i, from)) = self.next() {
             let begin = Instant::now();
-            let ran = catch_unwind(AssertUnwindSafe(|| pool.install(|| self.run_one(i, from))));
+            let ran = catch_unwind(AssertUnwindSafe(|| pool.install(|| self.run_one(i, &from))));
             let ran = ran.unwrap_or_else(|panic| {
                 let text = panic
                     .downcast_ref::<String>()
@@ -583,8 +585,8 @@ impl Slot<'_> {
         }
     }
 
-    /// The first run that waits and whose start is settled, and the run that it starts from. Waits for one; none when all have ended.
-    fn next(&self) -> Option<(usize, Option<usize>)> {
+    /// The first run that waits and whose start is settled, and the runs that it may start from. Waits for one; none when all have ended.
+    fn next(&self) -> Option<(usize, Vec<usize>)> {
         let mut board = lock(self.board);
         loop {
             if board.stop || !board.turns.contains(&RunState::Waits) {
@@ -605,22 +607,29 @@ impl Slot<'_> {
         }
     }
 
-    /// What a run starts from: its nearest ancestor that did not fail; none while that is not settled.
-    #[expect(clippy::option_option, reason = "not settled, or settled on no run")]
-    fn start_of(&self, i: usize, board: &Board) -> Option<Option<usize>> {
-        let mut next = self.plan.runs[i].parent;
-        while let Some(parent) = next {
-            let parent = board.firsts[parent];
-            match board.turns[parent] {
-                RunState::Done => return Some(Some(parent)),
-                RunState::Failed => next = self.plan.runs[parent].parent,
-                _ => return None,
+    /// What a run may start from: those of its neighbors that did not fail, in place of the nearest that did its own; None while that is not settled.
+    fn start_of(&self, i: usize, board: &Board) -> Option<Vec<usize>> {
+        let parents = |i: usize| self.plan.runs[i].parents.iter().map(|&p| board.firsts[p]);
+        let mut from = Vec::new();
+        for (k, parent) in parents(i).enumerate() {
+            let mut next = Some(parent);
+            while let Some(run) = next {
+                next = match board.turns[run] {
+                    RunState::Done => {
+                        if !from.contains(&run) {
+                            from.push(run);
+                        }
+                        None
+                    }
+                    RunState::Failed => parents(run).next().filter(|_| k == 0),
+                    _ => return None,
+                };
             }
         }
-        Some(None)
+        Some(from)
     }
 
-    fn run_one(&self, i: usize, from: Option<usize>) -> Result<State> {
+    fn run_one(&self, i: usize, from: &[usize]) -> Result<State> {
         let cancel = Arc::clone(&lock(self.run));
         loop {
             // Another process may have finished it meanwhile
@@ -643,12 +652,16 @@ impl Slot<'_> {
     }
 
     /// The job with its start.
-    fn job(&self, i: usize, from: Option<usize>) -> Result<Job> {
+    fn job(&self, i: usize, from: &[usize]) -> Result<Job> {
         let job = self.plan.job(i)?.overwriting();
-        let Some(from) = from else {
+        let files: Vec<PathBuf> = from
+            .iter()
+            .map(|&run| self.plan.run_folder(run).join(PATTERNS))
+            .collect();
+        let Some((first, others)) = files.split_first() else {
             return Ok(job);
         };
-        let mut job = job.starting_from(&self.plan.run_folder(from).join(PATTERNS))?;
+        let mut job = job.starting_from(first, others)?;
         if let Some(iterations) = self
             .plan
             .sweep

@@ -47,8 +47,8 @@ pub struct Planned {
     pub point: SweepPoint,
     /// Its identity, the name of its folder.
     pub id: String,
-    /// The run whose patterns it starts from.
-    pub parent: Option<usize>,
+    /// The runs that it may start from, nearest first.
+    pub parents: Vec<usize>,
 }
 
 /// All runs of a sweep, checked.
@@ -139,11 +139,7 @@ impl Sweep {
         }
         let derived = (spec.derived.iter())
             .map(|(key, text)| {
-                let at = format!("derived.{key}");
-                let expression = text
-                    .parse::<Expression>()
-                    .map_err(|found| Error::config(&at, found, ARITHMETIC))?;
-                must_be_numbers(&axes, &expression.names(), &at)?;
+                let expression = expression(text, &format!("derived.{key}"), &axes)?;
                 Ok((key.clone(), expression))
             })
             .collect::<Result<_>>()?;
@@ -277,6 +273,12 @@ impl Sweep {
     /// [`Error::Config`] for conditions that leave nothing, for more runs than can be, and for jobs that cannot run, before any does;
     /// [`Error::Canceled`].
     pub fn plan(self, threads: usize, cancel: &Run) -> Result<SweepPlan> {
+        let folder = self.folder();
+        if let Some(file) = folder.ancestors().find(|path| path.is_file()) {
+            let found = format!("`{}` is a file", file.display());
+            let error = Error::config("folder", found, "a folder, or a name where none is yet");
+            return Err(self.document.locate(error));
+        }
         let points = self.points(cancel).map_err(|e| self.document.locate(e))?;
         let given = self.spec.resources.memory_gb;
         let of_job = self
@@ -487,19 +489,16 @@ impl Sweep {
         })
     }
 
-    /// The runs, each with the one that it starts from.
+    /// The runs, each with those that it may start from.
     fn settle(&self, points: Vec<SweepPoint>, ids: Vec<String>) -> Vec<Planned> {
         let parents = match self.spec.warm_start {
-            Some(_) => parents(&points),
-            None => vec![None; points.len()],
+            Some(_) => parents(&points, self.axes.len()),
+            None => vec![Vec::new(); points.len()],
         };
         let mut runs: Vec<Planned> = Vec::with_capacity(points.len());
-        for ((point, id), parent) in points.into_iter().zip(ids).zip(parents) {
-            let id = match parent {
-                Some(from) => self.warm_id(&id, &runs[from].id),
-                None => id,
-            };
-            runs.push(Planned { point, id, parent });
+        for ((point, id), parents) in points.into_iter().zip(ids).zip(parents) {
+            let id = (parents.iter()).fold(id, |id, &from| self.warm_id(&id, &runs[from].id));
+            runs.push(Planned { point, id, parents });
         }
         runs
     }
@@ -514,7 +513,7 @@ impl Sweep {
             .map_or(u64::MAX, |n| n as u64);
         format!(
             "{:016x}",
-            mixed(number(own) ^ mixed(number(from) ^ mixed(iterations)))
+            mixed(number(own) ^ mixed(number(from) ^ mixed(iterations ^ SCALED)))
         )
     }
 }
@@ -608,6 +607,9 @@ impl SweepPlan {
     }
 }
 
+/// Runs whose starts were not scaled have other identities.
+const SCALED: u64 = 1 << 63;
+
 /// Folder of the runs in the sweep's.
 pub(crate) const RUNS: &str = "runs";
 const ARITHMETIC: &str = "arithmetic on numbers and names of axes, such as \"1 - upper\"";
@@ -628,6 +630,14 @@ fn conditions(texts: &[String], at: &str) -> Result<Vec<Condition>> {
         })
     };
     texts.iter().enumerate().map(parse).collect()
+}
+
+fn expression(text: &str, at: &str, axes: &[Axis]) -> Result<Expression> {
+    let expression: Expression = text
+        .parse()
+        .map_err(|found| Error::config(at, found, ARITHMETIC))?;
+    must_be_numbers(axes, &expression.names(), at)?;
+    Ok(expression)
 }
 
 /// Refuses names that are no axes, or axes of something else than numbers.
@@ -719,19 +729,24 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
     Ok(())
 }
 
-/// For each point the nearest one before it; of equally near ones the first.
-fn parents(points: &[SweepPoint]) -> Vec<Option<usize>> {
+/// For each point so many of those before it, the nearest first; of equally near ones the first.
+fn parents(points: &[SweepPoint], count: usize) -> Vec<Vec<usize>> {
     let apart = |a: &SweepPoint, b: &SweepPoint| {
-        a.place
-            .iter()
-            .zip(&b.place)
-            .map(|(a, b)| (a - b).powi(2))
-            .sum::<f64>()
+        let squares = a.place.iter().zip(&b.place).map(|(a, b)| (a - b).powi(2));
+        // Rounding of places must not choose among equals
+        (squares.sum::<f64>() * 1e9).round()
     };
     let nearest = |i: usize| {
-        // Rounding of places must not choose among equals
-        let rounded = |j: usize| (apart(&points[i], &points[j]) * 1e9).round();
-        (0..i).min_by(|&a, &b| rounded(a).total_cmp(&rounded(b)))
+        let mut nearest: Vec<(f64, usize)> = Vec::with_capacity(count + 1);
+        for j in 0..i {
+            let distance = apart(&points[i], &points[j]);
+            let at = nearest.partition_point(|(other, _)| *other <= distance);
+            if at < count {
+                nearest.insert(at, (distance, j));
+                nearest.truncate(count);
+            }
+        }
+        nearest.into_iter().map(|(_, j)| j).collect()
     };
     (0..points.len()).into_par_iter().map(nearest).collect()
 }
@@ -817,8 +832,19 @@ mod tests {
         .map(|p| at(&p));
         // (⅓, ⅓) is as far from (0, ⅓) as from (⅓, 0): the first of both
         assert_eq!(
-            parents(&points),
-            [None, Some(0), Some(0), Some(1), Some(2), Some(3)]
+            parents(&points, 1),
+            [vec![], vec![0], vec![0], vec![1], vec![2], vec![3]]
+        );
+        assert_eq!(
+            parents(&points, 2),
+            [
+                vec![],
+                vec![0],
+                vec![0, 1],
+                vec![1, 2],
+                vec![2, 3],
+                vec![3, 2]
+            ]
         );
     }
 

@@ -569,6 +569,23 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
 }
 
 #[test]
+fn results_that_would_go_into_a_file_are_refused_before_work() {
+    let bench = Bench::new(SWEEP);
+    for folder in ["job.toml", "job.toml/results"] {
+        let sweep = Sweep::read(&bench.path("sweep.toml")).unwrap();
+        let refused = sweep
+            .with_folder(&bench.path(folder))
+            .plan(1, &Run::new())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            refused.starts_with("folder: ") && refused.contains("job.toml` is a file"),
+            "{refused}"
+        );
+    }
+}
+
+#[test]
 fn a_thousand_million_runs_are_refused_with_their_time() {
     let thousand = |(key, from): (&str, f64)| {
         format!("[[axes]]\nkey = \"{key}\"\nlinear = {{ from = {from}, to = 2, count = 1000 }}\n")

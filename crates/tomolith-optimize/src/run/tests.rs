@@ -86,6 +86,28 @@ fn every_reason_to_stop_stops() {
         },
     );
     assert_eq!(small.reason, StopReason::ProjectedGradient);
+    // Half of what there is to gain
+    let (end, start) = (small.loss, small.history[0].loss);
+    let relative_loss = 0.5 * (1.0 + end / start);
+    let part = |first_loss| {
+        let stop = Stop {
+            relative_loss,
+            first_loss,
+            ..steps(500)
+        };
+        let outcome = reason(&*l2, stop);
+        assert_eq!(outcome.reason, StopReason::Observer);
+        let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+        let limit = relative_loss * first_loss.unwrap_or(losses[0]);
+        let (last, before) = losses.split_last().unwrap();
+        assert!(
+            *last < limit && before.iter().all(|loss| *loss >= limit),
+            "{losses:?}"
+        );
+        losses
+    };
+    let losses = part(None);
+    assert_eq!(part(Some(9.0 * losses[0])), losses[..1]);
     let norms: Vec<f64> = small
         .history
         .iter()

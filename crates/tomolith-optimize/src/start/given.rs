@@ -45,6 +45,12 @@ pub struct Params {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Map<String, Value>>")]
     pub bounds_as: Option<Value>,
+    /// Whether they are multiplied by the factor with which their loss is lowest, where the dose is linear in them (default false)
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub scaled: bool,
+    /// With `scaled`, further files: the start is the one with the lowest loss
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub or: Vec<PathBuf>,
 }
 
 /// The row of the table.

@@ -7,7 +7,7 @@ use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::models::Run;
 use serde_json::{Value, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What a run leaves in its folder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -87,11 +87,12 @@ impl Job {
         Ok(format!("{:016x}", hash(bytemuck::cast_slice(&parts))))
     }
 
-    /// The same job from the patterns of an earlier run, with the bounds that its own start gives it, so that it stays the same problem.
+    /// The same job from the patterns of an earlier run, as bright as suits its objective best, with the bounds that its own start gives it, so
+    /// that it stays the same problem.
     ///
     /// # Errors
     /// [`Error::Io`] for a path that cannot be made absolute.
-    pub fn starting_from(mut self, patterns: &Path) -> Result<Self> {
+    pub fn starting_from(mut self, patterns: &Path, or: &[PathBuf]) -> Result<Self> {
         let absolute = |file: &Path| std::path::absolute(file).map_err(|e| Error::io(file, e));
         let mut own = with_every_default(self.spec.clone()).start;
         if let Some(Value::String(file)) = own.pointer_mut("/patterns/file") {
@@ -100,7 +101,15 @@ impl Job {
                 .into_owned();
         }
         let file = absolute(patterns)?;
-        self.spec.start = json!({ "patterns": { "file": file, "bounds_as": own } });
+        let or = or
+            .iter()
+            .map(|file| absolute(file))
+            .collect::<Result<Vec<_>>>()?;
+        let mut patterns = json!({ "file": file, "bounds_as": own, "scaled": true });
+        if !or.is_empty() {
+            patterns["or"] = json!(or);
+        }
+        self.spec.start = json!({ "patterns": patterns });
         Ok(self)
     }
 }
@@ -192,9 +201,38 @@ mod tests {
             raw: None,
         };
         write_patterns(&file, &[pair], &Run::new()).unwrap();
-        let given = at(own.starting_from(&file).unwrap(), "given");
-        assert_eq!(brightest(&raw(&given)), brightest(&start));
-        let start = &given.spec.start["patterns"];
-        assert!(start["bounds_as"]["fbp"].is_object(), "{start}");
+        let job = own.clone();
+        let given = at(own.starting_from(&file, &[]).unwrap(), "given");
+        let bound = brightest(&start);
+        let found = brightest(&raw(&given));
+        assert!(found <= bound && found > 0.1 * bound, "{found} of {bound}");
+        let key = &given.spec.start["patterns"];
+        assert!(key["bounds_as"]["fbp"].is_object(), "{key}");
+
+        // Of two files the better one, as bright as suits it
+        let mut better = at(job.clone(), "better");
+        better.spec.stop.iterations = 10;
+        let optimized = raw(&better);
+        let good = better.folder().join("patterns.npz");
+        let mut poor = brighter;
+        poor.values.reverse();
+        poor.values.iter_mut().for_each(|v| *v = 0.1 + 0.01 * *v);
+        let worse = temp.path().join("worse.npz");
+        let pair = PatternPair {
+            light: None,
+            shown: &poor,
+            raw: None,
+        };
+        write_patterns(&worse, &[pair], &Run::new()).unwrap();
+        let chosen = raw(&at(job.starting_from(&worse, &[good]).unwrap(), "chosen"));
+        let factor = brightest(&chosen) / brightest(&optimized);
+        let pairs = chosen.iter().zip(&optimized);
+        let farthest = pairs
+            .map(|(c, o)| (c - factor * o).abs())
+            .fold(0.0f32, f32::max);
+        assert!(
+            farthest < 0.02 * bound,
+            "{farthest} of {bound}, times {factor}"
+        );
     }
 }

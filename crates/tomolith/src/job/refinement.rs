@@ -216,7 +216,8 @@ fn is_free((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
 fn asks_of_voxels(spec: &JobSpec) -> bool {
     let in_time = spec.schedule.as_ref();
     let is_in_time = in_time.is_some_and(|schedule| schedule.optimize != Against::Dose);
-    spec.stop.iou.is_some() || spec.stop.loss > 0.0 || is_in_time
+    let of_loss = spec.stop.loss > 0.0 || spec.stop.relative_loss.is_some_and(|part| part > 0.0);
+    spec.stop.iou.is_some() || of_loss || is_in_time
 }
 
 /// Whether the program chooses the voxels of a job with surface-aware cells.

@@ -16,6 +16,7 @@ use crate::objective::{
     BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, process_window,
     threshold,
 };
+use crate::optimize::start::given::OfFile;
 use crate::optimize::start::{BuildStart, InitialPatterns, STARTS};
 use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements};
 use crate::response::{RESPONSES, Response, dose_for};
@@ -234,6 +235,18 @@ impl JobKinds {
     pub(super) fn bounding_start(&self) -> Result<Option<Box<dyn InitialPatterns>>> {
         let build = |own: &Named<BuildStart>| (own.kind.build)(&own.section);
         self.bounding.as_ref().map(build).transpose()
+    }
+
+    /// Whether given patterns are as bright as suits the objective best.
+    pub(super) fn scales_start(&self) -> bool {
+        self.starts_as_given() && self.start.section.value["scaled"] == Value::Bool(true)
+    }
+
+    /// Further patterns to choose from.
+    pub(super) fn further_starts(&self) -> Vec<OfFile> {
+        let files = self.start.section.value["or"].as_array();
+        let files = files.into_iter().flatten().filter_map(Value::as_str);
+        files.map(|file| OfFile(self.base.join(file))).collect()
     }
 
     /// Whether the start asks for the doses with which the material responds as the target wants.

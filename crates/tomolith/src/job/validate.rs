@@ -416,6 +416,10 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         within("stop.gap", v, 1e-6, 0.99, accepted)
     })?;
     not_negative("stop.loss", stop.loss, "")?;
+    optional(stop.relative_loss.filter(|part| *part != 0.0), |v| {
+        let accepted = "a part of the first loss, 1e-12 to 0.99, or 0: never";
+        within("stop.relative_loss", v, 1e-12, 0.99, accepted)
+    })?;
     optional(stop.projected_gradient, |v| {
         not_negative("stop.projected_gradient", v, "")
     })?;
@@ -603,6 +607,7 @@ mod tests {
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
             ("stop.gap=1e-9", "stop.gap"),
+            ("stop.relative_loss=1", "stop.relative_loss"),
             ("stop.iou=1.5", "stop.iou"),
             ("stop.wall_s=0", "stop.wall_s"),
             ("stop.projected_gradient=-1", "stop.projected_gradient"),

@@ -117,10 +117,14 @@ pub(crate) fn optimize(
                 Some(own) => {
                     let own = stage.start(scene, own.as_ref(), cancel)?;
                     let bounds = stage.limits(scene, &own);
+                    sofar.first_loss = stage.first_loss(scene, &own, cancel)?;
                     clip(&mut x, stage.model.patterns(), &bounds)?;
                     bounds
                 }
             };
+            if scene.kinds.scales_start() && resumed.is_none() {
+                stage.brighten(scene, &mut x, &bounds, cancel)?;
+            }
             (start, pixels) = (Some(x), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {

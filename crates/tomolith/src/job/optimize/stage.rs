@@ -32,6 +32,8 @@ pub(super) struct SoFar {
     pub(super) qualities: Vec<Quality>,
     pub(super) metrics_s: f64,
     pub(super) warnings: Vec<String>,
+    /// The loss that counts as the first one, where it is not that of the start.
+    pub(super) first_loss: Option<f64>,
 }
 
 /// One level, ready to be optimized.
@@ -294,6 +296,8 @@ impl<'a> Stage<'a> {
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
             gap: spec.stop.gap.unwrap_or(0.0),
+            relative_loss: spec.stop.relative_loss.unwrap_or(0.0),
+            first_loss: sofar.first_loss,
             seconds: spec.stop.wall_s,
             keep: spec.stop.keep,
         };

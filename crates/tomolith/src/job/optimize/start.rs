@@ -1,11 +1,13 @@
 //! Where an optimization begins, and the bounds that follow from it.
 
+use super::stage::Stage;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::job::scene::{Scene, Voxels};
 use crate::job::spec::JobSpec;
 use crate::job::species::{Row as SpeciesRow, beginnings};
 use crate::models::{DoseModel, PatternLayout, Quantity, Run};
+use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
 use crate::optimize::start::{InitialPatterns, StartInput};
@@ -160,4 +162,90 @@ pub(super) fn limits(
         }
     });
     limits.collect()
+}
+
+impl Stage<'_> {
+    /// The loss of the start that bounds the pixels, where a run ends at a part of it.
+    pub(super) fn first_loss(
+        &self,
+        scene: &Scene,
+        own: &HostField,
+        cancel: &Run,
+    ) -> Result<Option<f64>> {
+        if scene.spec.stop.relative_loss.is_none() {
+            return Ok(None);
+        }
+        let mut dose = self.model.new_dose()?;
+        self.model.dose(own, &mut dose, cancel)?;
+        Ok(Some(self.objective(scene, 0)?.value(&dose)))
+    }
+
+    /// Takes the patterns with the lowest loss, of those given and further files, each as bright as suits the objective best; for doses that are linear in
+    /// them. One dose call each, two where the bounds hold what would be brighter.
+    pub(super) fn brighten(
+        &self,
+        scene: &Scene,
+        x: &mut HostField,
+        bounds: &[Limits],
+        cancel: &Run,
+    ) -> Result<()> {
+        if !self.model.is_linear() {
+            return Ok(());
+        }
+        let objective = self.objective(scene, 0)?;
+        let mut dose = self.model.new_dose()?;
+        let mut lowest = f64::INFINITY;
+        let further = match scene.ranks {
+            None => scene.kinds.further_starts(),
+            Some(_) => Vec::new(),
+        };
+        let mut candidate = x.clone();
+        for next in std::iter::once(None).chain(further.iter().map(Some)) {
+            if let Some(file) = next {
+                candidate = self.start(scene, file, cancel)?;
+                clip(&mut candidate, self.model.patterns(), bounds)?;
+            }
+            let both = (&mut candidate, &mut dose);
+            let loss = self.scale(&objective, both, bounds, cancel)?;
+            if loss < lowest {
+                lowest = loss;
+                x.clone_from(&candidate);
+            }
+            if lowest == 0.0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Multiplies patterns by the factor with which their loss is lowest, unless the bounds spoil it; that loss.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn scale(
+        &self,
+        objective: &Sum<HostField>,
+        (x, dose): (&mut HostField, &mut HostField),
+        bounds: &[Limits],
+        cancel: &Run,
+    ) -> Result<f64> {
+        self.model.dose(x, dose, cancel)?;
+        let own = objective.value(dose);
+        let (factor, mut loss) = optimize::brightness::lowest(&|factor| {
+            let mut scaled = dose.clone();
+            scaled.scale(factor as f32);
+            objective.value(&scaled)
+        });
+        let mut scaled = x.clone();
+        scaled.scale(factor as f32);
+        let mut within = scaled.clone();
+        clip(&mut within, self.model.patterns(), bounds)?;
+        // Ranks ask for a dose together
+        if x.any(within.as_slice() != scaled.as_slice()) {
+            self.model.dose(&within, dose, cancel)?;
+            loss = objective.value(dose);
+        }
+        if loss < own {
+            *x = within;
+        }
+        Ok(loss.min(own))
+    }
 }

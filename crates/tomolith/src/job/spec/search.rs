@@ -96,6 +96,9 @@ pub struct StopSpec {
     pub gap: Option<f64>,
     /// Loss at which the optimization ends; it always ends at 0.
     pub loss: f64,
+    /// Part of the first loss at which it ends, 0 to below 1. With `start.patterns.bounds_as` the first loss is that of the start named there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relative_loss: Option<f64>,
     /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub iou: Option<f64>,
@@ -115,6 +118,7 @@ impl Default for StopSpec {
             change: None,
             gap: None,
             loss: 0.0,
+            relative_loss: None,
             iou: None,
             wall_s: None,
             keep: Keep::Best,
