@@ -20,6 +20,7 @@ use tomolith_core::dose::{
 };
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::host_fields;
 use tomolith_core::units::concise;
 
 /// See the [module page](self).
@@ -330,23 +331,7 @@ struct Work {
 impl DoseModel for Printing {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.ranges.last().map_or(0, |r| r.end)))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.outputs.iter().map(DoseLayout::len).sum(),
-        ))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if self.is_plain() {

@@ -54,6 +54,7 @@ use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::host_fields;
 use tomolith_io::csr::Csr;
 
 /// Keys of `[model.matrix]`.
@@ -518,23 +519,7 @@ const CHUNK: usize = 1024;
 impl LinearOperator for MatrixModel {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.patterns.iter().map(PatternLayout::len).sum(),
-        ))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn add_forward(
         &self,

@@ -8,6 +8,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::host_fields;
 
 /// A model that others share.
 pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
@@ -65,23 +66,7 @@ impl<J> Several<J> {
 impl<J: Joint> DoseModel for Several<J> {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        let end = self.patterns.last().map_or(0, |last| last.range().end);
-        Ok(HostField::zeros(end))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        let end = self.outputs.last().map_or(0, |last| last.range().end);
-        Ok(HostField::zeros(end))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);

@@ -102,21 +102,7 @@ impl SmallModel {
 impl LinearOperator for SmallModel {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.patterns[0].len()))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
-    }
+    crate::host_fields!(self => self.patterns, self.outputs);
 
     fn add_forward(
         &self,

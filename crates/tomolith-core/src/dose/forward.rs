@@ -56,3 +56,25 @@ macro_rules! forward {
     (@but [$other:ident $($own:ident)*] $($to:tt)+) => { $crate::forward!(@but [$($own)*] $($to)+); };
     (@but [] $($to:tt)+) => { $crate::forward!(@$($to)+); };
 }
+
+/// In the `impl` of a model that holds its layouts, these and new fields of the host for them:
+/// `host_fields!(self => self.patterns, self.outputs);`.
+#[macro_export]
+macro_rules! host_fields {
+    ($this:ident => $patterns:expr, $outputs:expr) => {
+        fn patterns(&$this) -> &[$crate::dose::PatternLayout] {
+            &$patterns
+        }
+        fn outputs(&$this) -> &[$crate::dose::DoseLayout] {
+            &$outputs
+        }
+        fn new_patterns(&$this) -> $crate::error::Result<$crate::field::HostField> {
+            let lengths = $patterns.iter().map($crate::dose::PatternLayout::len);
+            Ok($crate::field::HostField::zeros(lengths.sum()))
+        }
+        fn new_dose(&$this) -> $crate::error::Result<$crate::field::HostField> {
+            let lengths = $outputs.iter().map($crate::dose::DoseLayout::len);
+            Ok($crate::field::HostField::zeros(lengths.sum()))
+        }
+    };
+}

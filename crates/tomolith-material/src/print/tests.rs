@@ -7,6 +7,7 @@ use crate::schedule::{Power, Turns};
 use std::ops::Range;
 use tomolith_core::dose::{DoseLayout, LinearOperator, PatternLayout, Quantity, ZCoupling};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
+use tomolith_core::host_fields;
 use tomolith_core::target::label;
 
 const N: usize = 16;
@@ -62,21 +63,7 @@ impl Cross {
 impl LinearOperator for Cross {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(4 * N))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(N * N))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn add_forward(
         &self,

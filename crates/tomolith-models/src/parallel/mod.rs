@@ -99,6 +99,7 @@ use tiles::{BLOCK, TILE, Tile, TileEntries};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::host_fields;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -643,23 +644,7 @@ fn tile_rows<'a>(
 impl LinearOperator for Parallel {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.patterns.iter().map(PatternLayout::len).sum(),
-        ))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn add_forward(
         &self,

@@ -85,6 +85,7 @@ use std::sync::{Arc, OnceLock};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::host_fields;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
@@ -565,23 +566,7 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
 impl LinearOperator for Rays {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.patterns.iter().map(PatternLayout::len).sum(),
-        ))
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(HostField::zeros(self.outputs[0].len()))
-    }
+    host_fields!(self => self.patterns, self.outputs);
 
     fn add_forward(
         &self,

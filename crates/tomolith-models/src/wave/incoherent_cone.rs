@@ -59,7 +59,7 @@ use crate::parallel;
 use crate::rays::Rays;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Run, ZCoupling,
+    ModelKind, OpticalScene, Run, ZCoupling,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -68,6 +68,7 @@ use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::host_fields;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
@@ -281,21 +282,7 @@ impl IncoherentCone {
 impl LinearOperator for IncoherentCone {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.0.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.0.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(self.0.new_patterns())
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(self.0.new_dose())
-    }
+    host_fields!(self => self.0.patterns, self.0.outputs);
 
     fn add_forward(
         &self,

@@ -81,14 +81,6 @@ impl<W: Way<f32>> Lights<W> {
         })
     }
 
-    pub(super) fn new_patterns(&self) -> HostField {
-        HostField::zeros(self.patterns.iter().map(PatternLayout::len).sum())
-    }
-
-    pub(super) fn new_dose(&self) -> HostField {
-        HostField::zeros(self.outputs[0].len())
-    }
-
     fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, W>, &PatternLayout)> {
         self.lights.iter().zip(&self.patterns)
     }

@@ -86,7 +86,7 @@ use super::parallel;
 use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Quantity, Run, ZCoupling,
+    ModelKind, OpticalScene, Purpose, Quantity, Run, ZCoupling,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
@@ -104,6 +104,7 @@ use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::host_fields;
 use tomolith_core::kind::Section;
 use tomolith_core::units::{concise, exact};
 use tomolith_optics::light::Light;
@@ -509,21 +510,7 @@ fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
 impl DoseModel for Wave {
     type Field = HostField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.0.patterns
-    }
-
-    fn outputs(&self) -> &[DoseLayout] {
-        &self.0.outputs
-    }
-
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(self.0.new_patterns())
-    }
-
-    fn new_dose(&self) -> Result<HostField> {
-        Ok(self.0.new_dose())
-    }
+    host_fields!(self => self.0.patterns, self.0.outputs);
 
     fn pullback_of(
         &self,

@@ -2,6 +2,7 @@
 
 use super::light::Way;
 use super::*;
+use crate::PatternLayout;
 use std::f64::consts::PI;
 use tomolith_core::check;
 use tomolith_core::check::noise;
