@@ -11,7 +11,7 @@
 
 use super::filled::{Filled, FilledTile};
 use super::kernel::{Block, Isa, MAX_BLOCK};
-use super::patches::{self, Patches, VOXELS};
+use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
 use super::{GROUP, groups, is_straight};
@@ -79,7 +79,7 @@ struct Group {
 #[derive(Default)]
 struct Finder {
     found: TileEntries,
-    patches: Vec<Vec<(u32, [f32; VOXELS])>>,
+    patches: Vec<Vec<ColumnEntry>>,
 }
 
 impl Finder {

@@ -14,6 +14,9 @@ use tomolith_core::field::LANES;
 /// Voxels of a patch, row by row.
 pub(super) const VOXELS: usize = 4;
 
+/// A column's slot, and what it counts in the voxels of a patch.
+pub(super) type ColumnEntry = (u32, [f32; VOXELS]);
+
 /// What columns bring to the patches of a tile, patch by patch.
 #[derive(Default)]
 pub(super) struct Patches {
@@ -26,8 +29,8 @@ pub(super) struct Patches {
 }
 
 impl Patches {
-    /// All patches one after the other; each entry is a slot, and what it counts in the four voxels.
-    pub(super) fn new(patches: &[Vec<(u32, [f32; VOXELS])>]) -> Self {
+    /// All patches one after the other.
+    pub(super) fn new(patches: &[Vec<ColumnEntry>]) -> Self {
         let of_patch = |sum: &mut u32, patch: &Vec<_>| {
             *sum += patch.len() as u32;
             Some(*sum)
@@ -438,7 +441,7 @@ mod tests {
     const ROW: usize = 20;
 
     /// Rows of lanes, values of the voxels, and the columns of a patch.
-    fn given(count: usize) -> (Vec<f32>, Vec<f32>, Vec<(u32, [f32; VOXELS])>) {
+    fn given(count: usize) -> (Vec<f32>, Vec<f32>, Vec<ColumnEntry>) {
         let weights = noise(3, 4 * VOXELS);
         let weights = weights.as_chunks().0.iter().copied();
         (
@@ -449,8 +452,8 @@ mod tests {
     }
 
     /// The columns that count: all but the first slot, or all.
-    fn lit(columns: &[(u32, [f32; VOXELS])], all: bool) -> Vec<(u32, [f32; VOXELS])> {
-        let counts = |column: &&(u32, _)| all || column.0 != 0;
+    fn lit(columns: &[ColumnEntry], all: bool) -> Vec<ColumnEntry> {
+        let counts = |column: &&ColumnEntry| all || column.0 != 0;
         columns.iter().filter(counts).copied().collect()
     }
 
