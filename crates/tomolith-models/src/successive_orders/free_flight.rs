@@ -7,11 +7,13 @@
 //! ```
 //! (means over both cells: their displacements d are spread over a cube of edge 2h with the weight Λ). Cubes that touch d = 0 are
 //! integrated in polar coordinates, where the pole is gone; the next ones by Gauss's rule between the kinks of Λ; the others by
-//! three points an axis, which have the moments of Λ up to the fifth.
+//! three points an axis, which have the moments of Λ up to the fifth. Beyond [`DARK`] lengths of attenuation the kernel is 0.
 
 use super::harmonics::Harmonic;
+use crate::Run;
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use tomolith_core::error::Result;
 
 /// A sum of products of harmonics with one parity: Σ weight · Y_a · Y_b.
 #[derive(Clone, Debug)]
@@ -37,31 +39,59 @@ pub(super) struct FreeFlightKernel {
     pub(super) edge: f64,
 }
 
+/// Lengths of attenuation after which light counts as gone: 2·10⁻⁹ of it is left.
+const DARK: f64 = 20.0;
+
 /// A point of a quadrature: a direction, and what arrives from it.
 type Node = ([f64; 3], f64);
 
 impl FreeFlightKernel {
     /// K of every pattern for displacements of 0, 1, … cells along x, y, z; array order `[y][x][z]`.
-    pub(super) fn octants(self, patterns: &[Pattern], [nx, ny, nz]: [usize; 3]) -> Vec<Vec<f32>> {
+    ///
+    /// # Errors
+    /// When the run is canceled.
+    pub(super) fn octants(
+        self,
+        patterns: &[Pattern],
+        [nx, ny, nz]: [usize; 3],
+        run: &Run,
+    ) -> Result<Vec<Vec<f32>>> {
         let sums = Sums::new(patterns);
         let polar = polar_directions();
-        let lines: Vec<Vec<Vec<f32>>> = (0..nx * ny)
+        let lit = |n: [usize; 3]| {
+            let cells = n.iter().map(|&n| (n * n) as f64).sum::<f64>().sqrt();
+            // Nearest displacements of two cells: half a diagonal of each less
+            self.mu * self.edge * (cells - 3.0f64.sqrt()) < DARK
+        };
+        // Of each line along z the cells that are lit, pattern by pattern
+        let lines: Vec<Vec<f32>> = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
-                let of_cell = |z: usize| {
-                    let n = [i % nx, i / nx, z];
+                if run.is_canceled() {
+                    return Vec::new();
+                }
+                let place = |z: usize| [i % nx, i / nx, z];
+                let cells = (0..nz).map(place).take_while(|&n| lit(n));
+                let values = cells.flat_map(|n| {
                     if n.into_iter().max() <= Some(1) {
                         sums.of(&self.near_pole(n, &polar))
                     } else {
                         sums.of(&self.far_from_pole(n))
                     }
-                };
-                (0..nz).map(of_cell).collect()
+                });
+                values.collect()
             })
             .collect();
-        (0..patterns.len())
-            .map(|p| lines.iter().flatten().map(|cell| cell[p]).collect())
-            .collect()
+        run.check()?;
+        let of_pattern = |p: usize| {
+            let mut octant = vec![0.0; nx * ny * nz];
+            for (line, values) in octant.chunks_mut(nz).zip(&lines) {
+                let own = values.iter().skip(p).step_by(patterns.len());
+                line.iter_mut().zip(own).for_each(|(k, &value)| *k = value);
+            }
+            octant
+        };
+        Ok((0..patterns.len()).map(of_pattern).collect())
     }
 
     /// The points of cells that do not touch.
@@ -219,6 +249,7 @@ const MOMENTS: [(f64, f64); 3] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::error::Error;
 
     fn harmonic(l: usize, m: isize) -> Harmonic {
         Harmonic { l, m }
@@ -248,15 +279,24 @@ mod tests {
         };
         let even = Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))]);
         let counts = [28; 3]; // 7 mm: e^−14 is left
-        let sum = sum_over_all(&free_flight.octants(&[even], counts)[0], counts);
+        let sum = sum_over_all(
+            &free_flight.octants(&[even], counts, &Run::new()).unwrap()[0],
+            counts,
+        );
         assert!((sum * 2.0 - 1.0).abs() < 3e-4, "{sum}");
         // As much with the weight Y_20² · 4π/5-fold mean 1: ∫ Y_20² dΩ = 1
         let lobes = Pattern(vec![(1.0, harmonic(2, 0), harmonic(2, 0))]);
-        let sum = sum_over_all(&free_flight.octants(&[lobes], counts)[0], counts);
+        let sum = sum_over_all(
+            &free_flight.octants(&[lobes], counts, &Run::new()).unwrap()[0],
+            counts,
+        );
         assert!((sum * 2.0 - 1.0).abs() < 3e-4, "{sum}");
         // Different harmonics cancel
         let mixed = Pattern(vec![(1.0, harmonic(0, 0), harmonic(2, 0))]);
-        let sum = sum_over_all(&free_flight.octants(&[mixed], counts)[0], counts);
+        let sum = sum_over_all(
+            &free_flight.octants(&[mixed], counts, &Run::new()).unwrap()[0],
+            counts,
+        );
         assert!(sum.abs() * 2.0 < 3e-4, "{sum}");
     }
 
@@ -264,7 +304,9 @@ mod tests {
     fn far_cells_see_a_point_and_the_cell_itself_its_mean_chord() {
         let free_flight = FreeFlightKernel { mu: 0.3, edge: 0.2 };
         let even = Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))]);
-        let octant = &free_flight.octants(std::slice::from_ref(&even), [12, 1, 1])[0];
+        let octant = &free_flight
+            .octants(std::slice::from_ref(&even), [12, 1, 1], &Run::new())
+            .unwrap()[0];
         let distance: f64 = 11.0 * 0.2;
         let point = 0.2f64.powi(3) * (-0.3 * distance).exp() / (4.0 * PI * distance * distance);
         assert!((f64::from(octant[11]) / point - 1.0).abs() < 5e-3);
@@ -273,7 +315,24 @@ mod tests {
             mu: 1e-9,
             edge: 1.0,
         };
-        let own = f64::from(clear.octants(&[even], [1, 1, 1])[0][0]);
+        let own = f64::from(clear.octants(&[even], [1, 1, 1], &Run::new()).unwrap()[0][0]);
         assert!((own - 0.4472).abs() < 0.003, "{own}");
+    }
+
+    #[test]
+    fn light_ends_where_nothing_of_it_is_left_and_a_canceled_run_ends_at_once() {
+        let dense = FreeFlightKernel { mu: 5.0, edge: 0.5 };
+        let even = [Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))])];
+        // 2.5 lengths a cell: the tenth begins 8.3 cells away, 20.7 lengths
+        let octant = &dense.octants(&even, [12, 1, 1], &Run::new()).unwrap()[0];
+        assert!(
+            octant[9] > 0.0 && octant[9] < 1e-9 * octant[0],
+            "{octant:?}"
+        );
+        assert_eq!(octant[10..], [0.0; 2]);
+        let run = Run::new();
+        run.cancel();
+        let ended = dense.octants(&even, [12, 1, 1], &run);
+        assert!(matches!(ended, Err(Error::Canceled)));
     }
 }

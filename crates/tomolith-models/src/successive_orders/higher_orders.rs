@@ -5,11 +5,12 @@ use super::free_flight::{FreeFlightKernel, Pattern};
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::Channel;
-use crate::DoseLayout;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
+use crate::{DoseLayout, Run};
 use rayon::prelude::*;
 use std::sync::Arc;
+use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_fourier::Complex;
@@ -62,7 +63,8 @@ impl HigherOrders {
         near: &DoseLayout,
         factor: usize,
         (fine, shares): (&DoseLayout, &Arc<Vec<f32>>),
-    ) -> Self {
+        run: &Run,
+    ) -> Result<Self> {
         let grid = VolumeGrid {
             shape: near.grid.shape.map(|n| n / factor),
             pitch_mm: near.grid.pitch_mm * factor as f64,
@@ -99,7 +101,7 @@ impl HigherOrders {
                 patterns.push(Pattern(vec![(1.0, a.harmonic, b.harmonic)]));
             }
         }
-        let octants = free_flight.octants(&patterns, [nx, ny, nz]);
+        let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
         let resin = resin_of(vial, &grid);
@@ -122,8 +124,8 @@ impl HigherOrders {
             convolver,
             weights: Vec::new(),
         };
-        higher.weights = higher.count_orders();
-        higher
+        higher.weights = higher.count_orders(run)?;
+        Ok(higher)
     }
 
     pub(super) fn edge_mm(&self) -> f64 {
@@ -136,21 +138,21 @@ impl HigherOrders {
     }
 
     /// How many orders even light in the whole resin needs, and the weight of each.
-    fn count_orders(&self) -> Vec<f32> {
+    fn count_orders(&self, run: &Run) -> Result<Vec<f32>> {
         let mut moments = self.dark();
         self.for_each_line(&mut moments[0], |resin, line| line.fill(resin));
         let size = |moments: &Moments| moments[0].iter().map(|&v| f64::from(v)).sum::<f64>();
         let (mut before, mut sum) = (size(&moments), 0.0);
         let mut weights = Vec::new();
         loop {
-            moments = self.scatter(&moments);
+            moments = self.scatter(&moments, run)?;
             let now = size(&moments);
             sum += now;
             let ratio = (now / before).clamp(0.0, 0.99);
             let is_last = now < ENOUGH * sum || weights.len() + 1 == MOST;
             if is_last {
                 weights.push((1.0 / (1.0 - ratio)) as f32);
-                return weights;
+                return Ok(weights);
             }
             weights.push(1.0);
             before = now;
@@ -180,73 +182,84 @@ impl HigherOrders {
     }
 
     /// Free flight of what these sources send out; the first `count` moments of where it arrives.
-    fn fly(&self, sources: &[Spectrum], count: usize) -> Moments {
+    fn fly(&self, sources: &[Spectrum], count: usize, run: &Run) -> Result<Moments> {
         (0..count)
             .map(|a| {
+                run.check()?;
                 let mut sum = self.no_spectrum();
                 for (b, source) in sources.iter().enumerate() {
                     self.kernel(a, b).add(source, false, &mut sum);
                 }
                 let mut field = vec![0.0; self.coarse.layout.len()];
                 self.convolver.add_field(sum, 1.0, &mut field);
-                field
+                Ok(field)
             })
             .collect()
     }
 
     /// The next order: light is scattered by the resin and flies on.
-    fn scatter(&self, moments: &[Vec<f32>]) -> Moments {
-        self.fly(&self.emitted(moments), self.moments.len())
+    fn scatter(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
+        self.fly(&self.emitted(moments, run)?, self.moments.len(), run)
     }
 
     /// Spectra of what the resin sends out in this light.
-    fn emitted(&self, moments: &[Vec<f32>]) -> Vec<Spectrum> {
+    fn emitted(&self, moments: &[Vec<f32>], run: &Run) -> Result<Vec<Spectrum>> {
         moments
             .iter()
             .zip(&self.moments)
             .map(|(field, moment)| {
+                run.check()?;
                 let mut field = self.between.of(field);
                 self.for_each_line(&mut field, |resin, line| {
                     line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
                 });
-                self.convolver.transform(&field)
+                Ok(self.convolver.transform(&field))
             })
             .collect()
     }
 
     /// Transpose of [`scatter`](Self::scatter).
-    fn scatter_back(&self, moments: &[Vec<f32>]) -> Moments {
-        let mut back = self.fly_back(moments);
+    fn scatter_back(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
+        let mut back = self.fly_back(moments, run)?;
         for (field, moment) in back.iter_mut().zip(&self.moments) {
             self.for_each_line(field, |resin, line| {
                 line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
             });
             *field = self.between.of(field);
         }
-        back
+        Ok(back)
     }
 
     /// Transpose of free flight, from the moments given (all, or the first alone).
-    fn fly_back(&self, moments: &[Vec<f32>]) -> Moments {
+    fn fly_back(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
         let spectra: Vec<Spectrum> = moments
             .iter()
             .map(|field| self.convolver.transform(field))
             .collect();
         (0..self.moments.len())
             .map(|b| {
+                run.check()?;
                 let mut sum = self.no_spectrum();
                 for (a, spectrum) in spectra.iter().enumerate() {
                     self.kernel(a, b).add(spectrum, true, &mut sum);
                 }
                 let mut field = vec![0.0; self.coarse.layout.len()];
                 self.convolver.add_field(sum, 1.0, &mut field);
-                field
+                Ok(field)
             })
             .collect()
     }
 
     /// dose += light scattered twice or more, of these fields of unscattered light
-    pub(super) fn add_forward(&self, sources: &[HostField], dose: &mut [f32]) {
+    ///
+    /// # Errors
+    /// When the run is canceled.
+    pub(super) fn add_forward(
+        &self,
+        sources: &[HostField],
+        dose: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
         let fields: Vec<Vec<f32>> = (sources.iter())
             .map(|source| self.given.of(&self.restrict(source.as_slice())))
             .collect();
@@ -261,22 +274,26 @@ impl HigherOrders {
                 self.convolver.transform(&field)
             })
             .collect();
-        let mut moments = self.fly(&spectra, self.moments.len());
+        let mut moments = self.fly(&spectra, self.moments.len(), run)?;
         let mut sum = vec![0.0; self.coarse.layout.len()];
         for (i, &weight) in self.weights.iter().enumerate() {
             let is_last = i + 1 == self.weights.len();
             let count = if is_last { 1 } else { self.moments.len() };
-            moments = self.fly(&self.emitted(&moments), count);
+            moments = self.fly(&self.emitted(&moments, run)?, count, run)?;
             let weight = weight * FLUENCE;
             sum.iter_mut()
                 .zip(&moments[0])
                 .for_each(|(sum, value)| *sum += weight * value);
         }
         self.coarse.spread(&self.seen.of(&sum), dose);
+        Ok(())
     }
 
     /// Transpose of [`add_forward`](Self::add_forward): what each field of unscattered light gets.
-    pub(super) fn adjoint(&self, cotangent: &[f32]) -> Back<'_> {
+    ///
+    /// # Errors
+    /// When the run is canceled.
+    pub(super) fn adjoint(&self, cotangent: &[f32], run: &Run) -> Result<Back<'_>> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
         let mut cells = self.seen.of(&cells);
@@ -288,12 +305,12 @@ impl HigherOrders {
                 .iter_mut()
                 .zip(&cells)
                 .for_each(|(v, cell)| *v += weight * cell);
-            moments = self.scatter_back(&moments);
+            moments = self.scatter_back(&moments, run)?;
         }
-        Back {
+        Ok(Back {
             higher: self,
-            moments: self.fly_back(&moments),
-        }
+            moments: self.fly_back(&moments, run)?,
+        })
     }
 
     /// Means over the cells of order 1 in each cell here.

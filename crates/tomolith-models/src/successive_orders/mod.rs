@@ -174,7 +174,7 @@ impl ModelFamily for Params {
             params.rays_per_pixel = Some(params.rays() * refine * refine);
         }
         let lights = input.scene.lights.to_vec();
-        let model = model(vial, lights, optics, &params, input.grid.clone())?;
+        let model = model_in(vial, lights, optics, &params, input.grid.clone(), input.run)?;
         Ok(Box::new(match input.scene.purpose {
             Purpose::Optimize => model.cached(),
             _ => model,
@@ -230,10 +230,22 @@ const MAX_FORWARD_FRACTION: f64 = 0.03;
 /// As [`Parallel::new`] and [`Rays::new`]; [`Error::Unsupported`] where [`beyond`] says why.
 pub fn model(
     vial: &dyn Vial,
+    lights: Vec<Light>,
+    optics: &[Optics],
+    params: &Params,
+    grid: VolumeGrid,
+) -> Result<SuccessiveOrders> {
+    model_in(vial, lights, optics, params, grid, &Run::new())
+}
+
+/// The [`model`] of a run that may be canceled while its kernels are computed.
+fn model_in(
+    vial: &dyn Vial,
     mut lights: Vec<Light>,
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
+    run: &Run,
 ) -> Result<SuccessiveOrders> {
     if let Some(reason) = beyond(vial, &lights, optics, &grid) {
         return Err(Error::Unsupported {
@@ -259,7 +271,7 @@ pub fn model(
     let scattered_lights = plans
         .into_iter()
         .map(|(place, light, delta_scaled)| {
-            ScatteredLight::new(vial, light, &delta_scaled, params, &layout, place)
+            ScatteredLight::new(vial, light, &delta_scaled, params, &layout, place, run)
         })
         .collect::<Result<_>>()?;
     Ok(SuccessiveOrders {

@@ -98,6 +98,7 @@ impl ScatteredLight {
         params: &Params,
         fine: &DoseLayout,
         (offset, first_frame): (usize, usize),
+        run: &Run,
     ) -> Result<Self> {
         let edges = cell_edges(vial, delta_scaled, params);
         let edge = edges[0];
@@ -141,7 +142,7 @@ impl ScatteredLight {
             .iter()
             .map(|c| order_one(delta_scaled, c))
             .collect();
-        let octants = free_flight.octants(&patterns, [nx, ny, nz]);
+        let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
         let is_full = full_cells(&layout, |at| vial.in_resin(at));
@@ -163,7 +164,8 @@ impl ScatteredLight {
                 &layout,
                 cells.factor,
                 (fine, &shares),
-            ),
+                run,
+            )?,
             straight,
             convolver,
             coarse: Coarse::of_grid(cells.grid, fine).with_shares(shares),
@@ -210,8 +212,7 @@ impl ScatteredLight {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.convolver.add_field(once, 1.0, &mut cells);
         self.coarse.spread(&self.seen.of(&cells), dose);
-        self.higher.add_forward(&sources, dose);
-        Ok(())
+        self.higher.add_forward(&sources, dose, run)
     }
 
     /// grad += transpose of the scattered light of these frames on a cotangent
@@ -229,7 +230,7 @@ impl ScatteredLight {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
         let once = self.convolver.transform(&self.seen.of(&cells));
-        let higher = self.higher.adjoint(cotangent);
+        let higher = self.higher.adjoint(cotangent, run)?;
         let source = |(channel, kernel): (usize, &Kernel)| {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
             kernel.add(&once, true, &mut sum);

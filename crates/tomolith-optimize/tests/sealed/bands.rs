@@ -139,7 +139,7 @@ fn penalty(p: f64, band: &Band, m: f32) -> (f32, f32) {
         let sign = f32::from(distance > 0.0) - f32::from(distance < 0.0);
         return (w * e, w * sign);
     }
-    if let Some(whole) = (3..=8u8).find(|&whole| f64::from(whole) == p) {
+    if let Some(whole) = (3..=4u8).find(|&whole| f64::from(whole) == p) {
         let rise = (3..whole).fold(e, |rise, _| rise * e);
         let slope = w * rise * distance;
         return (slope * distance, slope * f32::from(whole));
