@@ -222,10 +222,13 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
             significant(size.angles, 4)
         ),
     );
-    answer.line(
-        "curing time",
-        format!("{} s on the axis", significant(size.curing_s, 4)),
-    );
+    let curing = if size.curing_s.is_finite() {
+        format!("{} s on the axis", significant(size.curing_s, 4))
+    } else {
+        answer.warn("no light reaches the axis, which never cures: a resin with a larger penetration depth, or a narrower vial");
+        "never on the axis".to_owned()
+    };
+    answer.line("curing time", curing);
     if size.step_mm > printed.step_mm * 1.001 {
         answer.line(
             "as published",

@@ -361,6 +361,12 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         format!("{} mJ/cm²", significant(resin.inhibitor_dose(), 4)),
     );
     answer.line("off by up to", percent(fit.worst()));
+    if fit.worst() > POOR_FIT {
+        answer.warn(format!(
+            "the fit misses a measured time by {}: its numbers say little; look for outliers, and whether the columns are irradiance and curing time",
+            percent(fit.worst())
+        ));
+    }
     answer.line(
         "one critical dose",
         format!(
@@ -467,6 +473,12 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
     Ok(())
 }
 
+/// Misfit of curing times above which a fit says little.
+const POOR_FIT: f64 = 0.25;
+
+/// Penetration depths above which a resin is clear across any vial: lengths in another unit, mm.
+const DEEPEST_MM: f64 = 300.0;
+
 fn dose(given: &DoseArguments) -> Result<()> {
     voxel::above_zero("--penetration-mm", given.penetration_mm)?;
     let path = &given.measured.table;
@@ -505,6 +517,12 @@ fn dose(given: &DoseArguments) -> Result<()> {
     let depth = fit.penetration_mm().or(given.penetration_mm);
     let mut files = vec![("dose.svg", fit.plot())];
     if let Some(depth) = depth {
+        if depth > DEEPEST_MM {
+            answer.warn(format!(
+                "light goes {} mm deep, farther than through any vial: look whether the depths of the table are in mm",
+                significant(depth, 3)
+            ));
+        }
         let volumetric = fit.critical_mj_per_mm3(depth);
         answer.line(
             "per volume",

@@ -19,7 +19,7 @@ use tomolith_io::write_folder_whole;
 /// # Errors
 /// [`Error::Io`], [`Error::Format`] naming the line.
 pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
-    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+    let text = text_of(path)?;
     let accepted = || format!("two numbers a line: {what}");
     let named = |error: Error| match error {
         Error::Format { path, found, .. } => Error::Format {
@@ -46,6 +46,20 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     })
 }
 
+/// The text of a table.
+fn text_of(path: &Path) -> Result<String> {
+    let is_no_table = |found: &str| Error::Format {
+        path: path.to_owned(),
+        found: found.to_owned(),
+        accepted: "a table as CSV text".to_owned(),
+    };
+    if path.is_dir() {
+        return Err(is_no_table("a folder"));
+    }
+    let bytes = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    String::from_utf8(bytes).map_err(|_| is_no_table("bytes that are not UTF-8 text"))
+}
+
 /// Points by ascending first number, equal ones averaged.
 ///
 /// # Errors
@@ -69,8 +83,7 @@ impl Columns {
     /// # Errors
     /// [`Error::Io`], [`Error::Format`] naming the line.
     pub fn read(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
-        Columns::parse(&text, path)
+        Columns::parse(&text_of(path)?, path)
     }
 
     /// The table of a text: names first (none where the first line is numbers), cells parted by commas, semicolons or tabs, else by blanks; what
@@ -229,4 +242,20 @@ pub fn write_folder(folder: &Path, files: &[(&str, String)]) -> Result<()> {
         }
         Ok(())
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_table_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let mesh = folder.path().join("part.stl");
+        std::fs::write(&mesh, [0xff, 0xfe, 0]).unwrap();
+        for (path, found) in [(mesh.as_path(), "not UTF-8"), (folder.path(), "a folder")] {
+            let said = Columns::read(path).unwrap_err().to_string();
+            assert!(said.contains(found), "{said}");
+        }
+    }
 }

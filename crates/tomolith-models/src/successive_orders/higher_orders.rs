@@ -103,7 +103,11 @@ impl HigherOrders {
         }
         let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
         let kernels = octants.iter().zip(&patterns);
-        let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let kernels = kernels.map(|(octant, p)| {
+            run.check()?;
+            Ok(convolver.kernel(octant, p.parities()))
+        });
+        let kernels = kernels.collect::<Result<_>>()?;
         let resin = resin_of(vial, &grid);
         let (mean, line) = (
             CellBlur::mean(free_flight.edge),
@@ -120,7 +124,7 @@ impl HigherOrders {
             resin,
             coarse,
             moments,
-            kernels: kernels.collect(),
+            kernels,
             convolver,
             weights: Vec::new(),
         };

@@ -144,7 +144,11 @@ impl ScatteredLight {
             .collect();
         let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
         let kernels = octants.iter().zip(&patterns);
-        let kernels = kernels.map(|(octant, p)| convolver.kernel(octant, p.parities()));
+        let kernels = kernels.map(|(octant, p)| {
+            run.check()?;
+            Ok(convolver.kernel(octant, p.parities()))
+        });
+        let kernels = kernels.collect::<Result<_>>()?;
         let is_full = full_cells(&layout, |at| vial.in_resin(at));
         let (mean, line) = (
             CellBlur::mean(free_flight.edge),
@@ -156,7 +160,7 @@ impl ScatteredLight {
             frames,
             given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
             seen: Sharpen::new(&layout, &is_full, mean + line),
-            kernels: kernels.collect(),
+            kernels,
             higher: HigherOrders::new(
                 vial,
                 (delta_scaled, channels, of_bins),
@@ -293,8 +297,9 @@ fn margin_mm(delta_scaled: &DeltaScaledPhase, mu: f64, radius: f64) -> f64 {
     LENGTHS * (delta_scaled.per_mm / mu).powi(2) / decay.sqrt()
 }
 
-/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty.
-const MOST_CELLS: usize = 1 << 24;
+/// Most cells of order 1: their spectra, padded, take 32 bytes a cell each, and there are about ten, in cones up to twenty, and twenty-one more of
+/// later orders where these have cells as small: 5 GB.
+const MOST_CELLS: usize = 1 << 22;
 
 /// The cells of order 1, and how many of them make one of the later orders.
 struct Cells {

@@ -448,7 +448,7 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
     // 6 mm across and high in cells of 1 µm: told what would do, before any array
     let many = refused(&BATH, [4, 8, 8], rayleigh, Some(1e-3));
     assert!(
-        many.contains("model.successive_orders.cell_mm") && many.contains("0.023 mm or more"),
+        many.contains("model.successive_orders.cell_mm") && many.contains("0.036 mm or more"),
         "{many}"
     );
 }

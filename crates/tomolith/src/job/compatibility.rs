@@ -6,6 +6,7 @@ use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::optics::light::Light;
+use crate::report::number::significant;
 use crate::target::{Shape, label};
 use crate::units::{concise, exact};
 use rayon::prelude::*;
@@ -15,6 +16,9 @@ use std::f64::consts::TAU;
 const STRAY: f64 = 1e-3;
 /// Part of a voxel that a target may reach into a wall where a job does not say how far.
 const TOUCH: f64 = 0.01;
+
+/// Lengths of absorption from the wall to the middle of a vial, above which next to no light arrives there: e⁻⁷ is a thousandth.
+const DARK_INSIDE: f64 = 7.0;
 
 /// How far the target of a job may reach into a wall, mm.
 ///
@@ -192,6 +196,27 @@ impl Optics {
                      light[{i}].projector's pixel_pitch_mm (numbers, and text without a unit, are in mm)",
                     concise(pitch),
                     concise(across)
+                )
+            })
+            .collect()
+    }
+
+    /// Warns of a resin that takes nearly all light before it reaches the middle of the vial.
+    pub(crate) fn dark_inside(&self) -> Vec<String> {
+        let radius = self.vial.resin_wall().inscribed_radius();
+        let lengths = |light: &Light| match light.map {
+            None if !light.resin.pure_radon => light.resin.absorption_per_mm * radius,
+            _ => 0.0,
+        };
+        let deep = self.lights.iter().map(lengths).enumerate();
+        deep.filter(|&(_, lengths)| lengths > DARK_INSIDE)
+            .map(|(i, lengths)| {
+                format!(
+                    "light[{i}]: from the wall to the middle of the vial are {} mm, {} lengths of absorption (resin.absorption_per_mm): next to \
+                     no light arrives there, and the resin at the wall cures first; with {} per mm it is one length",
+                    concise(radius),
+                    significant(lengths, 2),
+                    significant(1.0 / radius, 2),
                 )
             })
             .collect()
@@ -444,6 +469,21 @@ mod tests {
     use crate::models::rays;
     use crate::optics::vial::{double_tube::DoubleTube, index_matched::IndexMatched};
     use std::path::Path;
+
+    #[test]
+    fn a_resin_too_dark_for_the_middle_of_its_vial_is_told() {
+        let warned = |changes: &[&str]| {
+            let optics = Optics::new(&spec(changes), Path::new("")).unwrap();
+            optics.dark_inside().join("\n")
+        };
+        assert_eq!(warned(&[]), "");
+        let vial = "vial={ index_matched = { radius_mm = 4.0 } }";
+        // e^−16 of the light is left after 16 lengths
+        let dark = warned(&[vial, "resin.absorption_per_mm=4.0"]);
+        assert!(dark.contains("4 mm, 16 lengths of absorption"), "{dark}");
+        assert!(dark.contains("with 0.25 per mm it is one length"), "{dark}");
+        assert_eq!(warned(&[vial, "resin.absorption_per_mm=0.8"]), "");
+    }
 
     #[test]
     fn what_of_the_target_is_within_a_body_is_told() {

@@ -490,7 +490,8 @@ impl Found {
         let improve = causes.first().filter(worth);
         let improve = improve.map_or_else(String::new, |limit| {
             if self.is_toy {
-                return " To improve, run without `--toy`.".to_owned();
+                return " This is a toy of the job: run without `--toy` before you change it."
+                    .to_owned();
             }
             let verb = match limit.cause {
                 Cause::Grid => "lower",
@@ -596,7 +597,9 @@ mod tests {
         };
         let said = toy.limits().sentence;
         assert!(
-            said.ends_with("rotation +0.001. To improve, run without `--toy`."),
+            said.ends_with(
+                "rotation +0.001. This is a toy of the job: run without `--toy` before you change it."
+            ),
             "{said}"
         );
         // Nothing to gain, nothing to change

@@ -200,10 +200,19 @@ impl Job {
         self
     }
 
-    /// Adds file and line to an error about one of this job's keys.
+    /// Adds file and line to an error about one of this job's keys, and that its numbers are those of a toy.
     #[must_use]
     pub fn locate(&self, error: Error) -> Error {
-        self.document.locate(error)
+        let mut error = self.document.locate(error);
+        if let Error::Config { key, accepted, .. } = &mut error
+            && self.is_toy
+            && (key.ends_with("pixels") || key.starts_with("grid") || key.starts_with("target"))
+        {
+            accepted.push_str(
+                "; `--toy` counts in pixels and voxels three times as large as the job's",
+            );
+        }
+        error
     }
 }
 

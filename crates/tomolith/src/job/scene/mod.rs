@@ -34,7 +34,8 @@ use crate::target::{self, Shape, label};
 use grid::{bounds_of, grid_of, moved};
 use memory::{bytes_stacked, judged_mb, quasi_newton_memory, with_fields};
 use remarks::{
-    ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, on_its_own_grid,
+    ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, narrow_arc,
+    on_its_own_grid,
 };
 pub(super) use remarks::{at_section, few_angles};
 use serde_json::Value;
@@ -216,6 +217,8 @@ impl Scene {
                 cut_off.into_iter().collect(),
                 few_angles(&spec).into_iter().collect(),
                 on_its_own_grid(&spec).into_iter().collect(),
+                narrow_arc(&spec).into_iter().collect(),
+                optics.dark_inside(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
                 optics.coarse(shape.as_ref()),

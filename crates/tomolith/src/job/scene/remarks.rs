@@ -8,9 +8,11 @@ use crate::job::resources::compared;
 use crate::job::spec::JobSpec;
 use crate::optics::light::Light;
 use crate::optimize::Keep;
+use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::concise;
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The key that says how many voxels there are.
@@ -136,21 +138,48 @@ pub(super) fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
 /// Directions from which light comes, below which a part cannot take its shape.
 const FEW_ANGLES: usize = 12;
 
-/// Warns of light that comes from a handful of directions.
-pub(crate) fn few_angles(spec: &JobSpec) -> Option<String> {
+/// Directions that light comes from, in thousandths of a degree from 0 to 360°, each once.
+fn directions(spec: &JobSpec) -> BTreeSet<u64> {
     let azimuths = spec.light.iter().flat_map(|light| {
         let (azimuths, _) = light.angles.azimuths(light.rotation);
-        // Directions that differ by less than a thousandth of a degree are one
         azimuths
             .into_iter()
-            .map(|azimuth| (azimuth.to_degrees().rem_euclid(360.0) * 1e3).round() as u64 % 360_000)
+            .map(|azimuth| (azimuth.to_degrees().rem_euclid(360.0) * 1e3).round() as u64 % TURN)
     });
-    let count = azimuths.collect::<std::collections::BTreeSet<_>>().len();
+    azimuths.collect()
+}
+
+/// A turn in thousandths of a degree.
+const TURN: u64 = 360_000;
+
+/// Warns of light that comes from a handful of directions.
+pub(crate) fn few_angles(spec: &JobSpec) -> Option<String> {
+    let count = directions(spec).len();
     (count < FEW_ANGLES).then(|| {
         let from = if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
         format!(
             "light.angles: light comes from {from} only, so doses add up along stripes and no part takes its shape; \
              use some hundred angles"
+        )
+    })
+}
+
+/// Arc below which edges are missing, in thousandths of a degree: about half a turn.
+const WHOLE_ARC: u64 = 175_000;
+
+/// Warns of light from many directions that leave more than half of a turn out.
+pub(super) fn narrow_arc(spec: &JobSpec) -> Option<String> {
+    let directions = directions(spec);
+    let (first, last) = (*directions.first()?, *directions.last()?);
+    let gaps = directions.iter().zip(directions.iter().skip(1));
+    let widest = gaps.map(|(a, b)| b - a).max().unwrap_or(0);
+    let count = directions.len() as u64;
+    // A frame stands for the step that follows it, too
+    let arc = (TURN - widest.max(first + TURN - last)) * count / count.saturating_sub(1).max(1);
+    (directions.len() >= FEW_ANGLES && arc < WHOLE_ARC).then(|| {
+        format!(
+            "light.angles: light comes from an arc of {}°, so edges along which no light runs stay blurred; use half a turn or more",
+            significant(arc as f64 / 1e3, 3)
         )
     })
 }

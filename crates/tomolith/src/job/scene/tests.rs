@@ -56,3 +56,16 @@ fn the_memory_of_a_quasi_newton_method_is_found_and_lowered() {
         None
     );
 }
+
+#[test]
+fn light_from_less_than_half_a_turn_is_told() {
+    use super::remarks::narrow_arc;
+    use crate::job::build::tests::spec;
+    let said = |angles: &str| narrow_arc(&spec(&[&format!("light.angles={angles}")]));
+    let narrow = said("{ count = 36, start_deg = 300, arc_deg = 90 }").unwrap();
+    assert!(narrow.contains("an arc of 90°"), "{narrow}");
+    // Half a turn is enough, and few directions are told otherwise
+    for angles in ["{ count = 36, arc_deg = 180 }", "72", "12", "4"] {
+        assert_eq!(said(angles), None, "{angles}");
+    }
+}
