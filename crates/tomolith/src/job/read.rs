@@ -206,7 +206,7 @@ impl Job {
         let mut error = self.document.locate(error);
         if let Error::Config { key, accepted, .. } = &mut error
             && self.is_toy
-            && (key.ends_with("pixels") || key.starts_with("grid") || key.starts_with("target"))
+            && (key.ends_with("pixels") || key.starts_with("grid"))
         {
             accepted.push_str(
                 "; `--toy` counts in pixels and voxels three times as large as the job's",
@@ -265,5 +265,28 @@ fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
             Some(file) => *value = file.to_string_lossy().into_owned().into(),
             None => each_file(value, change),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_that_are_those_of_a_toy_are_told_as_such() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = "target.phantom = \"gear\"\ntarget.size_mm = 3\nvial.index_matched.radius_mm = 4\n\
+             [resin]\nrefractive_index = 1.5\nabsorption_per_mm = 0.1\n\
+             [[light]]\npixels = [60, 40]\nangles = 60\nprojector.collimated.pixel_pitch_mm = 0.1\n";
+        std::fs::write(&file, text).unwrap();
+        let job = Job::read(&file, &[]).unwrap();
+        let said = |job: &Job, key: &str| {
+            let error = Error::config(key, "found", "more of them");
+            job.locate(error).to_string().contains("`--toy` counts")
+        };
+        let toy = job.clone().toy();
+        assert!(said(&toy, "light[0].pixels") && said(&toy, "grid.pitch_mm"));
+        assert!(!said(&toy, "target.mesh") && !said(&job, "light[0].pixels"));
     }
 }
