@@ -16,6 +16,7 @@
 //! | [`Field::Pairs`] | memory of a quasi-Newton method ([`Pairs`]) | compiled bounds |
 //! | [`Field::Bands`] | the band loss and its derivatives ([`BandKernel`]) | [`BandLoss`] |
 //! | [`Field::Costs`] | penalties on patterns ([`CostKernel`]) | [`PatternCost`] |
+//! | [`Field::HalfRamp`] | a filter along rows of pixels ([`HalfRampKernel`]) | [`HalfRamp`] |
 //! | [`DoseModel`](crate::dose::DoseModel) | a model whose fields these are | |
 //!
 //! A pattern field may be one rank's share of the frames ([`HostField::shared`]): what these operations sum or compare is then that of all
@@ -41,11 +42,13 @@
 pub mod bands;
 pub mod costs;
 pub(crate) mod group;
+pub mod half_ramp;
 mod pairs;
 
 use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
+pub use half_ramp::{ColumnRun, HalfRamp, HalfRampKernel, HostHalfRamp};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -169,6 +172,8 @@ pub trait Field: Clone + Send + Sync + 'static {
     type Bands: BandKernel<Self>;
     /// Penalties on patterns in such fields.
     type Costs: CostKernel<Self>;
+    /// A filter along the rows of pixels of such fields.
+    type HalfRamp: HalfRampKernel<Self>;
 
     /// Number of elements.
     fn len(&self) -> usize;
@@ -245,6 +250,10 @@ pub trait Field: Clone + Send + Sync + 'static {
     /// Brings every element to the nearest of so many levels (at least 2), even between its bounds; where there is no upper
     /// bound, the largest element takes its place.
     fn quantize(&mut self, levels: u32, bounds: &Self::Bounds);
+    /// selfᵢ ← gradientᵢ where the bounds do not hold xᵢ, else 0: they do where it is at one and a descent would cross it.
+    fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Self::Bounds);
+    /// selfᵢ ← afterᵢ − beforeᵢ where the step is not 0, else 0.
+    fn change_where_moved(&mut self, step: &Self, before: &Self, after: &Self);
     /// Secant sums of the step `self` between two gradients, one element after the other in a block.
     fn secant(&self, before: &Self, after: &Self) -> Secant;
 
@@ -420,6 +429,7 @@ impl Field for HostField {
     type Pairs = HostPairs;
     type Bands = HostBands;
     type Costs = HostCosts;
+    type HalfRamp = HostHalfRamp;
 
     fn len(&self) -> usize {
         self.len
@@ -501,6 +511,39 @@ impl Field for HostField {
         self.add_up(&mut all);
         let [slope, square] = all;
         StepSums { slope, square }
+    }
+
+    fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Bounds) {
+        bounds
+            .split_mut(self.as_mut_slice())
+            .into_par_iter()
+            .zip(bounds.split(x.as_slice()))
+            .zip(bounds.split(gradient.as_slice()))
+            .zip(&bounds.blocks)
+            .for_each(|(((free, x), gradient), b)| {
+                for ((free, &x), &g) in free.iter_mut().zip(x).zip(gradient) {
+                    let held = (x <= b.lower && g >= 0.0) || (x >= b.upper && g <= 0.0);
+                    *free = if held { 0.0 } else { g };
+                }
+            });
+    }
+
+    fn change_where_moved(&mut self, step: &Self, before: &Self, after: &Self) {
+        assert_eq!(self.len, step.len, "fields of different length");
+        assert_eq!(self.len, before.len, "fields of different length");
+        assert_eq!(self.len, after.len, "fields of different length");
+        self.as_mut_slice()
+            .par_chunks_mut(BLOCK)
+            .zip(step.as_slice().par_chunks(BLOCK))
+            .zip(before.as_slice().par_chunks(BLOCK))
+            .zip(after.as_slice().par_chunks(BLOCK))
+            .for_each(|(((change, step), before), after)| {
+                let gradients = before.iter().zip(after);
+                for ((change, &step), (before, after)) in change.iter_mut().zip(step).zip(gradients)
+                {
+                    *change = if step == 0.0 { 0.0 } else { after - before };
+                }
+            });
     }
 
     fn secant(&self, before: &Self, after: &Self) -> Secant {

@@ -4,14 +4,18 @@
 //!
 //! ```text
 //! held      pixels at a bound with g pointing out of it; the others are free
-//! d       = −H·g on the free pixels, H the inverse curvature of the last m pairs (two-loop recursion)
+//! d       = −H·g on the free pixels, H the inverse curvature of the last m pairs (two-loop recursion), γ·P where no pair knows better
 //! x̄       = P(x + 1.5·d)                    P projects onto the bounds
 //! x       ← x + α·(x̄ − x), α ∈ [0, 1]       the exact minimum on the feasible segment, one forward call
 //! ```
 //!
+//! P in H is the half ramp ([`half_ramp`](tomolith_core::field::half_ramp)): patterns that are smooth along a row of pixels light what their
+//! neighbors light, too, and change the dose more than fine ones. It saves a third of the steps that H₀ = γ takes.
+//!
 //! When x̄ − x is no descent, or much less of one than the projected gradient step P(x − γ·g) − x, that step is taken. A pair
 //! (s, y) is the change of x and of the gradient in a step, y only where x moved, so that it knows the curvature of the face of
-//! the box it was taken on; it is kept when s·y is positive enough (curvature check). The segment reaches half as far again
+//! the box it was taken on; it is kept when s·y is positive enough (curvature check). Only z = P·y is remembered of y: the
+//! recursion needs no more of it. The segment reaches half as far again
 //! as d: the search decides how far to go, at no model call, and steps that stop short of d are then no more frequent than
 //! those that go on.
 //!
@@ -23,9 +27,7 @@
 //! loss but may stop early. The loss never rises.
 //!
 //! **Cost** one forward and one adjoint call a step, one forward more at the first. Vector work is one pass over the pairs for
-//! all products, one for their combination, one to move: at most 48 + 8m bytes per pixel, 96 for m = 6 (see [`Pairs`]);
-//! stretches of pixels that the bounds hold cost 36. No vector is ever touched by a recursion. Two cores took 5 ns per free
-//! pixel for all three, 2.2 ns when nine in ten are held. Memory: m + 3 pattern fields beside x
+//! all products, one for their combination, one to move, and P twice (see [`Pairs`]). Memory: m + 5 pattern fields beside x
 //! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
 
 use super::{
@@ -34,8 +36,11 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Direction, Field, Latest, Pairs, Products};
+use tomolith_core::field::{
+    ColumnRun, Direction, Field, HalfRamp, HalfRampKernel, Latest, Pairs, Products,
+};
 use tomolith_core::kind::Kind;
 use tomolith_core::units::exact;
 
@@ -59,10 +64,11 @@ impl Default for Params {
 }
 
 impl Params {
-    /// Bytes that the method keeps per pixel: pairs, step and two gradients; the patterns themselves are not among them.
+    /// Bytes that the method keeps per pixel: pairs, step, two gradients, a part of one and its image; the patterns themselves are not
+    /// among them.
     #[must_use]
     pub fn bytes_per_pixel(&self) -> usize {
-        4 * self.memory + 3 * 4
+        4 * self.memory + 5 * 4
     }
 }
 
@@ -100,19 +106,45 @@ pub struct Lbfgs<F: Field> {
 
 struct Fields<F: Field> {
     pairs: F::Pairs,
+    ramp: F::HalfRamp,
     gradient: F,
     before: F,
     step: F,
+    /// The change of the gradient, then the free gradient.
+    part: F,
+    /// P of that part.
+    image: F,
 }
 
 impl<F: Field> Fields<F> {
     fn like(x: &F, memory: usize, problem: &Problem<F>) -> Self {
         Fields {
             pairs: F::Pairs::new(memory, problem.bounds(x)),
+            ramp: F::HalfRamp::new(half_ramp(problem.model().patterns()), x),
+            part: x.zeros_like(),
+            image: x.zeros_like(),
             gradient: x.zeros_like(),
             before: x.zeros_like(),
             step: x.zeros_like(),
         }
+    }
+}
+
+/// The rows of pixels of all lights.
+fn half_ramp(lights: &[PatternLayout]) -> HalfRamp {
+    let frames = lights.iter().flat_map(|light| {
+        let frames = light.runs.chunks(light.grid.columns.max(1));
+        frames.map(|runs| {
+            let of_column = runs.iter().map(|run| ColumnRun {
+                first: run.offset,
+                bottom: run.bottom as usize,
+                count: run.count as usize,
+            });
+            of_column.collect()
+        })
+    });
+    HalfRamp {
+        frames: frames.collect(),
     }
 }
 
@@ -123,10 +155,12 @@ struct Curvature {
     order: Vec<usize>,
     /// `[i][j]` = s_i·y_j, for i not younger than j.
     s_y: Vec<Vec<f64>>,
-    /// `[i][j]` = y_i·y_j
-    y_y: Vec<Vec<f64>>,
-    /// γ: inverse curvature where no pair knows better.
+    /// `[i][j]` = z_i·y_j
+    z_y: Vec<Vec<f64>>,
+    /// γ: inverse curvature, in units of P, where no pair knows better.
     scale: f64,
+    /// The same without P: the length of a projected gradient step.
+    length: f64,
     /// α of the last step, None before the first.
     alpha: Option<f32>,
 }
@@ -135,7 +169,7 @@ impl Curvature {
     fn new(memory: usize) -> Self {
         Curvature {
             s_y: vec![vec![0.0; memory]; memory],
-            y_y: vec![vec![0.0; memory]; memory],
+            z_y: vec![vec![0.0; memory]; memory],
             ..Self::default()
         }
     }
@@ -150,29 +184,32 @@ impl Curvature {
 
     /// Keeps the newest pair when its curvature is positive enough.
     fn take(&mut self, slot: usize, products: &Products, tolerance: f64) {
-        let (s_y, y_y) = (products.s_y[slot], products.y_y[slot]);
+        let (s_y, y_y) = (products.s_y[slot], products.y_y);
         if s_y > 0.0 && s_y > tolerance * (products.s_s * y_y).sqrt() {
             self.order.push(slot);
             for &i in &self.order {
                 self.s_y[i][slot] = products.s_y[i];
-                self.y_y[i][slot] = products.y_y[i];
-                self.y_y[slot][i] = products.y_y[i];
+                self.z_y[i][slot] = products.z_y[i];
+                self.z_y[slot][i] = products.z_y[i];
             }
-            self.scale = s_y / y_y;
+            self.scale = s_y / products.z_y[slot];
+            self.length = s_y / y_y;
         } else if self.alpha == Some(1.0) {
             // The loss fell to the end of the segment without curving
             self.scale *= 4.0;
+            self.length *= 4.0;
         }
     }
 
-    /// −H·g as a combination of g, the s and the y: Nocedal's two loops on products instead of vectors.
+    /// −H·g as a combination of P·g, the s and the z: Nocedal's two loops on products instead of vectors.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn direction(&self, products: Option<&Products>) -> Direction {
         let memory = self.s_y.len();
         let mut direction = Direction {
             scale: self.scale as f32,
+            length: self.length as f32,
             along_s: vec![0.0; memory],
-            along_y: vec![0.0; memory],
+            along_z: vec![0.0; memory],
             stretch: STRETCH,
         };
         let Some(products) = products else {
@@ -186,17 +223,17 @@ impl Curvature {
         }
         let mut along_s = vec![0.0; memory];
         for (age, &j) in self.order.iter().enumerate() {
-            let removed: f64 = self.order.iter().map(|&i| alpha[i] * self.y_y[j][i]).sum();
+            let removed: f64 = self.order.iter().map(|&i| alpha[i] * self.z_y[j][i]).sum();
             let added: f64 = self.order[..age]
                 .iter()
                 .map(|&i| along_s[i] * self.s_y[i][j])
                 .sum();
-            let beta = (self.scale * (products.y_g[j] - removed) + added) / self.s_y[j][j];
+            let beta = (self.scale * (products.z_g[j] - removed) + added) / self.s_y[j][j];
             along_s[j] = alpha[j] - beta;
         }
         for &j in &self.order {
             direction.along_s[j] = -along_s[j] as f32;
-            direction.along_y[j] = (self.scale * alpha[j]) as f32;
+            direction.along_z[j] = (self.scale * alpha[j]) as f32;
         }
         direction
     }
@@ -249,41 +286,50 @@ impl<F: Field> Lbfgs<F> {
     ) -> Result<Aim> {
         let Fields {
             pairs,
+            ramp,
             gradient,
             before,
             step,
+            part,
+            image,
         } = fields;
         std::mem::swap(gradient, before);
         problem.gradient(x, at, gradient)?;
         let products = if let Some(alpha) = self.curvature.alpha {
             let slot = self.curvature.next_slot();
+            part.change_where_moved(step, before, gradient);
+            ramp.apply(part, image);
             let latest = Latest {
                 x,
                 step,
                 alpha,
-                before,
-                after: gradient,
+                gradient,
+                change: part,
+                image,
             };
             let products = pairs.record(slot, &latest, problem.bounds(x));
             self.curvature.take(slot, &products, self.params.tolerance);
             Some(products)
         } else {
-            self.curvature.scale = problem.first_length(x, gradient, step, at)?;
+            self.curvature.length = problem.first_length(x, gradient, step, at)?;
+            self.curvature.scale = self.curvature.length;
             None
         };
         let direction = self.curvature.direction(products.as_ref());
-        let sums = pairs.direction(&direction, x, gradient, problem.bounds(x), step);
-        let scale = self.curvature.scale;
+        part.free_gradient(x, gradient, problem.bounds(x));
+        ramp.apply(part, image);
+        let sums = pairs.direction(&direction, x, gradient, image, problem.bounds(x), step);
+        let length = self.curvature.length;
         let mut slope = sums.slope;
         if slope > DESCENT * sums.gradient_slope || slope.is_nan() {
             slope = step
-                .project_step(x, gradient, scale as f32, problem.bounds(x))
+                .project_step(x, gradient, length as f32, problem.bounds(x))
                 .slope;
         }
-        let projected_gradient = if scale == 0.0 {
+        let projected_gradient = if length == 0.0 {
             0.0
         } else {
-            sums.gradient_square.sqrt() / scale
+            sums.gradient_square.sqrt() / length
         };
         Ok(Aim {
             slope,
@@ -314,7 +360,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
             if alpha == 0.0 && !self.curvature.order.is_empty() {
                 // What the pairs remember misleads
                 self.curvature.order.clear();
-                let length = self.curvature.scale as f32;
+                let length = self.curvature.length as f32;
                 let sums = fields
                     .step
                     .project_step(x, &fields.gradient, length, problem.bounds(x));

@@ -1,16 +1,17 @@
 //! Pairs of steps and gradient changes, and the two passes over them that a quasi-Newton method needs.
 //!
-//! A pair is (s, y): the change of x in a step, and that of the gradient where x moved (y is 0 elsewhere, so a pair knows the
-//! curvature of the face it was taken on). On the host both are stored in 16 bits (bf16, rounded to nearest): what is rounded
+//! A pair is (s, z): the change s of x in a step, and z = P·y, where y is the change of the gradient where x moved (y is 0 elsewhere, so a
+//! pair knows the curvature of the face it was taken on) and P a symmetric positive matrix, the method's first guess of the inverse
+//! curvature ([`half_ramp`](super::half_ramp)). y itself is needed only while its pair is the newest. On the host both are stored in 16 bits (bf16, rounded to nearest): what is rounded
 //! is the *memory* of curvature, the products are those of the rounded pairs, and trials showed the same convergence as f32 to
 //! within the difference of one iteration; it halves the bytes that such a method is bound by.
 //!
-//! **Layout** Blocks of the [`Bounds`], in each groups of 16 elements, in each a cache line per slot: 16 s and 16 y. So a
+//! **Layout** Blocks of the [`Bounds`], in each groups of 16 elements, in each a cache line per slot: 16 s and 16 z. So a
 //! pass is one stream through memory, whatever the number of slots. A bit per slot and group tells whether the line holds
 //! anything but zeros: stretches that the bounds have held since long cost nothing.
 //!
-//! **Cost** per element with m pairs: [`record`](Pairs::record) reads 16 + 4(m − 1) bytes and writes 4;
-//! [`direction`](Pairs::direction) reads 8 + 4m and writes 4. Memory: 4m bytes per element, as m pattern fields.
+//! **Cost** per element with m pairs: [`record`](Pairs::record) reads 20 + 4(m − 1) bytes and writes 4;
+//! [`direction`](Pairs::direction) reads 12 + 4m and writes 4. Memory: 4m bytes per element, as m pattern fields.
 
 use super::group::{Group, total};
 use super::{Bounds, Field, HostField, LANES};
@@ -27,49 +28,55 @@ pub struct Latest<'a, F> {
     pub step: &'a F,
     /// α, how far it was followed.
     pub alpha: f32,
-    /// Gradient before the step.
-    pub before: &'a F,
     /// Gradient after the step.
-    pub after: &'a F,
+    pub gradient: &'a F,
+    /// y, how the gradient changed where x moved.
+    pub change: &'a F,
+    /// z = P·y
+    pub image: &'a F,
 }
 
-/// Products of every slot j with the newest pair (s, y) and with the free gradient g: the gradient of the pixels that the
-/// bounds do not hold.
+/// Products of every slot j with the newest s and y, and with the free gradient g: the gradient of the pixels that the bounds do not
+/// hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Products {
     /// s_j·y
     pub s_y: Vec<f64>,
-    /// y_j·y
-    pub y_y: Vec<f64>,
+    /// z_j·y
+    pub z_y: Vec<f64>,
     /// s_j·g
     pub s_g: Vec<f64>,
-    /// y_j·g
-    pub y_g: Vec<f64>,
+    /// z_j·g
+    pub z_g: Vec<f64>,
     /// s·s of the newest pair.
     pub s_s: f64,
+    /// y·y of the newest pair.
+    pub y_y: f64,
 }
 
-/// A direction d = −scale·g + Σ_j (s_j·along_s + y_j·along_y) over the free pixels, g the free gradient.
+/// A direction d = −scale·P·g + Σ_j (s_j·along_s + z_j·along_z) over the free pixels, g the free gradient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
-    /// Factor of the gradient.
+    /// Factor of P·g.
     pub scale: f32,
+    /// Length of the projected gradient step beside which the direction is measured.
+    pub length: f32,
     /// Factors of the s_j, 0 for slots not in use.
     pub along_s: Vec<f32>,
-    /// Factors of the y_j, 0 for slots not in use.
-    pub along_y: Vec<f32>,
+    /// Factors of the z_j, 0 for slots not in use.
+    pub along_z: Vec<f32>,
     /// How much further than d the feasible segment should reach.
     pub stretch: f32,
 }
 
-/// Sums over a direction brought into the bounds, and over the projected gradient step of length `scale` beside it.
+/// Sums over a direction brought into the bounds, and over the projected gradient step of its length beside it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DirectionSums {
     /// g·p of p = P(x + stretch·d) − x
     pub slope: f64,
     /// p·p
     pub square: f64,
-    /// g·r of r = P(x − scale·g) − x
+    /// g·r of r = P(x − length·g) − x
     pub gradient_slope: f64,
     /// r·r
     pub gradient_square: f64,
@@ -83,12 +90,13 @@ pub trait Pairs<F: Field>: Send + Sync + Sized {
     const MAX_MEMORY: usize;
     /// Writes the newest pair into a slot, and takes all products in the same pass.
     fn record(&mut self, slot: usize, latest: &Latest<F>, bounds: &F::Bounds) -> Products;
-    /// out ← P(x + stretch·d) − x
+    /// out ← P(x + stretch·d) − x, here P the projection onto the bounds; `image` is P·g of the free gradient.
     fn direction(
         &self,
         direction: &Direction,
         x: &F,
         gradient: &F,
+        image: &F,
         bounds: &F::Bounds,
         out: &mut F,
     ) -> DirectionSums;
@@ -107,12 +115,12 @@ const MAX_SLOTS: usize = 30;
 /// Groups of sixteen per chunk: what a chunk needs stays in the first cache.
 const CHUNK: usize = 32;
 
-/// Sixteen s and sixteen y, in bf16: one cache line.
+/// Sixteen s and sixteen z, in bf16: one cache line.
 #[derive(Clone, Copy, Debug, Default, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C, align(64))]
 struct Line {
     s: Packed,
-    y: Packed,
+    z: Packed,
 }
 
 /// Sixteen numbers in bf16: word i holds number i in its lower half and number i + 8 in its upper one, so that packing and
@@ -217,36 +225,38 @@ impl Products {
         let zeros = vec![0.0; slots];
         Products {
             s_y: zeros.clone(),
-            y_y: zeros.clone(),
+            z_y: zeros.clone(),
             s_g: zeros.clone(),
-            y_g: zeros,
+            z_g: zeros,
             s_s: 0.0,
+            y_y: 0.0,
         }
     }
 
     fn add(&mut self, other: &Products) {
         for (mine, other) in [
             (&mut self.s_y, &other.s_y),
-            (&mut self.y_y, &other.y_y),
+            (&mut self.z_y, &other.z_y),
             (&mut self.s_g, &other.s_g),
-            (&mut self.y_g, &other.y_g),
+            (&mut self.z_g, &other.z_g),
         ] {
             mine.iter_mut().zip(other).for_each(|(a, b)| *a += b);
         }
         self.s_s += other.s_s;
+        self.y_y += other.y_y;
     }
 
     /// Those of all ranks that have a share of a field.
     fn of_all_ranks(mut self, share: &HostField) -> Self {
-        let mut lists = [&mut self.s_y, &mut self.y_y, &mut self.s_g, &mut self.y_g];
+        let mut lists = [&mut self.s_y, &mut self.z_y, &mut self.s_g, &mut self.z_g];
         let mut sums = lists.each_ref().map(|list| list.as_slice()).concat();
-        sums.push(self.s_s);
+        sums.extend([self.s_s, self.y_y]);
         share.add_up(&mut sums);
         let slots = lists[0].len();
         for (list, sums) in lists.iter_mut().zip(sums.chunks(slots.max(1))) {
             list.copy_from_slice(&sums[..slots]);
         }
-        self.s_s = sums[4 * slots];
+        [self.s_s, self.y_y] = [sums[4 * slots], sums[4 * slots + 1]];
         self
     }
 }
@@ -297,48 +307,45 @@ impl HostPairs {
 struct LatestBlock<'a> {
     x: Groups<'a>,
     step: Groups<'a>,
-    before: Groups<'a>,
-    after: Groups<'a>,
+    gradient: Groups<'a>,
+    change: Groups<'a>,
+    image: Groups<'a>,
     alpha: f32x8,
     bounds: Limits,
 }
 
 /// The newest pair in a group.
 struct Newest {
-    /// Whether any pixel moved.
-    moved: bool,
-    /// y as stored.
+    /// Whether there is anything to store.
+    any: bool,
     y: Group,
     /// The gradient of the free pixels.
     free: Group,
     s_s: f32x8,
+    y_y: f32x8,
 }
 
 impl LatestBlock<'_> {
-    /// Group `at` of the newest pair, written to `line` unless nothing moved.
+    /// Group `at` of the newest pair, written to `line` unless it is nothing but zeros.
     #[inline(always)]
     fn newest(&self, at: usize, line: &mut Line) -> Newest {
-        let (x, after, step) = (self.x.at(at), self.after.at(at), self.step.at(at));
-        let free = x.zip(after, |x, g| without(g, self.bounds.holds(x, g)));
-        // Not equal to 0: −0 is no move either, and a NaN is one
-        let moved = step.map(|v| v.simd_ne(f32x8::ZERO));
-        if !moved.any_bits() {
-            return Newest {
-                moved: false,
-                y: Group::default(),
-                free,
-                s_s: f32x8::ZERO,
-            };
+        let (x, gradient, step) = (self.x.at(at), self.gradient.at(at), self.step.at(at));
+        let free = x.zip(gradient, |x, g| without(g, self.bounds.holds(x, g)));
+        let (y, z) = (self.change.at(at), self.image.at(at));
+        let s = step.map(|v| self.alpha * v);
+        // −0 is stored as 0 would be, and a NaN is not lost
+        let any = s.any_bits() || z.any_bits();
+        if any {
+            line.s = packed(s);
+            line.z = packed(z);
         }
-        let change = after.zip(self.before.at(at), |after, before| after - before);
-        line.s = packed(step.map(|v| self.alpha * v));
-        line.y = packed(change.zip(moved, |change, moved| change & moved));
         let s = unpacked(&line.s);
         Newest {
-            moved: true,
-            y: unpacked(&line.y),
+            any,
+            y,
             free,
-            s_s: s.products(s),
+            s_s: if any { s.products(s) } else { f32x8::ZERO },
+            y_y: y.products(y),
         }
     }
 }
@@ -354,33 +361,35 @@ impl BlockMut<'_> {
             .zip(self.live.chunks_mut(CHUNK));
         for (chunk, (lines, live)) in chunks.enumerate() {
             let mut sums = [[f32x8::ZERO; 4]; MAX_SLOTS];
-            let mut s_s = f32x8::ZERO;
+            let (mut s_s, mut y_y) = (f32x8::ZERO, f32x8::ZERO);
             for g in 0..CHUNK.min(groups - chunk * CHUNK) {
                 let lines = &mut lines[g * slots..][..slots];
                 let newest = fields.newest(chunk * CHUNK + g, &mut lines[slot]);
                 s_s += newest.s_s;
-                live[g] = live[g] & !(1 << slot) | u32::from(newest.moved) << slot;
-                if !newest.moved && !newest.free.any_bits() {
+                y_y += newest.y_y;
+                live[g] = live[g] & !(1 << slot) | u32::from(newest.any) << slot;
+                if !newest.y.any_bits() && !newest.free.any_bits() {
                     continue;
                 }
-                for (slot, (line, [s_y, y_y, s_g, y_g])) in lines.iter().zip(&mut sums).enumerate()
+                for (slot, (line, [s_y, z_y, s_g, z_g])) in lines.iter().zip(&mut sums).enumerate()
                 {
                     if live[g] >> slot & 1 != 0 {
-                        let (s, y) = (unpacked(&line.s), unpacked(&line.y));
+                        let (s, z) = (unpacked(&line.s), unpacked(&line.z));
                         *s_y += s.products(newest.y);
-                        *y_y += y.products(newest.y);
+                        *z_y += z.products(newest.y);
                         *s_g += s.products(newest.free);
-                        *y_g += y.products(newest.free);
+                        *z_g += z.products(newest.free);
                     }
                 }
             }
             products.s_s += total(s_s);
+            products.y_y += total(y_y);
             for (slot, sums) in sums[..slots].iter().enumerate() {
-                let [s_y, y_y, s_g, y_g] = sums.map(total);
+                let [s_y, z_y, s_g, z_g] = sums.map(total);
                 products.s_y[slot] += s_y;
-                products.y_y[slot] += y_y;
+                products.z_y[slot] += z_y;
                 products.s_g[slot] += s_g;
-                products.y_g[slot] += y_g;
+                products.z_g[slot] += z_g;
             }
         }
         products
@@ -391,6 +400,7 @@ impl BlockMut<'_> {
 struct DirectionBlock<'a> {
     x: Groups<'a>,
     gradient: Groups<'a>,
+    image: Groups<'a>,
     bounds: Limits,
 }
 
@@ -411,12 +421,10 @@ impl BlockRef<'_> {
     ) -> DirectionSums {
         let slots = self.slots;
         let mut sums = DirectionSums::default();
-        let (scale, stretch) = (
-            f32x8::splat(-direction.scale),
-            f32x8::splat(direction.stretch),
-        );
+        let [scale, length, stretch] =
+            [-direction.scale, -direction.length, direction.stretch].map(f32x8::splat);
         let splat = |factors: &[f32]| factors.iter().map(|&v| f32x8::splat(v)).collect::<Vec<_>>();
-        let (along_s, along_y) = (splat(&direction.along_s), splat(&direction.along_y));
+        let (along_s, along_z) = (splat(&direction.along_s), splat(&direction.along_z));
         let chunks = self
             .lines
             .chunks(slots * CHUNK)
@@ -436,12 +444,12 @@ impl BlockRef<'_> {
                     out.fill(0.0);
                     continue;
                 }
-                let mut d = gradient.map(|g| scale * g);
-                let projected = fields.projected(x, d);
+                let projected = fields.projected(x, gradient.map(|g| length * g));
+                let mut d = fields.image.at(chunk * CHUNK + g).map(|v| scale * v);
                 for (slot, line) in lines[g * slots..][..slots].iter().enumerate() {
                     if live[g] >> slot & 1 != 0 {
-                        let (a, b) = (along_s[slot], along_y[slot]);
-                        let pair = unpacked(&line.s).zip(unpacked(&line.y), |s, y| a * s + b * y);
+                        let (a, b) = (along_s[slot], along_z[slot]);
+                        let pair = unpacked(&line.s).zip(unpacked(&line.z), |s, z| a * s + b * z);
                         d = d.zip(pair, |d, pair| d + pair);
                     }
                 }
@@ -496,28 +504,33 @@ impl Pairs<HostField> for HostPairs {
             .zip(&bounds.blocks)
             .zip(bounds.split(latest.x.as_slice()))
             .zip(bounds.split(latest.step.as_slice()))
-            .zip(bounds.split(latest.before.as_slice()))
-            .zip(bounds.split(latest.after.as_slice()))
-            .map(|(((((block, bounds), x), step), before), after)| {
-                let (alpha, bounds) = (
-                    f32x8::splat(latest.alpha),
-                    Limits::new(bounds.lower, bounds.upper),
-                );
-                let len = x.len();
-                let [x, step, before, after] = [x, step, before, after].map(Groups::of);
-                block.record(
-                    len,
-                    slot,
-                    &LatestBlock {
-                        x,
-                        step,
-                        before,
-                        after,
-                        alpha,
-                        bounds,
-                    },
-                )
-            })
+            .zip(bounds.split(latest.gradient.as_slice()))
+            .zip(bounds.split(latest.change.as_slice()))
+            .zip(bounds.split(latest.image.as_slice()))
+            .map(
+                |((((((block, bounds), x), step), gradient), change), image)| {
+                    let (alpha, bounds) = (
+                        f32x8::splat(latest.alpha),
+                        Limits::new(bounds.lower, bounds.upper),
+                    );
+                    let len = x.len();
+                    let [x, step, gradient, change, image] =
+                        [x, step, gradient, change, image].map(Groups::of);
+                    block.record(
+                        len,
+                        slot,
+                        &LatestBlock {
+                            x,
+                            step,
+                            gradient,
+                            change,
+                            image,
+                            alpha,
+                            bounds,
+                        },
+                    )
+                },
+            )
             .collect();
         let mut sum = Products::zeros(slots);
         products.iter().for_each(|block| sum.add(block));
@@ -529,6 +542,7 @@ impl Pairs<HostField> for HostPairs {
         direction: &Direction,
         x: &HostField,
         gradient: &HostField,
+        image: &HostField,
         bounds: &Bounds,
         out: &mut HostField,
     ) -> DirectionSums {
@@ -538,15 +552,17 @@ impl Pairs<HostField> for HostPairs {
             .zip(&bounds.blocks)
             .zip(bounds.split(x.as_slice()))
             .zip(bounds.split(gradient.as_slice()))
+            .zip(bounds.split(image.as_slice()))
             .zip(bounds.split_mut(out.as_mut_slice()))
-            .map(|((((block, bounds), x), gradient), out)| {
-                let (x, gradient) = (Groups::of(x), Groups::of(gradient));
+            .map(|(((((block, bounds), x), gradient), image), out)| {
+                let [x, gradient, image] = [x, gradient, image].map(Groups::of);
                 let bounds = Limits::new(bounds.lower, bounds.upper);
                 block.direction(
                     direction,
                     &DirectionBlock {
                         x,
                         gradient,
+                        image,
                         bounds,
                     },
                     out,
@@ -631,8 +647,9 @@ mod tests {
         let pairs = HostPairs::new(1, &bounds);
         let direction = Direction {
             scale: 1.0,
+            length: 1.0,
             along_s: vec![0.0],
-            along_y: vec![0.0],
+            along_z: vec![0.0],
             stretch: 1.0,
         };
         let mut x = HostField::zeros(17);
@@ -640,7 +657,7 @@ mod tests {
         let mut gradient = x.zeros_like();
         gradient.as_mut_slice()[16] = 0.125;
         let mut out = x.zeros_like();
-        let sums = pairs.direction(&direction, &x, &gradient, &bounds, &mut out);
+        let sums = pairs.direction(&direction, &x, &gradient, &gradient, &bounds, &mut out);
         let squares = [sums.square, sums.gradient_square];
         assert_eq!((squares, sums.slope), ([0.125 * 0.125; 2], -0.125 * 0.125));
     }
@@ -653,7 +670,8 @@ mod tests {
         let limits = |i: usize| if i < lens[0] { (0.0, 0.8) } else { (0.1, 0.5) };
         let slots = 3;
         let mut pairs = HostPairs::new(slots, &bounds);
-        let (mut kept_s, mut kept_y) = (
+        let mut y = vec![0.0f64; len];
+        let (mut kept_s, mut kept_z) = (
             vec![vec![0.0f64; len]; slots],
             vec![vec![0.0f64; len]; slots],
         );
@@ -672,23 +690,29 @@ mod tests {
                 }
             }
             let (before, after) = (noise(len, round + 21), noise(len, round + 31));
+            let mut change = x.zeros_like();
+            change.change_where_moved(&step, &before, &after);
+            // Any field may be P·y
+            let image = noise(len, round + 41);
             let slot = round as usize % slots;
             let latest = Latest {
                 x: &x,
                 step: &step,
                 alpha: 0.7,
-                before: &before,
-                after: &after,
+                gradient: &after,
+                change: &change,
+                image: &image,
             };
             products = pairs.record(slot, &latest, &bounds);
             for i in 0..len {
                 let (x, step) = (x.as_slice()[i], step.as_slice()[i]);
                 let (before, after) = (before.as_slice()[i], after.as_slice()[i]);
                 kept_s[slot][i] = f64::from(stored(0.7 * step));
-                kept_y[slot][i] = if step == 0.0 {
+                kept_z[slot][i] = f64::from(stored(image.as_slice()[i]));
+                y[i] = if step == 0.0 {
                     0.0
                 } else {
-                    f64::from(stored(after - before))
+                    f64::from(after - before)
                 };
                 let (lower, upper) = limits(i);
                 free[i] = if is_held(x, after, lower, upper) {
@@ -704,10 +728,10 @@ mod tests {
         let tolerance = 1e-5 * len as f64;
         for j in 0..slots {
             for (found, expected) in [
-                (products.s_y[j], dot(&kept_s[j], &kept_y[newest])),
-                (products.y_y[j], dot(&kept_y[j], &kept_y[newest])),
+                (products.s_y[j], dot(&kept_s[j], &y)),
+                (products.z_y[j], dot(&kept_z[j], &y)),
                 (products.s_g[j], dot(&kept_s[j], &free)),
-                (products.y_g[j], dot(&kept_y[j], &free)),
+                (products.z_g[j], dot(&kept_z[j], &free)),
             ] {
                 assert!(
                     (found - expected).abs() < tolerance,
@@ -716,23 +740,28 @@ mod tests {
             }
         }
         assert!((products.s_s - dot(&kept_s[newest], &kept_s[newest])).abs() < tolerance);
+        assert!((products.y_y - dot(&y, &y)).abs() < tolerance);
 
         let direction = Direction {
             scale: 0.3,
+            length: 0.2,
             along_s: vec![0.5, -0.2, 0.1],
-            along_y: vec![0.05, 0.1, -0.3],
+            along_z: vec![0.05, 0.1, -0.3],
             stretch: 1.5,
         };
         let mut out = x.zeros_like();
-        let sums = pairs.direction(&direction, &x, &gradient, &bounds, &mut out);
-        let mut slope = 0.0;
+        let image = noise(len, 51);
+        let sums = pairs.direction(&direction, &x, &gradient, &image, &bounds, &mut out);
+        let (mut slope, mut gradient_slope) = (0.0, 0.0);
         for i in 0..len {
             let (lower, upper) = limits(i);
             let (x, g) = (x.as_slice()[i], gradient.as_slice()[i]);
-            let mut d = -0.3 * f64::from(g);
+            let mut d = -0.3 * f64::from(image.as_slice()[i]);
+            let short = (x - 0.2 * g).clamp(lower, upper) - x;
+            gradient_slope += f64::from(short) * f64::from(g);
             for j in 0..slots {
                 d += f64::from(direction.along_s[j]) * kept_s[j][i]
-                    + f64::from(direction.along_y[j]) * kept_y[j][i];
+                    + f64::from(direction.along_z[j]) * kept_z[j][i];
             }
             let end =
                 (f64::from(x) + 1.5 * d).clamp(f64::from(lower), f64::from(upper)) - f64::from(x);
@@ -749,6 +778,7 @@ mod tests {
             slope += expected * f64::from(g);
         }
         assert!((sums.slope - slope).abs() < tolerance);
+        assert!((sums.gradient_slope - gradient_slope).abs() < tolerance);
 
         let mut copy = HostPairs::new(slots, &bounds);
         let parts = pairs.parts();
@@ -760,7 +790,7 @@ mod tests {
         copy.restore(&mut read).unwrap();
         let mut again = x.zeros_like();
         assert_eq!(
-            copy.direction(&direction, &x, &gradient, &bounds, &mut again),
+            copy.direction(&direction, &x, &gradient, &image, &bounds, &mut again),
             sums
         );
         assert_eq!(again.as_slice(), out.as_slice());

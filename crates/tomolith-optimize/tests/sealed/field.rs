@@ -4,6 +4,7 @@
 
 use super::bands::SealedBands;
 use super::costs::SealedCosts;
+use super::half_ramp::SealedHalfRamp;
 use super::pairs::SealedPairs;
 use std::ops::Range;
 use tomolith_core::field::{BLOCK, Bounds, Field, Secant, StepSums};
@@ -73,6 +74,11 @@ impl Piece {
         self.begin..self.begin + self.len
     }
 
+    /// Whether the bounds hold an element: it is at one, and a descent would cross it.
+    pub(crate) fn holds(&self, x: f32, gradient: f32) -> bool {
+        (x <= self.lower && gradient >= 0.0) || (x >= self.upper && gradient <= 0.0)
+    }
+
     pub(crate) fn clamp(&self, value: f32) -> f32 {
         if value < self.lower {
             self.lower
@@ -98,6 +104,7 @@ impl Field for SealedField {
     type Pairs = SealedPairs;
     type Bands = SealedBands;
     type Costs = SealedCosts;
+    type HalfRamp = SealedHalfRamp;
 
     fn len(&self) -> usize {
         self.memory.len()
@@ -240,6 +247,25 @@ impl Field for SealedField {
                 self.set(i, piece.clamp(piece.lower + level * width));
             }
         }
+    }
+
+    fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Vec<Piece>) {
+        for piece in bounds {
+            for i in piece.elements() {
+                let g = gradient.at(i);
+                self.set(i, if piece.holds(x.at(i), g) { 0.0 } else { g });
+            }
+        }
+    }
+
+    fn change_where_moved(&mut self, step: &Self, before: &Self, after: &Self) {
+        self.change(|i, _| {
+            if step.at(i) == 0.0 {
+                0.0
+            } else {
+                after.at(i) - before.at(i)
+            }
+        });
     }
 
     fn secant(&self, before: &Self, after: &Self) -> Secant {

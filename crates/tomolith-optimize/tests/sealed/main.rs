@@ -7,6 +7,7 @@
 mod bands;
 mod costs;
 mod field;
+mod half_ramp;
 mod model;
 mod pairs;
 

@@ -13,7 +13,7 @@ const CHUNK: usize = 32 * GROUP;
 /// The memory.
 pub(crate) struct SealedPairs {
     slots: usize,
-    /// `[element][slot]`: s and y, the upper halves of their bits.
+    /// `[element][slot]`: s and z, the upper halves of their bits.
     pairs: Vec<[u16; 2]>,
 }
 
@@ -25,10 +25,6 @@ fn rounded(value: f32) -> u16 {
 
 fn full(half: u16) -> f32 {
     f32::from_bits(u32::from(half) << 16)
-}
-
-fn is_held(piece: &Piece, x: f32, gradient: f32) -> bool {
-    (x <= piece.lower && gradient >= 0.0) || (x >= piece.upper && gradient <= 0.0)
 }
 
 /// Eight running sums of the products of a chunk, and their sum.
@@ -92,68 +88,72 @@ impl Pairs<SealedField> for SealedPairs {
     ) -> Products {
         let slots = self.slots;
         for i in 0..latest.x.len() {
-            let step = latest.step.at(i);
-            let change = latest.after.at(i) - latest.before.at(i);
-            let y = if step == 0.0 { 0.0 } else { change };
-            self.pairs[i * slots + slot] = [rounded(latest.alpha * step), rounded(y)];
+            let (s, z) = (latest.alpha * latest.step.at(i), latest.image.at(i));
+            self.pairs[i * slots + slot] = [rounded(s), rounded(z)];
         }
         let mut products = Products {
             s_y: vec![0.0; slots],
-            y_y: vec![0.0; slots],
+            z_y: vec![0.0; slots],
             s_g: vec![0.0; slots],
-            y_g: vec![0.0; slots],
+            z_g: vec![0.0; slots],
             s_s: 0.0,
+            y_y: 0.0,
         };
         for piece in bounds {
             let mut of_piece = Products {
                 s_s: 0.0,
+                y_y: 0.0,
                 ..products.clone()
             };
             for sums in [
                 &mut of_piece.s_y,
-                &mut of_piece.y_y,
+                &mut of_piece.z_y,
                 &mut of_piece.s_g,
-                &mut of_piece.y_g,
+                &mut of_piece.z_g,
             ] {
                 sums.fill(0.0);
             }
             for chunk in chunks(piece) {
-                let mut s_s = Sums::default();
+                let [mut s_s, mut y_y] = [Sums::default(); 2];
                 let mut sums = vec![[Sums::default(); 4]; slots];
                 for begin in chunk {
                     let free = group(piece, begin, |i| {
-                        let g = latest.after.at(i);
-                        if is_held(piece, latest.x.at(i), g) {
+                        let g = latest.gradient.at(i);
+                        if piece.holds(latest.x.at(i), g) {
                             0.0
                         } else {
                             g
                         }
                     });
-                    let [newest_s, newest_y] = self.pair(piece, begin, slot);
-                    s_s.add(&newest_s, &newest_s);
-                    for (j, [s_y, y_y, s_g, y_g]) in sums.iter_mut().enumerate() {
-                        let [s, y] = self.pair(piece, begin, j);
-                        s_y.add(&s, &newest_y);
-                        y_y.add(&y, &newest_y);
+                    let y = group(piece, begin, |i| latest.change.at(i));
+                    let [newest, _] = self.pair(piece, begin, slot);
+                    s_s.add(&newest, &newest);
+                    y_y.add(&y, &y);
+                    for (j, [s_y, z_y, s_g, z_g]) in sums.iter_mut().enumerate() {
+                        let [s, z] = self.pair(piece, begin, j);
+                        s_y.add(&s, &y);
+                        z_y.add(&z, &y);
                         s_g.add(&s, &free);
-                        y_g.add(&y, &free);
+                        z_g.add(&z, &free);
                     }
                 }
                 of_piece.s_s += s_s.total();
+                of_piece.y_y += y_y.total();
                 for (j, sums) in sums.iter().enumerate() {
-                    let [s_y, y_y, s_g, y_g] = sums.map(|sums| sums.total());
+                    let [s_y, z_y, s_g, z_g] = sums.map(|sums| sums.total());
                     of_piece.s_y[j] += s_y;
-                    of_piece.y_y[j] += y_y;
+                    of_piece.z_y[j] += z_y;
                     of_piece.s_g[j] += s_g;
-                    of_piece.y_g[j] += y_g;
+                    of_piece.z_g[j] += z_g;
                 }
             }
             products.s_s += of_piece.s_s;
+            products.y_y += of_piece.y_y;
             for j in 0..slots {
                 products.s_y[j] += of_piece.s_y[j];
-                products.y_y[j] += of_piece.y_y[j];
+                products.z_y[j] += of_piece.z_y[j];
                 products.s_g[j] += of_piece.s_g[j];
-                products.y_g[j] += of_piece.y_g[j];
+                products.z_g[j] += of_piece.z_g[j];
             }
         }
         products
@@ -164,6 +164,7 @@ impl Pairs<SealedField> for SealedPairs {
         direction: &Direction,
         x: &SealedField,
         gradient: &SealedField,
+        image: &SealedField,
         bounds: &Vec<Piece>,
         out: &mut SealedField,
     ) -> DirectionSums {
@@ -177,18 +178,18 @@ impl Pairs<SealedField> for SealedPairs {
                         group(piece, begin, |i| x.at(i)),
                         group(piece, begin, |i| gradient.at(i)),
                     );
-                    let mut d = g.map(|g| -direction.scale * g);
+                    let mut d = group(piece, begin, |i| image.at(i)).map(|v| -direction.scale * v);
                     let to = |d: &[f32; GROUP]| -> [f32; GROUP] {
                         std::array::from_fn(|i| piece.clamp(x[i] + d[i]) - x[i])
                     };
-                    let projected = to(&d);
+                    let projected = to(&g.map(|g| -direction.length * g));
                     for j in 0..self.slots {
-                        let [s, y] = self.pair(piece, begin, j);
-                        let (a, b) = (direction.along_s[j], direction.along_y[j]);
-                        d = std::array::from_fn(|i| d[i] + (a * s[i] + b * y[i]));
+                        let [s, z] = self.pair(piece, begin, j);
+                        let (a, b) = (direction.along_s[j], direction.along_z[j]);
+                        d = std::array::from_fn(|i| d[i] + (a * s[i] + b * z[i]));
                     }
                     let mut step = to(&d.map(|d| direction.stretch * d));
-                    let held: [bool; GROUP] = std::array::from_fn(|i| is_held(piece, x[i], g[i]));
+                    let held: [bool; GROUP] = std::array::from_fn(|i| piece.holds(x[i], g[i]));
                     for (i, step) in step.iter_mut().enumerate() {
                         *step = if held[i] { 0.0 } else { *step };
                         if begin + i < piece.elements().end {
