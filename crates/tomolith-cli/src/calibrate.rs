@@ -308,6 +308,16 @@ fn response(given: &ResponseArguments) -> Result<()> {
         if found.errors.is_none() {
             answer.warn("the points do not fix every parameter: there are no standard errors");
         }
+        answer.set("measured_rise", fit.measured_rise());
+        if let Some([first, last]) = fit.measured_rise()
+            && (first > PLATEAU || last < 1.0 - PLATEAU)
+        {
+            answer.warn(format!(
+                "the measured doses cover {} to {} of the rise that was fitted: what the response does outside of them is a guess; measure lower and higher doses, until it hardly changes",
+                percent(first),
+                percent(last)
+            ));
+        }
     }
     if let Some(width) = fit.width_10_90() {
         answer.line(
@@ -473,6 +483,9 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
     Ok(())
 }
 
+/// Share of a fitted rise that may lie outside the measured doses at either end.
+const PLATEAU: f64 = 0.15;
+
 /// Misfit of curing times above which a fit says little.
 const POOR_FIT: f64 = 0.25;
 
@@ -487,17 +500,21 @@ fn dose(given: &DoseArguments) -> Result<()> {
     answer.line("fitted", fit.from);
     let critical = with_error(fit.critical_mj_per_cm2, fit.critical_error);
     answer.line("critical dose", format!("{critical} mJ/cm² at the face"));
-    if let Some([liquid, solid]) = fit.bracket {
+    if let Some([low, high]) = fit.bracket {
         answer.line(
             "between",
             format!(
                 "{} and {} mJ/cm²",
-                significant(liquid, 4),
-                significant(solid, 4)
+                significant(low, 4),
+                significant(high, 4)
             ),
         );
-        if liquid > solid {
-            answer.warn("a disc stayed liquid at a dose at which another one cured: the order of the two doses is turned");
+        if fit.contradicts {
+            answer.warn(format!(
+                "a disc cured at {} mJ/cm² and another one stayed liquid at {}: the discs contradict each other, and the critical dose may be anywhere between; look whether the light is even over the canvas, or print again with more discs",
+                significant(low, 4),
+                significant(high, 4)
+            ));
         }
     } else {
         let name = if fit.penetration_mm().is_some() {

@@ -123,6 +123,14 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
     assert!(found["rms"].as_f64().unwrap() <= 0.135, "{found}");
     assert!(found["midpoint"]["error"].as_f64().unwrap() < 0.2);
     assert!(bench.read("fit/response.svg").contains("<circle"));
+    // Nothing but the foot of the rise was measured
+    bench.write(
+        "foot.csv",
+        "0,0.11\n1,0.15\n2,0.21\n3,0.3\n4,0.41\n5,0.55\n",
+    );
+    let found = bench.json("calibrate response foot.csv");
+    let warnings = found["warnings"].to_string();
+    assert!(warnings.contains("the measured doses cover"), "{found}");
     // The table is taken by a job as it stands
     bench.write(
         "job.toml",
@@ -245,6 +253,17 @@ fn discs_are_drawn_and_their_result_is_read() {
             .read("dose/resin.toml")
             .contains("absorption_per_mm = 0.5")
     );
+    // Disc 4 cured, disc 8 did not
+    bench.write(
+        "apart.csv",
+        &fill(&|j, _| format!(",{},,", u8::from(j >= 6 && j != 8 || j == 4))),
+    );
+    let found = bench.json("calibrate dose apart.csv");
+    let dose = |j: i32| 10.0 * 16f64.powf(f64::from(j) / 14.0);
+    near(&found["fit"]["bracket"][0], dose(4), 0.01);
+    near(&found["fit"]["bracket"][1], dose(8), 0.01);
+    let warnings = found["warnings"].to_string();
+    assert!(warnings.contains("contradict each other"), "{found}");
     bench.write(
         "depth.csv",
         &fill(&|_, dose| {

@@ -669,10 +669,10 @@ fn scattered_light_of_cones_is_held_against_random_paths() {
         "{models}"
     );
     let found = &report["published"]["orders"];
-    for place in ["part", "void"] {
-        let error = found[place].as_f64().unwrap();
-        assert!(error > 0.0 && error < 0.02, "{found}");
-    }
+    let errors = ["part", "void"].map(|place| found[place].as_f64().unwrap());
+    assert!(errors.iter().all(|error| *error < 0.02), "{found}");
+    // What the noise of the paths hides is 0, but not everywhere
+    assert!(errors.iter().any(|error| *error > 0.0), "{found}");
 }
 
 #[test]

@@ -224,8 +224,10 @@ pub struct DoseFit {
     pub critical_mj_per_cm2: f64,
     /// Its standard error; for `cured`, None.
     pub critical_error: Option<f64>,
-    /// For `cured`: the two doses between which it lies (the order is turned where discs contradict each other).
+    /// For `cured`: the two doses between which it lies, lower first.
     pub bracket: Option<[f64; 2]>,
+    /// Whether a disc stayed liquid at a dose at which another one cured.
+    pub contradicts: bool,
     /// D_p of `depth_mm`, b of `diameter_mm`; NaN for `cured`, mm.
     pub length_mm: f64,
     /// Its standard error.
@@ -319,7 +321,8 @@ pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
         from: "cured",
         critical_mj_per_cm2: (liquid * solid).sqrt(),
         critical_error: None,
-        bracket: Some([liquid, solid]),
+        bracket: Some([liquid.min(solid), liquid.max(solid)]),
+        contradicts: liquid >= solid,
         length_mm: f64::NAN,
         length_error: None,
         radius_mm: None,
@@ -433,6 +436,7 @@ fn with_errors(
         critical_mj_per_cm2: critical,
         critical_error: errors.as_ref().map(|e| e[1] * critical),
         bracket: None,
+        contradicts: false,
         length_mm,
         length_error: errors.map(|e| e[0]),
         radius_mm,

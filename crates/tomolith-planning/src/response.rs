@@ -140,6 +140,16 @@ impl ResponseFit {
         Some(at(0.9) - at(0.1))
     }
 
+    /// What share of the logistic's rise lies below the lowest and below the highest measured dose; None for a table.
+    #[must_use]
+    pub fn measured_rise(&self) -> Option<[f64; 2]> {
+        let LogisticFit { params: p, .. } = self.logistic.as_ref()?;
+        Some(
+            self.ends(0)
+                .map(|dose| (self.at(dose) - p.lower) / (p.upper - p.lower)),
+        )
+    }
+
     /// The table for a job.
     #[must_use]
     pub fn job_table(&self) -> String {

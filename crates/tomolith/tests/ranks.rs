@@ -146,8 +146,9 @@ fn ranks_make_the_patterns_of_a_process_alone() {
         let expected: Vec<bool> = (0..size).map(|rank| rank == 0).collect();
         assert_eq!(found, expected, "{changes:?}");
         let (patterns, loss) = difference(&alone, &shared);
-        // The default's fourth powers are flat near their minimum: rounding moves patterns there, and not the loss
-        assert!(patterns < 1e-4, "{size} ranks, {changes:?}: {patterns:e}");
+        // The default's fourth powers are flat near their minimum, and what L-BFGS remembers has 8 bits of mantissa: rounding moves patterns
+        // there, and not the loss
+        assert!(patterns < 1e-3, "{size} ranks, {changes:?}: {patterns:e}");
         assert!(loss < 1e-6, "{size} ranks, {changes:?}: {loss:e}");
     }
 }

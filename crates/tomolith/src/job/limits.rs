@@ -408,13 +408,17 @@ impl Found {
             (self.optimized, reach)
         };
         let loss = self.loss(Some(perfect), reached)?;
-        // What other causes of the same print take is not the light's; rows' ends are not seen on the job's own voxels
-        let others = [self.exposure(), self.row_ends().filter(|_| self.saw_finer)];
-        let others: f64 = others.iter().flatten().map(|limit| limit.loss).sum();
-        let loss = if others > 0.0 {
-            (loss - others).max(0.0)
-        } else {
+        // What other causes of the same print take is not the light's. Without finer voxels `reached` is before the patterns are written, on
+        // voxels that do not see rows' ends
+        let of_print =
+            [self.levels(), self.row_ends()].map(|limit| limit.filter(|_| self.saw_finer));
+        let exposure = self.exposure();
+        let others = of_print.iter().chain([&exposure]).flatten();
+        let others: f64 = others.map(|limit| limit.loss).sum();
+        let loss = if others == 0.0 {
             loss
+        } else {
+            (loss - others).max(0.0)
         };
         let Some(Falling { fall, key }) = self.falling.filter(|_| !self.has_few_angles) else {
             let rest = match loss >= WORTH_CHANGING {

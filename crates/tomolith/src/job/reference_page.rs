@@ -2,7 +2,7 @@
 //!
 //! ```
 //! let page = tomolith::job::reference_page::markdown();
-//! assert!(page.contains("| `stop.iterations` | whole number | 55 |"));
+//! assert!(page.contains("| `stop.iterations` | whole number | 40 |"));
 //! ```
 
 use super::kinds::{KindFamily, Parameter, families, parameters, parameters_of};

@@ -113,7 +113,7 @@ pub struct StopSpec {
 impl Default for StopSpec {
     fn default() -> Self {
         StopSpec {
-            iterations: 55,
+            iterations: 40,
             projected_gradient: None,
             change: None,
             gap: None,
