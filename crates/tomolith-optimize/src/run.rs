@@ -16,7 +16,7 @@ use tomolith_core::units::exact;
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Stop {
-    /// Largest number of steps (default 40)
+    /// Largest number of steps (default 45)
     pub iterations: usize,
     /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
     pub projected_gradient: f64,
@@ -39,7 +39,7 @@ pub struct Stop {
 impl Default for Stop {
     fn default() -> Self {
         Stop {
-            iterations: 40,
+            iterations: 45,
             projected_gradient: 0.0,
             change: 0.0,
             gap: 0.0,

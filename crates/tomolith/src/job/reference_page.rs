@@ -2,7 +2,7 @@
 //!
 //! ```
 //! let page = tomolith::job::reference_page::markdown();
-//! assert!(page.contains("| `stop.iterations` | whole number | 40 |"));
+//! assert!(page.contains("| `stop.iterations` | whole number | 45 |"));
 //! ```
 
 use super::kinds::{KindFamily, Parameter, families, parameters, parameters_of};

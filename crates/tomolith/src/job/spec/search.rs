@@ -113,7 +113,7 @@ pub struct StopSpec {
 impl Default for StopSpec {
     fn default() -> Self {
         StopSpec {
-            iterations: 40,
+            iterations: 45,
             projected_gradient: None,
             change: None,
             gap: None,
