@@ -29,11 +29,12 @@
 //! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
 
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Direction, Field, Latest, Pairs, Products};
 use tomolith_core::kind::Kind;
@@ -82,11 +83,24 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
         example: "[optimizer.lbfgs]\nmemory = 6",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Lbfgs::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Lbfgs::new(self.clone())?))
+    }
+
+    fn pairs(&self) -> Option<usize> {
+        Some(self.memory)
+    }
+
+    fn with_pairs(&self, pairs: usize) -> Option<Arc<dyn MakeOptimizer<F>>> {
+        Some(Arc::new(Params {
+            memory: pairs,
+            ..*self
+        }))
     }
 }
 
@@ -424,7 +438,10 @@ mod tests {
             response,
         };
         let row: &Kind<_> = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(&Section::new("objective", json), &input).unwrap()
+        (row.build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap()
     }
 
     fn solve(
@@ -638,6 +655,17 @@ mod tests {
                 panic!("{name} was accepted")
             };
             assert_eq!(key, name);
+        }
+    }
+
+    #[test]
+    fn a_method_that_remembers_pairs_may_be_told_to_remember_fewer() {
+        for row in crate::OPTIMIZERS {
+            let method = (row.build)(&tomolith_core::check::example(row)).unwrap();
+            let fewer = method.with_pairs(3).and_then(|method| method.pairs());
+            let remembers = ["lbfgs", "pm"].contains(&row.name);
+            assert_eq!(method.pairs().is_some(), remembers, "{}", row.name);
+            assert_eq!(fewer, remembers.then_some(3), "{}", row.name);
         }
     }
 }

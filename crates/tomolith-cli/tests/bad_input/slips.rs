@@ -536,6 +536,12 @@ pub(super) const WRONG: &[Wrong] = &[
     ),
     (
         "[stop]",
+        "[start.patterns]\nfile = \"x.npz\"\nbounds_as = { lsqr = { iterations = 0 } }\n[stop]",
+        "bounds_as",
+        &["start.patterns.bounds_as.lsqr.iterations", "1 to 1000"],
+    ),
+    (
+        "[stop]",
         "[optimizer.osmo]\nfilter = \"ramlak\"\n[stop]",
         "filter",
         &["optimizer.osmo.filter", "did you mean `ram_lak`?"],

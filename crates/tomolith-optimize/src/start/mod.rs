@@ -9,6 +9,7 @@ pub mod level;
 pub mod lsqr;
 
 use super::Limits;
+pub use given::Files;
 use rayon::prelude::*;
 use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
 use tomolith_core::error::{Error, Result};
@@ -44,9 +45,17 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     fn is_given(&self) -> bool {
         false
     }
+    /// Whether it asks for the doses with which the material responds as the target wants.
+    fn asks_for_doses(&self) -> bool {
+        !self.is_given()
+    }
+    /// The files that a job begins with, where it begins with files.
+    fn files(&self) -> Option<&Files<F>> {
+        None
+    }
 }
 
-/// Builds a start from its section.
+/// Reads a start from its section.
 pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn InitialPatterns<F>>>;
 
 /// Every start, for patterns in host memory; the first is the default.
