@@ -25,8 +25,8 @@
 //! **Cost** one forward and one adjoint call a step, one forward more at the first. Vector work is one pass over the pairs for
 //! all products, one for their combination, one to move: at most 48 + 8m bytes per pixel, 96 for m = 6 (see [`Pairs`]);
 //! stretches of pixels that the bounds hold cost 36. No vector is ever touched by a recursion. Two cores took 5 ns per free
-//! pixel for all three, 2.2 ns when nine in ten are held. Memory: m + 3 pattern fields beside x
-//! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
+//! pixel for all three, 2.2 ns when nine in ten are held. Memory: 4m + 12 bytes per pixel
+//! beside x (pairs are stored in 16 bits) and two dose fields.
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
@@ -56,14 +56,6 @@ impl Default for Params {
             memory: 6,
             tolerance: 1e-6,
         }
-    }
-}
-
-impl Params {
-    /// Bytes that the method keeps per pixel: pairs, step and two gradients; the patterns themselves are not among them.
-    #[must_use]
-    pub fn bytes_per_pixel(&self) -> usize {
-        4 * self.memory + 3 * 4
     }
 }
 
