@@ -100,7 +100,7 @@ impl Section {
     ///
     /// # Errors
     /// As [`kind`](Self::kind); [`Error::Config`] with the key of a parameter.
-    pub fn read<T>(&self, table: &[Kind<fn(&Section) -> Result<T>>]) -> Result<T> {
+    pub fn read<T>(&self, table: &[Kind<Read<T>>]) -> Result<T> {
         let (kind, inner) = self.kind(table)?;
         (kind.build)(&inner)
     }
@@ -390,6 +390,9 @@ fn in_words(expected: &str) -> String {
     };
     words.to_owned()
 }
+
+/// How a row reads its section.
+pub type Read<T> = fn(&Section) -> Result<T>;
 
 /// A row of a family's table.
 pub struct Kind<B> {
