@@ -32,7 +32,7 @@ use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 use tomolith_core::response::Response;
 use tomolith_core::target::Target;
 pub use voxel_weights::VoxelWeights;
@@ -102,7 +102,7 @@ pub struct ObjectiveInput<'a> {
 
 /// An objective with its parameters, before it knows a target.
 pub trait MakeObjective<F: Field = HostField>: Debug + Send + Sync {
-    /// Refuses parameters out of range; [`read`](BuildObjective) calls it, so that [`make`](Self::make) finds none.
+    /// Refuses parameters out of range, as a row does when it [reads](BuildObjective) them.
     ///
     /// # Errors
     /// [`Error::Config`] with the key of the parameter.
@@ -142,7 +142,7 @@ pub enum Chosen {
 }
 
 /// Reads the parameters of an objective from its section.
-pub type BuildObjective<F = HostField> = fn(&Section) -> Result<Arc<dyn MakeObjective<F>>>;
+pub type BuildObjective<F = HostField> = Read<Arc<dyn MakeObjective<F>>>;
 
 /// The `build` of a row whose parameters are P.
 fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeObjective<F>>>

@@ -45,7 +45,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 
 /// One method of solving a problem.
 ///
@@ -193,7 +193,7 @@ pub trait MakeOptimizer<F: Field = HostField>: Debug + Send + Sync {
 }
 
 /// Reads the parameters of a method from its section.
-pub type BuildOptimizer<F = HostField> = fn(&Section) -> Result<Arc<dyn MakeOptimizer<F>>>;
+pub type BuildOptimizer<F = HostField> = Read<Arc<dyn MakeOptimizer<F>>>;
 
 /// The `build` of a row whose parameters are P; refuses those out of range.
 fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeOptimizer<F>>>

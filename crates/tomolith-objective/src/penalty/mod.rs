@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::{CostKernel, Field, HostField, PatternCost};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 pub use weighted::Penalties;
 
 /// A real-valued function of the patterns. It knows no optics.
@@ -45,7 +45,7 @@ pub trait MakePenalty<F: Field = HostField>: Debug + Send + Sync {
 }
 
 /// Reads the parameters of a penalty from its section.
-pub type BuildPenalty<F = HostField> = fn(&Section) -> Result<Arc<dyn MakePenalty<F>>>;
+pub type BuildPenalty<F = HostField> = Read<Arc<dyn MakePenalty<F>>>;
 
 /// The `build` of a row whose parameters are P; refuses those out of range.
 fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakePenalty<F>>>

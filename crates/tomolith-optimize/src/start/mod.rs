@@ -15,7 +15,7 @@ use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read};
 use tomolith_core::response::Response;
 use tomolith_core::target::{Target, label};
 use tomolith_objective::buffer::near_the_other_kind;
@@ -56,7 +56,7 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
 }
 
 /// Reads a start from its section.
-pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn InitialPatterns<F>>>;
+pub type BuildStart<F = HostField> = Read<Box<dyn InitialPatterns<F>>>;
 
 /// Every start, for patterns in host memory; the first is the default.
 pub static STARTS: &[Kind<BuildStart>] = starts();
@@ -246,6 +246,7 @@ mod tests {
     use super::*;
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::kind::Section;
     use tomolith_core::response::{Identity, Logistic};
 
     /// Mean dose of part and of void.

@@ -1,4 +1,4 @@
-//! The kinds that a job names: built, tried on a few voxels before any work, and refused where they do not go together.
+//! The kinds that a job names: read once, tried on a few voxels before any work, and refused where they do not go together.
 
 use super::in_time;
 use super::scene::at_section;
@@ -254,7 +254,7 @@ impl JobKinds {
     }
 }
 
-/// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
+/// Makes the objective on a few voxels, so that what the job cannot have is refused before heavy work.
 pub(super) fn try_kinds(
     spec: &JobSpec,
     kinds: &JobKinds,
