@@ -7,10 +7,6 @@ use serde_json::Value;
 use std::fs;
 
 impl Bench {
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-
     /// A refusal: one message with all these parts.
     fn refuse(&self, line: &str, parts: &[&str]) {
         let said = self.expect(2, line);

@@ -5,11 +5,13 @@
 //! the picture out of the canvas, turns and mirrors it back by moving pixels, and lays the light down by a plain back
 //! projection. Of the library it uses the decoder of movies, nothing else.
 
+mod bench;
+
+use bench::{Bench, json};
 use serde_json::Value;
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use tomolith::io::movie::read_movie;
 
 const FRAMES: usize = 60;
@@ -43,57 +45,21 @@ refine = 1
 folder = "run"
 "#;
 
-struct Bench {
-    temp: tempfile::TempDir,
+/// A folder with a run.
+fn bench() -> Bench {
+    let bench = Bench::with(&[("job.toml", JOB)]);
+    bench.ended(0, "run job.toml --quiet");
+    bench
 }
 
 impl Bench {
-    /// A folder with a run.
-    fn new() -> Self {
-        let bench = Bench {
-            temp: tempfile::tempdir().unwrap(),
-        };
-        fs::write(bench.path("job.toml"), JOB).unwrap();
-        bench.expect(0, &["run", "job.toml", "--quiet"]);
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    fn expect(&self, code: i32, arguments: &[&str]) -> String {
-        let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
-            .current_dir(self.temp.path())
-            .args(arguments)
-            .output()
-            .unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
-        String::from_utf8_lossy(&output.stdout).into_owned() + &message
-    }
-
     /// Exports the run for a machine into a folder.
     fn export(&self, printer: &str, folder: &str) -> PathBuf {
-        fs::write(self.path("machine.toml"), format!("[printer]\n{printer}")).unwrap();
-        self.expect(
-            0,
-            &[
-                "export",
-                "run",
-                "--printer",
-                "machine.toml",
-                "--output",
-                folder,
-                "--quiet",
-            ],
-        );
+        self.write("machine.toml", &format!("[printer]\n{printer}"));
+        let line = format!("export run --printer machine.toml --output {folder} --quiet");
+        self.ended(0, &line);
         self.path(folder)
     }
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
 /// A gray picture, row 0 on top.
@@ -300,7 +266,7 @@ fn frames(folder: &Path) -> Vec<Picture> {
 
 #[test]
 fn the_movie_alone_makes_the_right_part_on_machines_of_all_flips_and_turns() {
-    let bench = Bench::new();
+    let bench = bench();
     for number in 0..10 {
         // Four turns and both sideways flips are the eight ways a picture can stand; two of them again by upright flips
         let machine = Machine {
@@ -358,7 +324,7 @@ stack = true
 
 #[test]
 fn simulate_takes_back_what_a_machine_does_from_every_file() {
-    let bench = Bench::new();
+    let bench = bench();
     let pixels = |value: &dyn Fn(usize, usize) -> f64| npy(260, 300, value);
     let edge = |row: usize, column: usize| {
         let (x, y) = (column as f64 / 150.0 - 1.0, row as f64 / 130.0 - 1.0);
@@ -373,7 +339,7 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         format!("{JOB}[printer]\n{EVERYTHING}").replace("\"run\"", "\"everything\""),
     )
     .unwrap();
-    bench.expect(0, &["run", "machine.toml", "--quiet", "--overwrite"]);
+    bench.ended(0, "run machine.toml --quiet --overwrite");
     let report = json(&bench.path("everything/report.json"));
     let plain = json(&bench.path("run/report.json"));
     let iou = |report: &Value| report["evaluation"]["iou"].as_f64().unwrap();
@@ -389,17 +355,9 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         ("frames.npz", 0.0),
         ("chiral_10rpm.mp4", 0.01),
     ] {
-        bench.expect(
+        bench.ended(
             0,
-            &[
-                "simulate",
-                "machine.toml",
-                "--quiet",
-                "--patterns",
-                &format!("everything/{file}"),
-                "--output",
-                "again",
-            ],
+            &format!("simulate machine.toml --quiet --patterns everything/{file} --output again"),
         );
         let again = json(&bench.path("again/report.json"));
         assert!(
@@ -436,21 +394,14 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
     // A movie without a machine in the job is of another size, and is refused
     let said = bench.expect(
         2,
-        &[
-            "simulate",
-            "job.toml",
-            "--patterns",
-            "everything/frames",
-            "--output",
-            "no",
-        ],
+        "simulate job.toml --patterns everything/frames --output no",
     );
     assert!(said.contains("expected shape [60, 24, 44]"), "{said}");
 }
 
 #[test]
 fn a_time_bounds_the_pixels() {
-    let bench = Bench::new();
+    let bench = bench();
     let time = |folder: &str| {
         json(&bench.path(folder).join("report.json"))["lights"][0]["budget"]["time_s"]
             .as_f64()
@@ -458,20 +409,12 @@ fn a_time_bounds_the_pixels() {
     };
     let machine = "[printer]\npeak_irradiance_mw_per_cm2 = 50.0\n";
     fs::write(bench.path("timed.toml"), format!("{JOB}{machine}")).unwrap();
-    bench.expect(0, &["run", "timed.toml", "--quiet", "--output", "free"]);
+    bench.ended(0, "run timed.toml --quiet --output free");
     let free = time("free");
     let limit = format!("printer.time_s={}", free * 0.8);
-    bench.expect(
+    bench.ended(
         0,
-        &[
-            "run",
-            "timed.toml",
-            "--quiet",
-            "--output",
-            "bound",
-            "--set",
-            &limit,
-        ],
+        &format!("run timed.toml --quiet --output bound --set {limit}"),
     );
     // The gel dose of the print is not exactly the middle of the window that the bound was made with
     assert!(

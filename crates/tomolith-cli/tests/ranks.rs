@@ -1,9 +1,12 @@
 //! The command under `mpirun`. Needs `--features mpi`, an MPI library, and Linux to find a rank among the processes.
 #![cfg(all(feature = "mpi", target_os = "linux"))]
 
+mod bench;
+
+use bench::Bench;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::read_patterns;
@@ -21,30 +24,13 @@ key = "objective.threshold.lower"
 values = [0.6, 0.7, 0.8]
 "#;
 
-struct Bench {
-    temp: tempfile::TempDir,
+/// None where no launcher is installed: the test is then skipped.
+fn bench() -> Option<Bench> {
+    Command::new("mpirun").arg("--version").output().ok()?;
+    Some(Bench::with(&[("job.toml", JOB), ("sweep.toml", SWEEP)]))
 }
 
 impl Bench {
-    /// None where no launcher is installed: the test is then skipped.
-    fn new() -> Option<Self> {
-        Command::new("mpirun").arg("--version").output().ok()?;
-        let temp = tempfile::tempdir().unwrap();
-        fs::write(temp.path().join("job.toml"), JOB).unwrap();
-        fs::write(temp.path().join("sweep.toml"), SWEEP).unwrap();
-        Some(Bench { temp })
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    fn alone(&self, line: &str) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
-        let command = command.current_dir(self.temp.path());
-        command.args(line.split_whitespace()).output().unwrap()
-    }
-
     /// The command on so many ranks.
     fn on_ranks(&self, count: usize, line: &str) -> Command {
         let mut command = Command::new("mpirun");
@@ -72,10 +58,13 @@ fn raw(folder: &Path) -> Vec<f32> {
 
 #[test]
 fn two_ranks_leave_the_folder_that_a_process_leaves() {
-    let Some(bench) = Bench::new() else { return };
+    let Some(bench) = bench() else { return };
     // L-BFGS widens what other orders of sums begin, a plain gradient does not
     let keys = "--set optimizer.gradient={}";
-    let alone = bench.alone(&format!("run job.toml {keys} --quiet -o alone"));
+    let alone = bench
+        .command(&format!("run job.toml {keys} --quiet -o alone"))
+        .output()
+        .unwrap();
     let line = format!("run job.toml {keys} --json -o shared");
     let shared = bench.on_ranks(2, &line).output().unwrap();
     assert_eq!(
@@ -104,7 +93,7 @@ fn two_ranks_leave_the_folder_that_a_process_leaves() {
 
 #[test]
 fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
-    let Some(bench) = Bench::new() else { return };
+    let Some(bench) = bench() else { return };
     let refused = bench
         .on_ranks(3, "run job.toml --set light.angles=2 -o out")
         .output()
@@ -123,8 +112,11 @@ fn fewer_angles_than_ranks_are_refused_once_and_before_work() {
 
 #[test]
 fn ranks_take_shares_of_a_sweep_and_leave_its_table() {
-    let Some(bench) = Bench::new() else { return };
-    let alone = bench.alone("sweep sweep.toml --quiet -o alone");
+    let Some(bench) = bench() else { return };
+    let alone = bench
+        .command("sweep sweep.toml --quiet -o alone")
+        .output()
+        .unwrap();
     let shared = bench
         .on_ranks(2, "sweep sweep.toml -o shared")
         .output()
@@ -158,7 +150,7 @@ fn process_of(rank: usize, folder: &str) -> Option<String> {
 
 #[test]
 fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
-    let Some(bench) = Bench::new() else { return };
+    let Some(bench) = bench() else { return };
     let folder = bench.path("killed").display().to_string();
     let line = "run job.toml --set stop.iterations=100000 --set checkpoint.every_s=0.05 -o";
     let mut command = bench.on_ranks(2, &format!("{line} {folder}"));
@@ -183,7 +175,10 @@ fn a_rank_that_dies_ends_the_job_and_leaves_a_checkpoint_to_go_on_from() {
     let mut said = String::new();
     std::io::Read::read_to_string(&mut job.stderr.take().unwrap(), &mut said).unwrap();
     assert!(said.contains("rank 1"), "{said}");
-    let resumed = bench.alone("run job.toml --resume -o killed");
+    let resumed = bench
+        .command("run job.toml --resume -o killed")
+        .output()
+        .unwrap();
     let said = text(&resumed.stderr);
     assert_eq!(resumed.status.code(), Some(0), "{said}");
     assert!(said.contains("resuming after iteration"), "{said}");

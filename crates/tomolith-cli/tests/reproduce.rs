@@ -1,9 +1,9 @@
 //! `tomolith reproduce` as it is typed: a study of two runs and a command, done again, and slips in its file.
 
+mod bench;
+
+use bench::Bench;
 use serde_json::Value;
-use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output};
 
 /// A disc of 24 × 24 voxels, 24 frames.
 const JOB: &str = r#"
@@ -84,40 +84,16 @@ of = "map"
 columns = [{ name = "own IoU", metric = "optimization.iou" }]
 "#;
 
-struct Bench(tempfile::TempDir);
-
-impl Bench {
-    fn new(study: &str) -> Self {
-        let bench = Bench(tempfile::tempdir().unwrap());
-        fs::create_dir(bench.path("disc")).unwrap();
-        for (name, text) in [("job", JOB), ("sweep", SWEEP), ("study", study)] {
-            fs::write(bench.path(&format!("disc/{name}.toml")), text).unwrap();
-        }
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn expect(&self, code: i32, line: &str) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
-        command
-            .current_dir(self.0.path())
-            .args(line.split_whitespace());
-        let output = command.output().unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
-        output
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
+fn bench_of(study: &str) -> Bench {
+    Bench::with(&[
+        ("disc/job.toml", JOB),
+        ("disc/sweep.toml", SWEEP),
+        ("disc/study.toml", study),
+    ])
 }
 
-fn events(output: &Output) -> Vec<Value> {
-    let text = String::from_utf8_lossy(&output.stdout);
+fn events(bench: &Bench, line: &str) -> Vec<Value> {
+    let text = bench.stdout(0, line);
     text.lines()
         .map(|line| serde_json::from_str(line).unwrap())
         .collect()
@@ -125,15 +101,15 @@ fn events(output: &Output) -> Vec<Value> {
 
 #[test]
 fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
-    let bench = Bench::new(STUDY);
+    let bench = bench_of(STUDY);
     // What it costs is said without any work
-    let said = events(&bench.expect(0, "reproduce disc --quick --check --json"));
+    let said = events(&bench, "reproduce disc --quick --check --json");
     assert_eq!(
         (said.len(), said[0]["runs"][0]["runs"].as_u64()),
         (1, Some(2))
     );
     assert!(!bench.path("out").exists());
-    let said = events(&bench.expect(0, "reproduce disc --quick --json"));
+    let said = events(&bench, "reproduce disc --quick --json");
     let verdicts: Vec<&str> = said[said.len() - 1]["rows"]
         .as_array()
         .unwrap()
@@ -175,7 +151,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
             .is_file()
     );
     // Again: nothing is run, and the tables are the same
-    let again = events(&bench.expect(0, "reproduce disc --quick --json"));
+    let again = events(&bench, "reproduce disc --quick --json");
     let sweep = again
         .iter()
         .find(|event| event["event"] == "sweep")
@@ -196,21 +172,16 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
 #[test]
 fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() {
     let study = STUDY.replace("differs = \"nobody, \\\"never\\\" measured it\"", "");
-    let bench = Bench::new(&study);
-    let text = String::from_utf8(
-        bench
-            .expect(1, "reproduce disc --quick --quiet --output a")
-            .stdout,
-    )
-    .unwrap();
+    let bench = bench_of(&study);
+    let text = bench.stdout(1, "reproduce disc --quick --quiet --output a");
     assert_eq!(text, "");
     assert!(
         bench
             .read("a/table.md")
             .contains("differs, because the study does not say why")
     );
-    let bench = Bench::new(&STUDY.replace("\"--pixels\", \"100\"", "\"--pixels\", \"0\""));
-    bench.expect(1, "reproduce disc --quick --output a");
+    let bench = bench_of(&STUDY.replace("\"--pixels\", \"100\"", "\"--pixels\", \"0\""));
+    bench.ended(1, "reproduce disc --quick --output a");
     assert!(
         bench.read("a/table.csv").contains("no number,"),
         "{}",
@@ -269,9 +240,8 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             ],
         ),
     ] {
-        let bench = Bench::new(&STUDY.replace(from, to));
-        let message =
-            String::from_utf8(bench.expect(2, "reproduce disc --quick --json").stdout).unwrap();
+        let bench = bench_of(&STUDY.replace(from, to));
+        let message = bench.stdout(2, "reproduce disc --quick --json");
         let error: Value = serde_json::from_str(message.trim()).unwrap();
         let said = format!(
             "{error} {}, line {}",
@@ -283,5 +253,5 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
         }
         assert!(!bench.path("out").exists(), "{to}");
     }
-    Bench::new(STUDY).expect(2, "reproduce nowhere");
+    bench_of(STUDY).ended(2, "reproduce nowhere");
 }

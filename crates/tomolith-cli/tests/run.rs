@@ -1,12 +1,15 @@
 //! Whole runs of the command, on a job that takes a moment.
 
+mod bench;
+
+use bench::{Bench, json};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::iter;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
 const JOB: &str = concat!(
@@ -18,46 +21,8 @@ iterations = 6
 "#
 );
 
-struct Bench {
-    temp: tempfile::TempDir,
-}
-
-impl Bench {
-    fn new() -> Self {
-        let bench = Bench {
-            temp: tempfile::tempdir().unwrap(),
-        };
-        fs::write(bench.path("job.toml"), JOB).unwrap();
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
-    }
-
-    fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
-        command
-            .current_dir(self.temp.path())
-            .args(line.split_whitespace());
-        command
-    }
-
-    fn tomolith(&self, line: &str) -> Output {
-        self.command(line).output().unwrap()
-    }
-
-    /// Runs a command that must end with this exit code; its standard output.
-    fn expect(&self, code: i32, line: &str) -> String {
-        let output = self.tomolith(line);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
-        String::from_utf8_lossy(&output.stdout).into_owned()
-    }
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+fn bench() -> Bench {
+    Bench::with(&[("job.toml", JOB)])
 }
 
 /// Files of a run folder that say when and how fast it was made.
@@ -98,8 +63,8 @@ fn assert_same_bits(folder: &Path, expected: &BTreeMap<String, Vec<u8>>, when: &
 
 #[test]
 fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
-    let bench = Bench::new();
-    let said = bench.expect(0, "run job.toml");
+    let bench = bench();
+    let said = bench.stdout(0, "run job.toml");
     assert!(said.contains("written, turning"), "{said}");
     let run = bench.path("out/job");
     for name in ["job.toml", "history.csv", "report.json", "report.html"] {
@@ -145,7 +110,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     let place = &report["evaluation"]["farthest"];
     assert!(place["at_xyz_mm"][2].is_f64() && place["side"].is_string());
 
-    let said = bench.expect(
+    let said = bench.stdout(
         0,
         "simulate job.toml --patterns out/job/patterns.npz --output again",
     );
@@ -154,7 +119,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "{said}"
     );
     // A run folder stands for its patterns.npz
-    bench.expect(0, "simulate job.toml --patterns out/job --output folder");
+    bench.stdout(0, "simulate job.toml --patterns out/job --output folder");
     assert_eq!(
         json(&bench.path("folder/report.json"))["evaluation"],
         report["evaluation"]
@@ -174,7 +139,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     // The resolved job runs identically, from another folder, and only there
     fs::create_dir(bench.path("elsewhere")).unwrap();
     fs::copy(run.join("job.toml"), bench.path("elsewhere/resolved.toml")).unwrap();
-    bench.expect(
+    bench.stdout(
         0,
         "run elsewhere/resolved.toml --output resolved --threads 1",
     );
@@ -231,11 +196,11 @@ fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
 
 #[test]
 fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
-    let bench = Bench::new();
+    let bench = bench();
     // Steps too long for a low threshold: the loss falls from step 2 to 3, the print is best after the first
     let set = "--set optimizer.cal.learning_rate=0.5 --set optimizer.cal.momentum=0.5 --set optimizer.cal.d_h=0.4";
     let line = "iteration 1 of 6 (best IoU on the job's voxels)";
-    let said = bench.expect(0, &format!("run job.toml {set} --output best"));
+    let said = bench.stdout(0, &format!("run job.toml {set} --output best"));
     assert!(said.contains(line), "{said}");
     let report = json(&bench.path("best/report.json"));
     let kept = |report: &Value| report["history"]["kept"].clone();
@@ -245,7 +210,7 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
     let page = fs::read_to_string(bench.path("best/report.html")).unwrap();
     assert!(page.contains("iteration 1 of 6"));
 
-    let said = bench.expect(
+    let said = bench.stdout(
         0,
         &format!("run job.toml {set} --set stop.keep=last --output last"),
     );
@@ -257,10 +222,10 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
 
 #[test]
 fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
-    let bench = Bench::new();
+    let bench = bench();
     let whole = "--set objective.threshold.surface=voxel";
     let run = |folder: &str, more: &str| {
-        let said = bench.expect(
+        let said = bench.stdout(
             0,
             &format!(
                 "run job.toml --json --set evaluate.bit_depth=1 {whole} {more} --output {folder}"
@@ -281,12 +246,12 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert_eq!(report["optimization"], rounded["optimization"]);
     // The default is to improve, and more bits are rounded
     assert_eq!(run("default", "").1["levels"], *gain);
-    bench.expect(0, "run job.toml --set evaluate.bit_depth=6 --output many");
+    bench.stdout(0, "run job.toml --set evaluate.bit_depth=6 --output many");
     assert!(json(&bench.path("many/report.json"))["levels"].is_null());
 
     let simulate = |folder: &str, machine: &str| {
         let line = format!("simulate job.toml --set evaluate.bit_depth=1 {whole} {machine}");
-        bench.expect(0, &format!("{line} --patterns {folder} --output again"));
+        bench.stdout(0, &format!("{line} --patterns {folder} --output again"));
         let again = json(&bench.path("again/report.json"));
         let report = json(&bench.path(folder).join("report.json"));
         for section in ["evaluation", "lights"] {
@@ -305,11 +270,11 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
 
 #[test]
 fn doses_are_energies_where_the_resin_says_what_it_needs() {
-    let bench = Bench::new();
+    let bench = bench();
     let line = "run job.toml --quiet --set resin.critical_dose_mj_per_mm3=2";
-    bench.expect(0, &format!("{line} --output plain"));
+    bench.stdout(0, &format!("{line} --output plain"));
     let machine = "--set printer.canvas=[48,24] --set printer.peak_irradiance_mw_per_cm2=100";
-    bench.expect(0, &format!("{line} {machine} --output machine"));
+    bench.stdout(0, &format!("{line} {machine} --output machine"));
     for (folder, systems) in [("plain", 2), ("machine", 4)] {
         let report = json(&bench.path(folder).join("report.json"));
         let rows = report["published"]["unit_systems"].as_array().unwrap();
@@ -329,11 +294,11 @@ fn doses_are_energies_where_the_resin_says_what_it_needs() {
 
 #[test]
 fn a_job_in_json_is_the_same_job() {
-    let bench = Bench::new();
+    let bench = bench();
     let table: Value = toml::from_str(JOB).unwrap();
     fs::write(bench.path("j.json"), table.to_string()).unwrap();
-    bench.expect(0, "run job.toml --output a --quiet");
-    bench.expect(0, "run j.json --output b --quiet");
+    bench.stdout(0, "run job.toml --output a --quiet");
+    bench.stdout(0, "run j.json --output b --quiet");
     assert_same_bits(&bench.path("a"), &bits(&bench.path("b")), "JSON");
     // Overrides are the same as changes of the text
     fs::write(
@@ -341,25 +306,25 @@ fn a_job_in_json_is_the_same_job() {
         JOB.replace("iterations = 6", "iterations = 3"),
     )
     .unwrap();
-    bench.expect(0, "run c.toml --output c --quiet");
-    bench.expect(0, "run job.toml --output d --quiet --set stop.iterations=3");
+    bench.stdout(0, "run c.toml --output c --quiet");
+    bench.stdout(0, "run job.toml --output d --quiet --set stop.iterations=3");
     assert_same_bits(&bench.path("c"), &bits(&bench.path("d")), "overrides");
     assert!(bits(&bench.path("c")) != bits(&bench.path("a")));
 }
 
 #[test]
 fn a_quality_that_is_not_met_ends_with_one() {
-    let bench = Bench::new();
-    let said = bench.expect(1, "run job.toml --set evaluate.require_iou=1.0");
+    let bench = bench();
+    let said = bench.stdout(1, "run job.toml --set evaluate.require_iou=1.0");
     assert!(said.contains("NOT met"), "{said}");
     assert!(bench.path("out/job/report.html").exists());
-    bench.expect(0, "run job.toml --overwrite --set evaluate.require_iou=0.5");
+    bench.stdout(0, "run job.toml --overwrite --set evaluate.require_iou=0.5");
 }
 
 #[test]
 fn json_lines_and_silence_are_kept() {
-    let bench = Bench::new();
-    let lines = bench.expect(0, "run job.toml --json");
+    let bench = bench();
+    let lines = bench.stdout(0, "run job.toml --json");
     let events: Vec<Value> = lines
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())
@@ -372,7 +337,7 @@ fn json_lines_and_silence_are_kept() {
         losses.windows(2).all(|pair| pair[1] <= pair[0]),
         "{losses:?}"
     );
-    let output = bench.tomolith("run job.toml --quiet");
+    let output = bench.command("run job.toml --quiet").output().unwrap();
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
 }
 
@@ -442,14 +407,14 @@ fn killed_in(bench: &Bench, line: &str, phase: Phase, random: &mut Random) -> bo
 #[test]
 #[cfg(unix)]
 fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
-    let bench = Bench::new();
+    let bench = bench();
     let job = "run job.toml --json --set stop.iterations=100 --set objective.threshold.upper=1.0 \
                --set objective.threshold.lower=0.99 --set checkpoint.every_s=0.0001";
-    bench.expect(0, &format!("{job} --output whole"));
+    bench.stdout(0, &format!("{job} --output whole"));
     let whole = bits(&bench.path("whole"));
     for threads in [1, 2, 8] {
         let folder = format!("threads{threads}");
-        bench.expect(0, &format!("{job} --output {folder} --threads {threads}"));
+        bench.stdout(0, &format!("{job} --output {folder} --threads {threads}"));
         assert_same_bits(&bench.path(&folder), &whole, &folder);
     }
 
@@ -492,14 +457,14 @@ fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
             assert!(content == whole[&name], "kill {kill} ({phase:?}): {name}");
         }
     }
-    bench.expect(0, &format!("{job} --output killed --resume"));
+    bench.stdout(0, &format!("{job} --output killed --resume"));
     assert_same_bits(&bench.path("killed"), &whole, "after 30 kills");
 }
 
 #[test]
 #[cfg(unix)]
 fn ctrl_c_ends_with_130_and_keeps_the_best() {
-    let bench = Bench::new();
+    let bench = bench();
     // Steps too short to get anywhere
     let line =
         "run job.toml --json --set stop.iterations=1000000 --set optimizer.gradient.step=1e-9";
@@ -526,9 +491,11 @@ fn ctrl_c_ends_with_130_and_keeps_the_best() {
 
 #[test]
 fn a_loss_that_is_no_number_stops_with_the_iteration() {
-    let bench = Bench::new();
-    let output =
-        bench.tomolith("run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6");
+    let bench = bench();
+    let output = bench
+        .command("run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6")
+        .output()
+        .unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("at iteration 0"), "{message}");
@@ -537,7 +504,7 @@ fn a_loss_that_is_no_number_stops_with_the_iteration() {
 
 #[test]
 fn several_lights_and_objectives_go_from_end_to_end() {
-    let bench = Bench::new();
+    let bench = bench();
     let light = JOB[JOB.find("[[light]]").unwrap()..JOB.find("[objective").unwrap()].trim();
     let second = light.replace(
         "angles = 30",
@@ -550,7 +517,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
             "[[objectives]]\nthreshold = {}\n[[objectives]]\nweight = 0.5\nl2 = {}",
         );
     fs::write(bench.path("two.toml"), text).unwrap();
-    bench.expect(0, "run two.toml");
+    bench.stdout(0, "run two.toml");
     let run = bench.path("out/two");
     for name in [
         "frames/a/frame_0029.png",
@@ -560,7 +527,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
     ] {
         assert!(run.join(name).exists(), "{name}");
     }
-    bench.expect(
+    bench.stdout(
         0,
         "simulate two.toml --patterns out/two/patterns.npz --output again",
     );
@@ -569,7 +536,9 @@ fn several_lights_and_objectives_go_from_end_to_end() {
     assert_eq!(again["evaluation"], report["evaluation"]);
     assert_eq!(report["lights"].as_array().unwrap().len(), 2);
     let output = bench
-        .tomolith("simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21");
+        .command("simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21")
+        .output()
+        .unwrap();
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(
@@ -580,7 +549,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
 
 #[test]
 fn no_light_reaches_a_body_that_is_to_stay_dark() {
-    let bench = Bench::new();
+    let bench = bench();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/11-bodies.toml");
     let job = fs::read_to_string(&example).unwrap();
     let meshes = example.parent().unwrap().join("meshes");
@@ -588,7 +557,7 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     fs::write(bench.path("bodies.toml"), job).unwrap();
     let settings = "--quiet --set grid.pitch_mm=0.1 --set stop.iterations=8 --set light[0].angles=60 \
                     --set evaluate.sub_angles=1 --set evaluate.refine=2";
-    bench.expect(
+    bench.stdout(
         0,
         &format!("run bodies.toml {settings} --set output.folder=dark"),
     );
@@ -598,7 +567,7 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
         text.replace("keep-dark", "ignore"),
     )
     .unwrap();
-    bench.expect(
+    bench.stdout(
         0,
         &format!("run plain.toml {settings} --set output.folder=plain"),
     );
@@ -638,7 +607,7 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
 /// The window widens only where no threshold is named, and a resolved job must name none either.
 #[test]
 fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
-    let bench = Bench::new();
+    let bench = bench();
     let job = r#"
         target = { phantom = { cylinder = { size_mm = 1.0, height_mm = 0.8 } } }
         grid = { pitch_mm = 0.1 }
@@ -649,19 +618,19 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
         stop.iterations = 60
         "#;
     fs::write(bench.path("disc.toml"), job).unwrap();
-    let wide = bench.tomolith("run disc.toml -o wide");
+    let wide = bench.command("run disc.toml -o wide").output().unwrap();
     let said = String::from_utf8_lossy(&wide.stdout) + String::from_utf8_lossy(&wide.stderr);
     assert!(said.contains("the thresholds now move 0.05"), "{said}");
-    bench.expect(0, "run wide/job.toml -o again");
+    bench.stdout(0, "run wide/job.toml -o again");
     assert_same_bits(&bench.path("again"), &bits(&bench.path("wide")), "again");
 }
 
 #[test]
 fn scattered_light_of_cones_is_held_against_random_paths() {
-    let bench = Bench::new();
+    let bench = bench();
     let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
     let line = format!("run job.toml -o cone --set resin.scattering_per_mm=0.2 --set {cone}");
-    bench.expect(0, &line);
+    bench.stdout(0, &line);
     let report = json(&bench.path("cone/report.json"));
     let models = report["run"]["models"].to_string();
     assert!(
@@ -677,24 +646,24 @@ fn scattered_light_of_cones_is_held_against_random_paths() {
 
 #[test]
 fn check_tells_the_plan_and_changes_nothing() {
-    let bench = Bench::new();
-    let said = bench.expect(0, "check job.toml");
+    let bench = bench();
+    let said = bench.stdout(0, "check job.toml");
     for part in ["gear", "parallel", "memory", "time", "30 frames"] {
         assert!(said.contains(part), "{part} is not in {said}");
     }
     assert!(!bench.path("out").exists());
-    let plan: Value = serde_json::from_str(&bench.expect(0, "check job.toml --json")).unwrap();
+    let plan: Value = serde_json::from_str(&bench.stdout(0, "check job.toml --json")).unwrap();
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
     // Light of ±1 mm enters a vial of index 1.5 in air: tangent up to 0.67 mm only
-    let said = bench.expect(0, "check job.toml --set light.pixels=[20,24]");
+    let said = bench.stdout(0, "check job.toml --set light.pixels=[20,24]");
     assert!(said.contains("not lit from all sides"), "{said}");
 }
 
 #[test]
 fn kinds_and_schema_name_every_kind() {
-    let bench = Bench::new();
-    let kinds = bench.expect(0, "kinds");
-    let schema: Value = serde_json::from_str(&bench.expect(0, "schema")).unwrap();
+    let bench = bench();
+    let kinds = bench.stdout(0, "kinds");
+    let schema: Value = serde_json::from_str(&bench.stdout(0, "schema")).unwrap();
     let schema = schema.to_string();
     for family in tomolith::job::kinds::families() {
         for page in &family.kinds {
@@ -708,7 +677,7 @@ fn kinds_and_schema_name_every_kind() {
                 "{} is not in the schema",
                 page.name
             );
-            let full = bench.expect(0, &format!("kinds {} {}", family.name, page.name));
+            let full = bench.stdout(0, &format!("kinds {} {}", family.name, page.name));
             for parameter in tomolith::job::kinds::parameters(page) {
                 assert!(
                     full.contains(&parameter.name),
@@ -725,7 +694,7 @@ fn kinds_and_schema_name_every_kind() {
             }
         }
     }
-    let output = bench.tomolith("kinds vail");
+    let output = bench.command("kinds vail").output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean `vial`?"));
 }
@@ -736,8 +705,8 @@ fn every_example_is_sound() {
     let mut seen = 0;
     for entry in fs::read_dir(examples).unwrap().map(|e| e.unwrap().path()) {
         if entry.extension().is_some_and(|e| e == "toml") {
-            let bench = Bench::new();
-            bench.expect(0, &format!("check {} --toy", entry.display()));
+            let bench = bench();
+            bench.stdout(0, &format!("check {} --toy", entry.display()));
             seen += 1;
         }
     }
@@ -747,7 +716,7 @@ fn every_example_is_sound() {
 /// What is wrong without being refused is said while the command runs, and stands in the report.
 #[test]
 fn numbers_that_mean_little_come_with_a_warning() {
-    let bench = Bench::new();
+    let bench = bench();
     for (i, (settings, part)) in [
         (
             "--set light.angles=1",
@@ -785,7 +754,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
     .into_iter()
     .enumerate()
     {
-        let output = bench.tomolith(&format!("run job.toml --output w{i} {settings}"));
+        let output = bench
+            .command(&format!("run job.toml --output w{i} {settings}"))
+            .output()
+            .unwrap();
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{settings}: {message}");
         assert!(message.contains(part), "{settings}: {message}");
@@ -800,7 +772,10 @@ fn numbers_that_mean_little_come_with_a_warning() {
             .any(|text| text.as_str().unwrap().contains(part));
         assert!(told, "{settings}: {warnings:?}");
     }
-    let plain = bench.tomolith("run job.toml --output plain");
+    let plain = bench
+        .command("run job.toml --output plain")
+        .output()
+        .unwrap();
     let message = String::from_utf8_lossy(&plain.stderr);
     for part in [
         "direction",
@@ -817,18 +792,18 @@ fn numbers_that_mean_little_come_with_a_warning() {
 
 #[test]
 fn the_closing_lines_say_on_which_voxels() {
-    let bench = Bench::new();
-    let said = bench.expect(0, "run job.toml --output a --set evaluate.refine=2");
+    let bench = bench();
+    let said = bench.stdout(0, "run job.toml --output a --set evaluate.refine=2");
     assert!(
         said.contains("evaluated on 56 × 56 × 36 voxels of 0.05 mm, 2× finer than the job's"),
         "{said}"
     );
-    let said = bench.expect(0, "run job.toml --output b --set evaluate.refine=1 --toy");
+    let said = bench.stdout(0, "run job.toml --output b --set evaluate.refine=1 --toy");
     assert!(
         said.contains("the job's own (evaluate.refine = 1)"),
         "{said}"
     );
-    let lines = bench.expect(0, "run job.toml --output c --json --toy");
+    let lines = bench.stdout(0, "run job.toml --output c --json --toy");
     let done: Value = serde_json::from_str(lines.lines().last().unwrap()).unwrap();
     assert_eq!(done["refine"], 2);
     let pitch = done["evaluation_pitch_mm"].as_f64().unwrap();
@@ -838,7 +813,7 @@ fn the_closing_lines_say_on_which_voxels() {
 /// The grid lies on the rows of the pixels unless the job says otherwise, and everything that knows its place says the same.
 #[test]
 fn a_grid_that_moves_onto_the_rows_says_so() {
-    let bench = Bench::new();
+    let bench = bench();
     let origin = |folder: &str| {
         let bytes = fs::read(bench.path(folder).join("dose.vti")).unwrap();
         let text = String::from_utf8_lossy(&bytes[..400]).into_owned();
@@ -867,10 +842,13 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
             .split_whitespace()
             .map(|word| format!(" {word}"))
             .collect::<String>();
-        let run = bench.tomolith(&format!("run job.toml --output {folder}{settings}"));
+        let run = bench
+            .command(&format!("run job.toml --output {folder}{settings}"))
+            .output()
+            .unwrap();
         let message = String::from_utf8_lossy(&run.stderr);
         assert_eq!(run.status.code(), Some(0), "{message}");
-        let check = bench.expect(0, &format!("check job.toml{settings}"));
+        let check = bench.stdout(0, &format!("check job.toml{settings}"));
         for said in [&*message, &*check] {
             assert_eq!(said.contains(note), place != 0.0, "{folder}: {said}");
         }

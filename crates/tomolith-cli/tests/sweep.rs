@@ -1,10 +1,12 @@
 //! `tomolith sweep` as it is typed: killed and called again, as a list of commands, and what it says.
 
+mod bench;
+
+use bench::Bench;
 use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 
 /// Runs of some tenths of a second whose checkpoints are always new.
 const JOB: &str = r#"
@@ -27,44 +29,20 @@ key = "objective.ospw.lower"
 linear = { from = 0.3, to = 0.7, step = 0.1 }
 "#;
 
-struct Bench(tempfile::TempDir);
+fn bench() -> Bench {
+    Bench::with(&[("job.toml", JOB), ("sweep.toml", SWEEP)])
+}
 
 impl Bench {
-    fn new() -> Self {
-        let bench = Bench(tempfile::tempdir().unwrap());
-        fs::write(bench.path("job.toml"), JOB).unwrap();
-        fs::write(bench.path("sweep.toml"), SWEEP).unwrap();
-        bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
-        command
-            .current_dir(self.0.path())
-            .args(line.split_whitespace());
-        command
-    }
-
-    fn expect(&self, code: i32, line: &str) -> Output {
-        let output = self.command(line).output().unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
-        output
-    }
-
     fn table(&self, folder: &str) -> String {
-        fs::read_to_string(self.path(folder).join("table.csv")).unwrap()
+        self.read(&format!("{folder}/table.csv"))
     }
 }
 
 #[test]
 fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
-    let bench = Bench::new();
-    bench.expect(0, "sweep sweep.toml --output whole --quiet");
+    let bench = bench();
+    bench.ended(0, "sweep sweep.toml --output whole --quiet");
     let mut child = bench
         .command("sweep sweep.toml --output killed --json --threads 2")
         .stdout(Stdio::piped())
@@ -77,8 +55,7 @@ fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!(!bench.path("killed/table.csv").exists());
-    let output = bench.expect(0, "sweep sweep.toml --output killed --json");
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = bench.stdout(0, "sweep sweep.toml --output killed --json");
     let first: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
     assert!(first["finished"].as_u64().unwrap() >= 1, "{first}");
     assert_eq!(bench.table("killed"), bench.table("whole"));
@@ -86,29 +63,23 @@ fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
 
 #[test]
 fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
-    let bench = Bench::new();
-    bench.expect(0, "sweep sweep.toml --output whole --quiet");
-    let list = String::from_utf8(
-        bench
-            .expect(0, "sweep sweep.toml --output out --list")
-            .stdout,
-    )
-    .unwrap();
+    let bench = bench();
+    bench.ended(0, "sweep sweep.toml --output whole --quiet");
+    let list = bench.stdout(0, "sweep sweep.toml --output out --list");
     assert_eq!(list.lines().count(), 5);
     for line in list.lines() {
-        bench.expect(
+        bench.ended(
             0,
             &format!("{} --quiet", line.strip_prefix("tomolith ").unwrap()),
         );
     }
-    bench.expect(0, "sweep sweep.toml --output out --merge --quiet");
+    bench.ended(0, "sweep sweep.toml --output out --merge --quiet");
     assert_eq!(bench.table("out"), bench.table("whole"));
     // No run has been made in the third share of another folder
-    bench.expect(0, "sweep sweep.toml --output share --shard 1/3 --quiet");
-    let output = bench.expect(0, "sweep sweep.toml --output share --merge");
-    let text = String::from_utf8(output.stdout).unwrap();
+    bench.ended(0, "sweep sweep.toml --output share --shard 1/3 --quiet");
+    let text = bench.stdout(0, "sweep sweep.toml --output share --merge");
     assert!(text.starts_with("1 of 5 runs done, 4 missing"), "{text}");
-    bench.expect(0, "run share/best.toml --quiet --keep metrics");
+    bench.ended(0, "run share/best.toml --quiet --keep metrics");
     assert!(
         bench.path("share/best/report.json").is_file()
             && !bench.path("share/best/dose.npy").exists()
@@ -117,19 +88,19 @@ fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
 
 #[test]
 fn slips_are_refused_with_their_place_and_nothing_is_written() {
-    let bench = Bench::new();
+    let bench = bench();
     fs::write(
         bench.path("bad.toml"),
         SWEEP.replace("ospw.lower", "ospw.lwer"),
     )
     .unwrap();
-    let message = String::from_utf8(bench.expect(2, "sweep bad.toml").stderr).unwrap();
+    let message = String::from_utf8(bench.ended(2, "sweep bad.toml").stderr).unwrap();
     for part in ["axes[0].key", "bad.toml, line 5", "did you mean `lower`?"] {
         assert!(message.contains(part), "{part} is not in: {message}");
     }
-    bench.expect(2, "sweep sweep.toml --shard 4/3");
-    bench.expect(2, "sweep sweep.toml --shard 1/3 --merge");
-    bench.expect(2, "sweep nowhere.toml");
+    bench.ended(2, "sweep sweep.toml --shard 4/3");
+    bench.ended(2, "sweep sweep.toml --shard 1/3 --merge");
+    bench.ended(2, "sweep nowhere.toml");
     assert!(!bench.path("out").exists());
     // No run meets what is asked: exit code 1, and no best job
     fs::write(
@@ -137,7 +108,7 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
         format!("{SWEEP}[best]\nwhere = [\"optimization.pw > 5\"]\n"),
     )
     .unwrap();
-    let text = String::from_utf8(bench.expect(1, "sweep hard.toml --output out").stdout).unwrap();
+    let text = bench.stdout(1, "sweep hard.toml --output out");
     assert!(text.contains("no run meets best.where"), "{text}");
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
 }

@@ -40,6 +40,12 @@ impl Section {
         self
     }
 
+    /// A section within this one, at a key; its paths begin in the same folder.
+    #[must_use]
+    pub fn within(&self, key: &str, value: Value) -> Self {
+        Section::new(format!("{}.{key}", self.path), value).based(&self.base)
+    }
+
     /// Path of a file that the section names.
     #[must_use]
     pub fn file(&self, path: &Path) -> PathBuf {
@@ -88,6 +94,15 @@ impl Section {
         let name = key.rsplit('.').next()?;
         let gives = |line: &&str| line.split('=').next().is_some_and(|key| key.trim() == name);
         self.example.lines().find(gives).map(str::trim)
+    }
+
+    /// Reads what a section names: the object of its kind, or what makes one.
+    ///
+    /// # Errors
+    /// As [`kind`](Self::kind); [`Error::Config`] with the key of a parameter.
+    pub fn read<T>(&self, table: &[Kind<Read<T>>]) -> Result<T> {
+        let (kind, inner) = self.kind(table)?;
+        (kind.build)(&inner)
     }
 
     /// The single kind named in an externally tagged table, and its section: `{cylinder = {…}}` → `("cylinder", {…})`.
@@ -146,7 +161,7 @@ impl Section {
                 place: None,
             }
         })?;
-        let mut inner = Section::new(format!("{}.{name}", self.path), value).based(&self.base);
+        let mut inner = self.within(name, value);
         inner.example = row.example;
         Ok((row, inner))
     }
@@ -376,6 +391,9 @@ fn in_words(expected: &str) -> String {
     words.to_owned()
 }
 
+/// How a row reads its section.
+pub type Read<T> = fn(&Section) -> Result<T>;
+
 /// A row of a family's table.
 pub struct Kind<B> {
     /// Its name in job files.
@@ -386,7 +404,7 @@ pub struct Kind<B> {
     pub example: &'static str,
     /// The JSON schema of its parameters: names, types, defaults and meaning (from the doc comments).
     pub schema: fn() -> schemars::Schema,
-    /// Builds one from its section.
+    /// Reads one from its section: the object, or what makes one where that needs more than parameters.
     pub build: B,
 }
 

@@ -10,7 +10,7 @@
 //! costs a `powf` per voxel outside its band.
 
 use super::preset::{AroundTarget, SurfaceHandling, not_negative, positive};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -74,12 +74,24 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "band-constrained Lp norm: the target plus or minus epsilon",
         example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands().map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeObjective<F> for Params {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(self.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn epsilon(&self) -> Option<f64> {
+        Some(self.epsilon)
     }
 }

@@ -8,8 +8,8 @@
 //! **Parameters** those of [`l1`](super::least::Params). **Limits** not convex through a sigmoid. **Cost** one pass; the
 //! response costs about 2 ns per voxel.
 
-use super::least::Params;
-use super::{BuildObjective, ObjectiveInput};
+use super::least::{Params, ToPower};
+use super::{BuildObjective, read};
 use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
@@ -21,12 +21,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
         example: "[objective.dose_matching]",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, ToPower<1>>,
     }
 }

@@ -10,7 +10,7 @@
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
 use super::preset::{AroundTarget, SurfaceHandling, not_negative};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -42,64 +42,58 @@ impl Default for Params {
 impl Params {
     /// Bands of width 0 with p = q = `power`.
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    pub(super) fn bands(&self, power: f64) -> Result<AroundTarget> {
+    fn bands(&self, power: u8) -> Result<AroundTarget> {
         not_negative("part_weight", self.part_weight)?;
         not_negative("void_weight", self.void_weight)?;
         Ok(AroundTarget {
             half_width: 0.0,
             part_weight: self.part_weight as f32,
             void_weight: self.void_weight as f32,
-            p: power,
-            q: power,
+            p: f64::from(power),
+            q: f64::from(power),
         })
     }
 }
 
-const fn kind<F: Field>(
-    name: &'static str,
-    summary: &'static str,
-    example: &'static str,
-    build: BuildObjective<F>,
-) -> Kind<BuildObjective<F>> {
-    Kind {
-        name,
-        summary,
-        example,
-        schema: || schemars::schema_for!(Params),
-        build,
+/// Bands of width 0 to a power: what each of the rows reads.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(transparent)]
+pub(super) struct ToPower<const POWER: u8>(Params);
+
+impl<F: Field, const POWER: u8> MakeObjective<F> for ToPower<POWER> {
+    fn check(&self) -> Result<()> {
+        self.0.bands(POWER).map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.0.bands(POWER)?.build(self.0.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.0.surface
     }
 }
 
 /// The row of least squares.
 #[must_use]
 pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
-    kind(
-        "l2",
-        "least squares: part to 1, void to 0, or gray values as they are",
-        "[objective.l2]",
-        |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands(2.0).map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
-    )
+    Kind {
+        name: "l2",
+        summary: "least squares: part to 1, void to 0, or gray values as they are",
+        example: "[objective.l2]",
+        schema: || schemars::schema_for!(Params),
+        build: read::<F, ToPower<2>>,
+    }
 }
 
 /// The row of least absolute deviation.
 #[must_use]
 pub const fn l1<F: Field>() -> Kind<BuildObjective<F>> {
-    kind(
-        "l1",
-        "least absolute deviation: part to 1, void to 0, or gray values as they are",
-        "[objective.l1]",
-        |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands(1.0).map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
-    )
+    Kind {
+        name: "l1",
+        summary: "least absolute deviation: part to 1, void to 0, or gray values as they are",
+        example: "[objective.l1]",
+        schema: || schemars::schema_for!(Params),
+        build: read::<F, ToPower<1>>,
+    }
 }

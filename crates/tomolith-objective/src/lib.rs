@@ -21,15 +21,18 @@ pub mod voxel_weights;
 pub mod window;
 
 pub use band::{Band, BandObjective, Bands};
+use preset::SurfaceHandling;
 pub use process_window::FoundWindow;
+use serde::de::DeserializeOwned;
 pub use species::{Join, PerBlock};
+use std::fmt::Debug;
 use std::sync::Arc;
 pub use sum::Sum;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 use tomolith_core::response::Response;
 use tomolith_core::target::Target;
 pub use voxel_weights::VoxelWeights;
@@ -97,14 +100,62 @@ pub struct ObjectiveInput<'a> {
     pub response: Arc<dyn Response>,
 }
 
-/// Builds an objective from its section.
-pub type BuildObjective<F = HostField> = fn(&Section, &ObjectiveInput) -> BoxedObjective<F>;
+/// An objective with its parameters, before it knows a target.
+pub trait MakeObjective<F: Field = HostField>: Debug + Send + Sync {
+    /// Refuses parameters out of range, as a row does when it [reads](BuildObjective) them.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of the parameter.
+    fn check(&self) -> Result<()>;
+    /// The objective for a target.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a target or a surface that it does not know, [`Error::Shape`].
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F>;
+    /// How it weighs voxels that the surface cuts.
+    fn surface(&self) -> SurfaceHandling;
+    /// The largest response that costs nothing in the void, and the smallest in the part; None where it has no such two.
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        None
+    }
+    /// Half the width of the band round each value of the target; None where it has none.
+    fn epsilon(&self) -> Option<f64> {
+        None
+    }
+    /// Whether it looks for the process window itself, which [`Objective::window`] then tells.
+    fn seeks_window(&self) -> bool {
+        false
+    }
+    /// The same with a parameter that the program chooses; None where it has none such, or where the job names it.
+    fn with(&self, _chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
+        None
+    }
+}
+
+/// A parameter that the program chooses where a job leaves it open.
+#[derive(Clone, Copy, Debug)]
+pub enum Chosen {
+    /// The largest response that costs nothing in the void, where the job names neither threshold.
+    Lower(f64),
+    /// The power of deviations.
+    Exponent(f64),
+}
+
+/// Reads the parameters of an objective from its section.
+pub type BuildObjective<F = HostField> = Read<Arc<dyn MakeObjective<F>>>;
+
+/// The `build` of a row whose parameters are P.
+fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeObjective<F>>>
+where
+    P: MakeObjective<F> + DeserializeOwned + 'static,
+{
+    let params: P = section.parse()?;
+    params.check().map_err(|e| e.under(&section.path))?;
+    Ok(Arc::new(params))
+}
 
 /// Every objective, for doses in host memory.
 pub static OBJECTIVES: &[Kind<BuildObjective>] = objectives();
-
-/// Objectives that weigh a voxel by the share that is part unless they are told otherwise.
-pub const OF_FRACTIONS: [&str; 2] = [threshold::NAME, process_window::NAME];
 
 /// Every objective, wherever doses live.
 #[must_use]
@@ -196,7 +247,7 @@ mod tests {
                     let input = input(layout, &labels, &target, response.clone());
                     let mut section = example(row);
                     section.value["surface"] = surface.into();
-                    let objective = (row.build)(&section, &input).unwrap();
+                    let objective = (row.build)(&section).unwrap().make(&input).unwrap();
                     check::objective(&*objective, &some_dose(layout))
                         .unwrap_or_else(|e| panic!("{} ({response:?}, {surface}): {e}", row.name));
                 }
@@ -213,8 +264,10 @@ mod tests {
         for p in [0.5, 1.0, 1.5, 2.0, 3.0, 8.0] {
             for q in [0.5, 1.0, 2.0, 5.0] {
                 let json = serde_json::json!({"p": p, "q": q, "epsilon": 0.1, "part_weight": 2.0, "void_weight": 0.5});
-                let objective =
-                    (row("bclp").build)(&Section::new("objective.bclp", json), &input).unwrap();
+                let objective = (row("bclp").build)(&Section::new("objective.bclp", json))
+                    .unwrap()
+                    .make(&input)
+                    .unwrap();
                 check::objective(&*objective, &dose)
                     .unwrap_or_else(|e| panic!("p = {p}, q = {q}: {e}"));
             }
@@ -232,7 +285,7 @@ mod tests {
         let input = input(model.layout(), &labels, &target, Arc::new(Identity));
         let gray = HostField::from_slice(&model.layout().field_of(&target.inside));
         for row in OBJECTIVES {
-            let built = (row.build)(&example(row), &input);
+            let built = (row.build)(&example(row)).unwrap().make(&input);
             if ["l2", "l1", "dose_matching", "bclp"].contains(&row.name) {
                 let objective = built.unwrap();
                 assert_eq!(objective.value(&gray), 0.0, "{}", row.name);
@@ -261,7 +314,10 @@ mod tests {
         };
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));
-        let objective = (row(kind).build)(&Section::new("objective", json), &input).unwrap();
+        let objective = (row(kind).build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap();
         let dose = HostField::from_slice(&layout.field_of(&Volume {
             grid,
             values: dose.to_vec(),
@@ -435,7 +491,10 @@ mod tests {
         let layout = layout.with_cells(Arc::new(cells));
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));
-        let objective = (row(kind).build)(&Section::new("objective", json), &input).unwrap();
+        let objective = (row(kind).build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap();
         let field = [1, 0].map(|i| doses.iter().map(move |d| d[i]));
         let field: Vec<f32> = field.into_iter().flatten().collect();
         let dose = HostField::from_slice(&field);
@@ -489,7 +548,8 @@ mod tests {
         for (layout, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
             let input = input(layout, &labels, &target, Arc::new(Identity));
             let section = Section::new("objective", serde_json::json!({ "surface": surface }));
-            let Err(Error::Unsupported { what, .. }) = (row("threshold").build)(&section, &input)
+            let Err(Error::Unsupported { what, .. }) =
+                (row("threshold").build)(&section).unwrap().make(&input)
             else {
                 panic!("{surface} was accepted");
             };
@@ -519,7 +579,10 @@ mod tests {
         let zero = HostField::zeros(layout.len());
         let build = |labels: &Volume<u8>| {
             let input = input(&layout, labels, &target, Arc::new(Identity));
-            (row("l2").build)(&Section::new("objective.l2", serde_json::json!({})), &input).unwrap()
+            (row("l2").build)(&Section::new("objective.l2", serde_json::json!({})))
+                .unwrap()
+                .make(&input)
+                .unwrap()
         };
         assert_eq!(build(&labels).value(&zero), 0.0);
         labels.values[5] = label::PART;
@@ -537,9 +600,6 @@ mod tests {
 
     #[test]
     fn parameters_out_of_range_are_named() {
-        let model = SmallModel::new(6, 2, 1);
-        let (target, labels) = model.ring();
-        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
         for (kind, json, key) in [
             (
                 "threshold",
@@ -570,7 +630,7 @@ mod tests {
         ] {
             let path = format!("objective.{kind}");
             let Err(Error::Config { key: found, .. }) =
-                (row(kind).build)(&Section::new(&path, json), &input)
+                (row(kind).build)(&Section::new(&path, json))
             else {
                 panic!("{path}.{key} was accepted")
             };
@@ -599,7 +659,10 @@ mod tests {
         let input = input(&layout, &labels, &target, Arc::new(Identity));
         for (buffer, voxels) in [(0.0, 3.0), (0.5, 2.0), (1.0, 1.0)] {
             let json = serde_json::json!({"d_h": 1.0, "d_l": 0.5, "buffer_mm": buffer});
-            let objective = (row("pm").build)(&Section::new("objective.pm", json), &input).unwrap();
+            let objective = (row("pm").build)(&Section::new("objective.pm", json))
+                .unwrap()
+                .make(&input)
+                .unwrap();
             // Every part voxel that counts lacks 1
             assert_eq!(
                 objective.value(&HostField::zeros(layout.len())),
@@ -614,7 +677,12 @@ mod tests {
         let model = SmallModel::new(18, 2, 21);
         let (target, labels) = model.ring();
         let input = input(model.layout(), &labels, &target, Arc::new(Identity));
-        let build = |name: &str| (row(name).build)(&example(row(name)), &input).unwrap();
+        let build = |name: &str| {
+            (row(name).build)(&example(row(name)))
+                .unwrap()
+                .make(&input)
+                .unwrap()
+        };
         let sum = Sum::new(vec![(0.5, build("threshold")), (2.0, build("l2"))]).unwrap();
         let dose = some_dose(model.layout());
         check::objective(&sum, &dose).unwrap();
@@ -627,7 +695,10 @@ mod tests {
         let model = SmallModel::new(40, 1, 130);
         let (target, labels) = model.ring();
         let input = input(model.layout(), &labels, &target, Arc::new(Identity));
-        let objective = (row("threshold").build)(&example(row("threshold")), &input).unwrap();
+        let objective = (row("threshold").build)(&example(row("threshold")))
+            .unwrap()
+            .make(&input)
+            .unwrap();
         let dose = some_dose(model.layout());
         let losses = [1, 2, 8].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new()

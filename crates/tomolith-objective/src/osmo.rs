@@ -10,7 +10,7 @@
 
 use super::band::Band;
 use super::preset::{PartAndVoid, SurfaceHandling, below, finite};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -62,12 +62,24 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
         example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands().map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeObjective<F> for Params {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(self.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.d_l, self.d_h])
     }
 }

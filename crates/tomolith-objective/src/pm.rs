@@ -15,7 +15,7 @@
 
 use super::band::Band;
 use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -103,18 +103,29 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "penalty minimization: part above d_h, void below d_l, a free buffer at the surface",
         example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            params
-                .bands()
-                .and_then(|bands| {
-                    if params.buffer_mm.0 == 0.0 || input.target.gray {
-                        bands.build(params.surface, input)
-                    } else {
-                        bands.build_with_labels(params.surface, input, &params.eroded(input))
-                    }
-                })
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeObjective<F> for Params {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        let bands = self.bands()?;
+        if self.buffer_mm.0 == 0.0 || input.target.gray {
+            bands.build(self.surface, input)
+        } else {
+            bands.build_with_labels(self.surface, input, &self.eroded(input))
+        }
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.d_l, self.d_h])
     }
 }

@@ -41,7 +41,9 @@
 //! begin where the last ones ended: about two passes of 8 bytes per voxel, with twice the work where there is a bound of the range. Doses on a device are copied to the host.
 
 use super::preset::{Shares, SurfaceHandling};
-use super::{BoxedObjective, BuildObjective, Objective, ObjectiveInput, VoxelWeights};
+use super::{
+    BoxedObjective, BuildObjective, MakeObjective, Objective, ObjectiveInput, VoxelWeights, read,
+};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -135,23 +137,30 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "the widest process window itself, up to a share of outliers, within a bound of the dose range in the part",
         example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            build(params, input).map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Params>,
     }
 }
 
-fn build<F: Field>(params: Params, input: &ObjectiveInput) -> BoxedObjective<F> {
-    params.validate()?;
-    let shares = Shares::new(params.surface, input, input.labels)?;
-    let elements = input.layout.range();
-    Ok(Box::new(ProcessWindow::new(
-        elements,
-        shares,
-        params,
-        input.response.clone(),
-    )?))
+impl<F: Field> MakeObjective<F> for Params {
+    fn check(&self) -> Result<()> {
+        self.validate()
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.validate()?;
+        let shares = Shares::new(self.surface, input, input.labels)?;
+        let (elements, response) = (input.layout.range(), Arc::clone(&input.response));
+        let objective = ProcessWindow::new(elements, shares, self.clone(), response)?;
+        Ok(Box::new(objective))
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn seeks_window(&self) -> bool {
+        true
+    }
 }
 
 /// Thresholds are looked for between neighbors of this distance, in units of the response.

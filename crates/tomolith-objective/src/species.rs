@@ -149,7 +149,7 @@ mod tests {
         };
         let of = |name: &str| {
             let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-            (row.build)(&example(row), &input).unwrap()
+            (row.build)(&example(row)).unwrap().make(&input).unwrap()
         };
         let first = model.layout().clone();
         let second = DoseLayout {

@@ -17,9 +17,10 @@
 
 use super::band::Band;
 use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, Chosen, MakeObjective, ObjectiveInput, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
@@ -110,12 +111,36 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "part between an upper threshold and the ceiling, void below a lower threshold",
         example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            let bands = params.bands().map_err(|e| e.under(&section.path))?;
-            bands
-                .build(params.surface, input)
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeObjective<F> for Params {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(self.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.lower.unwrap_or(LOWER), self.upper.unwrap_or(UPPER)])
+    }
+
+    fn with(&self, chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
+        let mut params = self.clone();
+        let is_named = match chosen {
+            Chosen::Lower(lower) => params.lower.replace(lower).or(self.upper),
+            Chosen::Exponent(exponent) => params.exponent.replace(exponent),
+        };
+        match is_named {
+            None => Some(Arc::new(params)),
+            Some(_) => None,
+        }
     }
 }

@@ -574,7 +574,10 @@ mod tests {
             response: Arc::new(Identity),
         };
         let row = OBJECTIVES.iter().find(|row| row.name == kind).unwrap();
-        (row.build)(&Section::new("objective", json), &input).unwrap()
+        (row.build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap()
     }
 
     #[test]
@@ -736,7 +739,7 @@ mod tests {
         for surface in ["voxel", "fraction"] {
             let kind = OBJECTIVES.iter().find(|row| row.name == "l2").unwrap();
             let section = Section::new("objective.l2", serde_json::json!({"surface": surface}));
-            let mut objective = (kind.build)(&section, &input).unwrap();
+            let mut objective = (kind.build)(&section).unwrap().make(&input).unwrap();
             let text = objective.must_be_reached().unwrap_err().to_string();
             assert!(
                 text.contains("from 1 to 1") && text.contains("0 to 0.8"),
@@ -786,7 +789,7 @@ mod tests {
             for surface in ["voxel", "fraction"] {
                 let mut section = tomolith_core::check::example(row);
                 section.value["surface"] = surface.into();
-                let mut objective = (row.build)(&section, &input).unwrap();
+                let mut objective = (row.build)(&section).unwrap().make(&input).unwrap();
                 if row.name == crate::process_window::NAME {
                     assert!(objective.set_voxel_weights(&voxel_weights).is_err());
                     objective.set_voxel_weights(&without_tolerance).unwrap();

@@ -15,7 +15,7 @@
 
 use super::band::Band;
 use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative};
-use super::{BuildObjective, ObjectiveInput};
+use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -69,16 +69,11 @@ impl Default for WindowParams {
     }
 }
 
-/// Squared distances from bands made of τ_l and τ_u.
-fn squared(
-    lower: f64,
-    upper: f64,
-    bands: impl Fn(f64, f64) -> (Band, Band),
-) -> Result<PartAndVoid> {
+/// Squared distances from the bands of thresholds.
+fn squared(lower: f64, upper: f64, [part, void]: [Band; 2]) -> Result<PartAndVoid> {
     finite("lower", lower)?;
     finite("upper", upper)?;
     below("lower", lower, "upper", upper)?;
-    let (part, void) = bands(lower, upper);
     Ok(PartAndVoid {
         part,
         void,
@@ -87,8 +82,43 @@ fn squared(
     })
 }
 
+/// What the rows of `l2n` and `osp` read.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(transparent)]
+struct Sided<const BOTH: bool>(Params);
+
+impl<const BOTH: bool> Sided<BOTH> {
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<PartAndVoid> {
+        let Params { lower, upper, .. } = self.0;
+        let (l, u) = (lower as f32, upper as f32);
+        let bands = match BOTH {
+            true => [Band::exactly(u), Band::exactly(l)],
+            false => [Band::above(u), Band::below(l)],
+        };
+        squared(lower, upper, bands)
+    }
+}
+
+impl<F: Field, const BOTH: bool> MakeObjective<F> for Sided<BOTH> {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(self.0.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.0.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.0.lower, self.0.upper])
+    }
+}
+
 /// The row of L2N.
-#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 #[must_use]
 pub const fn l2n<F: Field>() -> Kind<BuildObjective<F>> {
     Kind {
@@ -96,19 +126,11 @@ pub const fn l2n<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "L2N: part to the upper threshold, void to the lower one, both sides",
         example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            squared(params.lower, params.upper, |l, u| {
-                (Band::exactly(u as f32), Band::exactly(l as f32))
-            })
-            .and_then(|bands| bands.build(params.surface, input))
-            .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Sided<true>>,
     }
 }
 
 /// The row of OSP.
-#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 #[must_use]
 pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
     Kind {
@@ -116,19 +138,23 @@ pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSP: part above the upper threshold, void below the lower one",
         example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
         schema: || schemars::schema_for!(Params),
-        build: |section, input: &ObjectiveInput| {
-            let params: Params = section.parse()?;
-            squared(params.lower, params.upper, |l, u| {
-                (Band::above(u as f32), Band::below(l as f32))
-            })
-            .and_then(|bands| bands.build(params.surface, input))
-            .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, Sided<false>>,
+    }
+}
+
+impl WindowParams {
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<PartAndVoid> {
+        let WindowParams {
+            lower, upper, w, ..
+        } = *self;
+        not_negative("w", w)?;
+        let part = Band::new(upper as f32, (upper + w) as f32, 1.0);
+        squared(lower, upper, [part, Band::below(lower as f32)])
     }
 }
 
 /// The row of OSPW.
-#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 #[must_use]
 pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
     Kind {
@@ -136,17 +162,24 @@ pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
         example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
         schema: || schemars::schema_for!(WindowParams),
-        build: |section, input: &ObjectiveInput| {
-            let params: WindowParams = section.parse()?;
-            not_negative("w", params.w)
-                .and_then(|()| {
-                    squared(params.lower, params.upper, |l, u| {
-                        let part = Band::new(u as f32, (u + params.w) as f32, 1.0);
-                        (part, Band::below(l as f32))
-                    })
-                })
-                .and_then(|bands| bands.build(params.surface, input))
-                .map_err(|e| e.under(&section.path))
-        },
+        build: read::<F, WindowParams>,
+    }
+}
+
+impl<F: Field> MakeObjective<F> for WindowParams {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(self.surface, input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.lower, self.upper])
     }
 }

@@ -25,8 +25,8 @@
 //! ```
 
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,11 +102,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "Adam within bounds: steps of one length for all pixels, whatever their gradient",
         example: "[optimizer.adam]\nstep = 0.1",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Adam::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Adam::new(self.clone())?))
     }
 }
 

@@ -35,8 +35,8 @@
 
 use super::alternating::AlternatingHalf;
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements, Step,
-    read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, Step, read, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -82,11 +82,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "BCLP's descent as published: a raw step, over- and underdose together or in turn",
         example: "[optimizer.bclp]\nstep = 1.2",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Bclp::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Bclp::new(self.clone())?))
     }
 }
 

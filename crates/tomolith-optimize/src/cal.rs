@@ -29,16 +29,17 @@
 //! use tomolith_core::kind::Section;
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "cal").unwrap();
-//! let build = |value| (row.build)(&Section::new("optimizer.cal", value));
-//! assert!(build(serde_json::json!({"learning_rate": 0.02, "momentum": 0.5})).unwrap().normalizes());
-//! assert!(build(serde_json::json!({"sigmoid": 0.0})).is_err()); // σ would be a jump without a width
+//! let read = |value| (row.build)(&Section::new("optimizer.cal", value));
+//! let cal = read(serde_json::json!({"learning_rate": 0.02, "momentum": 0.5})).unwrap();
+//! assert!(cal.make().unwrap().normalizes());
+//! assert!(read(serde_json::json!({"sigmoid": 0.0})).is_err()); // σ would be a jump without a width
 //! ```
 
 use super::filter::{Filter, target_projection};
 use super::gradient::momentum;
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -119,11 +120,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "CAL as published: steps along the projected error of a sigmoid, doses relative to the largest",
         example: "[optimizer.cal]\nlearning_rate = 0.01\nd_h = 0.8",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Cal::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Cal::new(self.clone())?))
     }
 }
 

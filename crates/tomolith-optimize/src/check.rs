@@ -1,7 +1,7 @@
 //! What every optimizer must do.
 
 use crate::checkpoint::Params;
-use crate::{Checkpoints, Limits, Optimizer, Outcome, Problem, StepReport, Stop, run};
+use crate::{Checkpoints, Limits, MakeOptimizer, Outcome, Problem, StepReport, Stop, run};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,9 +14,6 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
 use tomolith_objective::{BandObjective, Bands};
 
-/// Builds the optimizer under test, anew each time.
-pub type Build<'a> = &'a (dyn Fn() -> Result<Box<dyn Optimizer<HostField>>, Error> + Sync);
-
 /// Checks an optimizer on a small convex problem whose least loss is known to be 0: least squares against the dose of patterns
 /// most of whose pixels are dark, within bounds.
 ///
@@ -28,10 +25,10 @@ pub type Build<'a> = &'a (dyn Fn() -> Result<Box<dyn Optimizer<HostField>>, Erro
 ///
 /// # Errors
 /// What is wrong, in one sentence.
-pub fn optimizer(build: Build) -> Result<(), String> {
-    let normalizes = build().map_err(text)?.normalizes();
+pub fn optimizer(method: &dyn MakeOptimizer) -> Result<(), String> {
+    let normalizes = method.make().map_err(text)?.normalizes();
     let trial = Trial::new(normalizes)?;
-    let whole = trial.run(build, 100, None)?;
+    let whole = trial.run(method, 100, None)?;
     let losses: Vec<f64> = whole.1.history.iter().map(|row| row.loss).collect();
     if !normalizes && whole.1.loss > 1e-3 * losses[0] {
         return Err(format!(
@@ -39,8 +36,8 @@ pub fn optimizer(build: Build) -> Result<(), String> {
             losses[0], whole.1.loss
         ));
     }
-    trial.resumes(build)?;
-    trial.ignores_threads(build)
+    trial.resumes(method)?;
+    trial.ignores_threads(method)
 }
 
 struct Trial {
@@ -88,12 +85,12 @@ impl Trial {
 
     fn run(
         &self,
-        build: Build,
+        method: &dyn MakeOptimizer,
         iterations: usize,
         checkpoints: Option<&mut Checkpoints>,
     ) -> Result<Done, String> {
         let run_flag = Run::new();
-        let mut optimizer = build().map_err(text)?;
+        let mut optimizer = method.make().map_err(text)?;
         let monotone = optimizer.is_monotone();
         let mut problem =
             Problem::new(&self.model, &self.objective, &[LIMITS], &run_flag).map_err(text)?;
@@ -138,13 +135,13 @@ impl Trial {
         wrong.map_or(Ok((x, outcome)), Err)
     }
 
-    fn resumes(&self, build: Build) -> Result<(), String> {
-        let whole = self.run(build, 20, None)?;
+    fn resumes(&self, method: &dyn MakeOptimizer) -> Result<(), String> {
+        let whole = self.run(method, 20, None)?;
         let folder = Folder::new();
         for iterations in [0, 1, 7, 8, 20] {
             let params = Params::default();
             let mut checkpoints = Checkpoints::new(&folder.0, 42, &params).map_err(text)?;
-            let part = self.run(build, iterations, Some(&mut checkpoints))?;
+            let part = self.run(method, iterations, Some(&mut checkpoints))?;
             if iterations == 20 {
                 same("a resumed run", &whole, &part)?;
             }
@@ -152,11 +149,11 @@ impl Trial {
         Ok(())
     }
 
-    fn ignores_threads(&self, build: Build) -> Result<(), String> {
+    fn ignores_threads(&self, method: &dyn MakeOptimizer) -> Result<(), String> {
         let runs = [1, 2, 8].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
             pool.map_err(|e| e.to_string())?
-                .install(|| self.run(build, 12, None))
+                .install(|| self.run(method, 12, None))
         });
         let [one, two, eight] = runs;
         let one = one?;

@@ -31,14 +31,14 @@
 //! use tomolith_core::kind::Section;
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "fista").unwrap();
-//! let fista = (row.build)(&Section::new("optimizer.fista", serde_json::json!({"restart": "none"}))).unwrap();
+//! let fista = (row.build)(&Section::new("optimizer.fista", serde_json::json!({"restart": "none"}))).unwrap().make().unwrap();
 //! assert!(!fista.is_monotone()); // extrapolation overshoots now and then
 //! assert!(fista.requirements().convex.is_some()); // L is a bound only there
 //! ```
 
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -125,11 +125,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "FISTA with restart, step 1/L by power iteration: for linear models and convex objectives",
         example: "[optimizer.fista]\nrestart = \"gradient\"",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Fista::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Fista::new(self.clone())?))
     }
 }
 

@@ -81,7 +81,10 @@ mod tests {
             response,
         };
         let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(&Section::new("objective", json), &input).unwrap()
+        (row.build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap()
     }
 
     fn outcome(

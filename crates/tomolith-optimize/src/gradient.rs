@@ -17,14 +17,14 @@
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "gradient").unwrap();
 //! let fixed = Section::new("optimizer.gradient", serde_json::json!({"step": 0.5, "momentum": 0.9}));
-//! assert!(!(row.build)(&fixed).unwrap().is_monotone()); // a fixed step may raise the loss
+//! assert!(!(row.build)(&fixed).unwrap().make().unwrap().is_monotone()); // a fixed step may raise the loss
 //! let lost = Section::new("optimizer.gradient", serde_json::json!({"momentum": 0.9}));
 //! assert!((row.build)(&lost).is_err()); // an automatic length has no use for momentum
 //! ```
 
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -84,11 +84,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "projected gradient, step length automatic or fixed",
         example: "[optimizer.gradient]",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Gradient::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Gradient::new(self.clone())?))
     }
 }
 

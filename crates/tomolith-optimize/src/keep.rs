@@ -327,7 +327,7 @@ mod tests {
         };
         let row = OBJECTIVES.iter().find(|row| row.name == "osmo").unwrap();
         let section = Section::new("objective", serde_json::json!({}));
-        let objective = (row.build)(&section, &input).unwrap();
+        let objective = (row.build)(&section).unwrap().make(&input).unwrap();
         let input = StartInput {
             model: &model,
             target: &target,

@@ -27,15 +27,16 @@
 //! loss but may stop early. The loss never rises.
 //!
 //! **Cost** one forward and one adjoint call a step, one forward more at the first. Vector work is one pass over the pairs for
-//! all products, one for their combination, one to move, and P twice (see [`Pairs`]). Memory: m + 5 pattern fields beside x
-//! ([`bytes_per_pixel`](Params::bytes_per_pixel); pairs are stored in 16 bits) and two dose fields.
+//! all products, one for their combination, one to move, and P twice (see [`Pairs`]). Memory: 4m + 20 bytes per pixel
+//! beside x (pairs are stored in 16 bits) and two dose fields.
 
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{
@@ -63,15 +64,6 @@ impl Default for Params {
     }
 }
 
-impl Params {
-    /// Bytes that the method keeps per pixel: pairs, step, two gradients, a part of one and its image; the patterns themselves are not
-    /// among them.
-    #[must_use]
-    pub fn bytes_per_pixel(&self) -> usize {
-        4 * self.memory + 5 * 4
-    }
-}
-
 /// How much further than the quasi-Newton step the feasible segment reaches.
 const STRETCH: f32 = 1.5;
 /// A direction must promise at least this part of what the projected gradient step promises.
@@ -88,11 +80,24 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
         example: "[optimizer.lbfgs]\nmemory = 6",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Lbfgs::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Lbfgs::new(self.clone())?))
+    }
+
+    fn pairs(&self) -> Option<usize> {
+        Some(self.memory)
+    }
+
+    fn with_pairs(&self, pairs: usize) -> Option<Arc<dyn MakeOptimizer<F>>> {
+        Some(Arc::new(Params {
+            memory: pairs,
+            ..*self
+        }))
     }
 }
 
@@ -470,7 +475,10 @@ mod tests {
             response,
         };
         let row: &Kind<_> = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(&Section::new("objective", json), &input).unwrap()
+        (row.build)(&Section::new("objective", json))
+            .unwrap()
+            .make(&input)
+            .unwrap()
     }
 
     fn solve(
@@ -684,6 +692,17 @@ mod tests {
                 panic!("{name} was accepted")
             };
             assert_eq!(key, name);
+        }
+    }
+
+    #[test]
+    fn a_method_that_remembers_pairs_may_be_told_to_remember_fewer() {
+        for row in crate::OPTIMIZERS {
+            let method = (row.build)(&tomolith_core::check::example(row)).unwrap();
+            let fewer = method.with_pairs(3).and_then(|method| method.pairs());
+            let remembers = ["lbfgs", "pm"].contains(&row.name);
+            assert_eq!(method.pairs().is_some(), remembers, "{}", row.name);
+            assert_eq!(fewer, remembers.then_some(3), "{}", row.name);
         }
     }
 }

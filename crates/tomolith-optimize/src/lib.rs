@@ -39,10 +39,13 @@ pub use requirements::Requirements;
 pub use run::{
     Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run, run_after,
 };
+use serde::de::DeserializeOwned;
 pub use start::{InitialPatterns, STARTS, StartInput};
+use std::fmt::Debug;
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 
 /// One method of solving a problem.
 ///
@@ -172,8 +175,35 @@ pub fn read_saved_numbers<T: serde::de::DeserializeOwned>(
     })
 }
 
-/// Builds an optimizer from its section.
-pub type BuildOptimizer<F = HostField> = fn(&Section) -> Result<Box<dyn Optimizer<F>>>;
+/// A method with its parameters, of which a run makes an optimizer.
+pub trait MakeOptimizer<F: Field = HostField>: Debug + Send + Sync {
+    /// An optimizer that has not begun.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of a parameter out of range; never for parameters that a row [read](BuildOptimizer).
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>>;
+    /// How many steps it remembers as pairs of fields, where it remembers any.
+    fn pairs(&self) -> Option<usize> {
+        None
+    }
+    /// The same that remembers so many; None where it remembers none.
+    fn with_pairs(&self, _pairs: usize) -> Option<Arc<dyn MakeOptimizer<F>>> {
+        None
+    }
+}
+
+/// Reads the parameters of a method from its section.
+pub type BuildOptimizer<F = HostField> = Read<Arc<dyn MakeOptimizer<F>>>;
+
+/// The `build` of a row whose parameters are P; refuses those out of range.
+fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeOptimizer<F>>>
+where
+    P: MakeOptimizer<F> + DeserializeOwned + 'static,
+{
+    let params: P = section.parse()?;
+    params.make().map_err(|e| e.under(&section.path))?;
+    Ok(Arc::new(params))
+}
 
 /// Every optimizer, for patterns in host memory.
 pub static OPTIMIZERS: &[Kind<BuildOptimizer>] = optimizers();
@@ -203,8 +233,8 @@ mod tests {
     #[test]
     fn every_row_passes_the_check() {
         for row in OPTIMIZERS {
-            check::optimizer(&|| (row.build)(&tomolith_core::check::example(row)))
-                .unwrap_or_else(|e| panic!("{}: {e}", row.name));
+            let method = (row.build)(&tomolith_core::check::example(row)).unwrap();
+            check::optimizer(&*method).unwrap_or_else(|e| panic!("{}: {e}", row.name));
         }
     }
 }

@@ -42,7 +42,7 @@
 //! use tomolith_core::kind::Section;
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "osmo").unwrap();
-//! let osmo = (row.build)(&Section::new("optimizer.osmo", serde_json::json!({"filter": "hamming"}))).unwrap();
+//! let osmo = (row.build)(&Section::new("optimizer.osmo", serde_json::json!({"filter": "hamming"}))).unwrap().make().unwrap();
 //! assert!(osmo.normalizes() && !osmo.is_monotone()); // doses are relative to the largest
 //! assert!(osmo.requirements().linear.is_some()); // projecting a correction is what an adjoint does
 //! ```
@@ -50,8 +50,8 @@
 use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
 use super::{
-    BuildOptimizer, CheckpointReader, Memory, Optimizer, Position, Problem, Requirements,
-    SavedArray, Step, read_saved_field, read_saved_numbers,
+    BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
+    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -116,11 +116,13 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "OSMO as published: corrections in object space, doses relative to the largest (use [objective.osmo])",
         example: "[optimizer.osmo]\nfilter = \"ram_lak\"",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            Ok(Box::new(
-                Osmo::<F>::new(section.parse()?).map_err(|e| e.under(&section.path))?,
-            ))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        Ok(Box::new(Osmo::new(self.clone())?))
     }
 }
 

@@ -26,17 +26,19 @@ fn objective(model: &SmallModel) -> Box<dyn Objective<HostField>> {
         .iter()
         .find(|row| row.name == "threshold")
         .unwrap();
-    (row.build)(&Section::new("objective.threshold", json!({})), &input).unwrap()
+    (row.build)(&Section::new("objective.threshold", json!({})))
+        .unwrap()
+        .make(&input)
+        .unwrap()
 }
 
 fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<HostField> {
     let build = |name: &str, json| {
         let row = PENALTIES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(
-            &Section::new("penalties[0]", json),
-            DoseModel::patterns(model),
-        )
-        .unwrap()
+        (row.build)(&Section::new("penalties[0]", json))
+            .unwrap()
+            .make(DoseModel::patterns(model))
+            .unwrap()
     };
     let sparse = build("sparsity", json!({"exponent": 4.0}));
     let smooth = build("smoothness", json!({"angles": 1.0}));
@@ -125,7 +127,11 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
     let parts = [penalties(&model, 1.0, 0.0), penalties(&model, 0.0, 1.0)];
     for row in OPTIMIZERS {
         let example = tomolith_core::check::example(row);
-        let needs = (row.build)(&example).unwrap().requirements();
+        let needs = (row.build)(&example)
+            .unwrap()
+            .make()
+            .unwrap()
+            .requirements();
         if needs.unpenalized.is_some() {
             let flag = Run::new();
             let problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
@@ -141,7 +147,7 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
                 .unwrap()
                 .with_penalties(penalties(&model, sparsity, smoothness));
             let section = tomolith_core::check::example(row);
-            let mut optimizer = (row.build)(&section).unwrap();
+            let mut optimizer = (row.build)(&section).unwrap().make().unwrap();
             let mut x = patterns(&model);
             let stop = Stop {
                 iterations: 25,

@@ -15,14 +15,17 @@
 //! use tomolith_core::kind::Section;
 //! use tomolith_optimize::OPTIMIZERS;
 //! let row = OPTIMIZERS.iter().find(|row| row.name == "pm").unwrap();
-//! let pm = (row.build)(&Section::new("optimizer.pm", serde_json::json!({}))).unwrap();
+//! let pm = (row.build)(&Section::new("optimizer.pm", serde_json::json!({})))?.make()?;
 //! assert!(pm.is_monotone() && !pm.normalizes()); // it searches, and doses stay absolute
+//! # Ok::<(), tomolith_core::Error>(())
 //! ```
 
-use super::BuildOptimizer;
 use super::lbfgs::{self, Lbfgs};
+use super::{BuildOptimizer, MakeOptimizer, Optimizer, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
 
@@ -51,14 +54,24 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         summary: "penalty minimization as published: quasi-Newton with ten pairs (use [objective.pm])",
         example: "[optimizer.pm]",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            let Params { memory } = section.parse()?;
-            let params = lbfgs::Params {
-                memory,
-                ..lbfgs::Params::default()
-            };
-            let solver = Lbfgs::<F>::new(params).map_err(|e| e.under(&section.path))?;
-            Ok(Box::new(solver.named(NAME)))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakeOptimizer<F> for Params {
+    fn make(&self) -> Result<Box<dyn Optimizer<F>>> {
+        let params = lbfgs::Params {
+            memory: self.memory,
+            ..lbfgs::Params::default()
+        };
+        Ok(Box::new(Lbfgs::new(params)?.named(NAME)))
+    }
+
+    fn pairs(&self) -> Option<usize> {
+        Some(self.memory)
+    }
+
+    fn with_pairs(&self, pairs: usize) -> Option<Arc<dyn MakeOptimizer<F>>> {
+        Some(Arc::new(Params { memory: pairs }))
     }
 }

@@ -10,8 +10,7 @@
 //! // two part voxels of mean 1.5 and one void voxel
 //! let scale = PublishedScale::of(&[1.0, 2.0, 0.5], &[PART, PART, VOID]).unwrap();
 //! assert_eq!((scale.largest, scale.part_mean), (2.0, 1.5));
-//! assert_eq!(scale.at_largest(0.5), 0.25); // a dose of 0.5 where the largest is 1
-//! assert!((scale.at_mean(0.5, 0.9) - 0.3).abs() < 1e-12); // and where the part has a mean of 0.9
+//! assert!((scale.at_mean(0.5, 0.9) - 0.3).abs() < 1e-12); // a dose of 0.5 where the part has a mean of 0.9
 //! ```
 
 use tomolith_core::target::label;
@@ -44,12 +43,6 @@ impl PublishedScale {
             largest,
             part_mean: sum / part as f64,
         })
-    }
-
-    /// A dose or threshold when the largest dose is 1.
-    #[must_use]
-    pub fn at_largest(&self, value: f64) -> f64 {
-        value / self.largest
     }
 
     /// A dose or threshold when the mean dose of the part is `mean`.

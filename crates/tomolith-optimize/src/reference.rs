@@ -162,7 +162,7 @@ impl Case {
         };
         let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
         let section = Section::new(format!("objective.{name}"), json);
-        (row.build)(&section, &input).unwrap()
+        (row.build)(&section).unwrap().make(&input).unwrap()
     }
 
     pub(crate) fn weighed_objective(

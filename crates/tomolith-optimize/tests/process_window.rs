@@ -23,7 +23,10 @@ fn reached(keys: serde_json::Value) -> FoundWindow {
     };
     let row = OBJECTIVES.iter().find(|row| row.name == "process_window");
     let section = Section::new("objective", keys);
-    let objective = (row.unwrap().build)(&section, &input).unwrap();
+    let objective = (row.unwrap().build)(&section)
+        .unwrap()
+        .make(&input)
+        .unwrap();
     let limits = [Limits { min: 0.0, max: 3.0 }];
     let control = Run::new();
     let mut problem = Problem::new(&model, &*objective, &limits, &control).unwrap();

@@ -1,7 +1,6 @@
 //! The best exposure, and how far it may be off: for `report.json`, the page, and the last lines of a run.
 
-use super::html::clock;
-use super::number::{escape, significant, told_apart};
+use super::number::{clock, escape, significant, told_apart};
 use super::{ReportData, species};
 use serde::Serialize;
 use tomolith_core::response::Response;

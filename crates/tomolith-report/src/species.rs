@@ -4,9 +4,8 @@
 //! **Definition** Of all doses, the one at which the lowest IoU of all species is the largest, every network gelling at that dose; of all times of a print in time,
 //! the one at which the lowest Jaccard index is. Between the points of their curves both are taken as linear.
 
-use super::html::clock;
 use super::latitude::Bracket;
-use super::number::{escape, significant, told_apart};
+use super::number::{clock, escape, significant, told_apart};
 use super::time::in_minutes;
 use super::{ReportData, SpeciesReport, latitude};
 use serde::Serialize;

@@ -1,8 +1,7 @@
 //! The print in time: curves, phases, the ideal exposure, and the part as it grows.
 
 use super::growth;
-use super::html::clock;
-use super::number::{escape, significant, told_apart};
+use super::number::{clock, escape, significant, told_apart};
 use super::plot::{Axis, Plot};
 use serde_json::{Value, json};
 use std::fmt::Write as _;

@@ -31,5 +31,5 @@ pub use tomolith_target as target;
 pub mod check {
     pub use tomolith_core::check::*;
     pub use tomolith_objective::check::objective;
-    pub use tomolith_optimize::check::{Build, optimizer};
+    pub use tomolith_optimize::check::optimizer;
 }

@@ -1,10 +1,10 @@
 //! Bad input ends before any heavy work with one clear message, exit code 2, and earlier outputs as they were.
 
+mod combinations;
 mod folders;
 mod slips;
 mod targets;
 
-use slips::WRONG;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -94,7 +94,7 @@ fn tomolith(job: &Path, more: &[&str]) -> Output {
 fn every_slip_is_named_with_key_line_and_what_is_accepted() {
     let bench = Bench::new();
     let before = bench.earlier();
-    for (from, to, mark, parts) in WRONG {
+    for (from, to, mark, parts) in slips::WRONG.iter().chain(combinations::WRONG) {
         assert!(JOB.contains(from), "{from:?} is not in the job");
         let job = JOB.replacen(from, to, 1);
         let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();

@@ -1,4 +1,6 @@
-//! A folder with a small job, in which commands are typed.
+//! A folder in which commands are typed.
+
+#![allow(dead_code, reason = "no test types all of it")]
 
 use serde_json::Value;
 use std::fs;
@@ -24,17 +26,25 @@ projector.collimated = { pixel_pitch_mm = 0.1 }
 iterations = 4
 "#;
 
+/// The folder.
 pub(crate) struct Bench {
     pub(crate) temp: tempfile::TempDir,
 }
 
 impl Bench {
-    /// A folder with the job.
+    /// A folder with the gear's job.
     pub(crate) fn new() -> Self {
+        Self::with(&[("job.toml", JOB)])
+    }
+
+    /// A folder with these files.
+    pub(crate) fn with(files: &[(&str, &str)]) -> Self {
         let bench = Bench {
             temp: tempfile::tempdir().unwrap(),
         };
-        bench.write("job.toml", JOB);
+        for (name, text) in files {
+            bench.write(name, text);
+        }
         bench
     }
 
@@ -42,18 +52,41 @@ impl Bench {
         self.temp.path().join(name)
     }
 
+    /// Writes a file, in folders that it makes.
     pub(crate) fn write(&self, name: &str, content: &(impl AsRef<[u8]> + ?Sized)) {
-        fs::write(self.path(name), content).unwrap();
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, content).unwrap();
     }
 
-    /// A line, typed in the folder with these programs alone on its path; `~` stands for a blank in a word.
+    pub(crate) fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// A line, typed in the folder; `~` stands for a blank in a word.
+    pub(crate) fn command(&self, line: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
+        let words = line.split_whitespace().map(|word| word.replace('~', " "));
+        command.current_dir(self.temp.path()).args(words);
+        command
+    }
+
+    /// A line that must end with this code.
+    pub(crate) fn ended(&self, code: i32, line: &str) -> Output {
+        let output = self.command(line).output().unwrap();
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{line}: {message}");
+        output
+    }
+
+    /// The standard output of a line that must end with this code.
+    pub(crate) fn stdout(&self, code: i32, line: &str) -> String {
+        String::from_utf8(self.ended(code, line).stdout).unwrap()
+    }
+
+    /// A line typed with these programs alone on the path.
     pub(crate) fn output(&self, line: &str, programs: &Path) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_tomolith"))
-            .current_dir(self.temp.path())
-            .env("PATH", programs)
-            .args(line.split(' ').map(|word| word.replace('~', " ")))
-            .output()
-            .unwrap()
+        self.command(line).env("PATH", programs).output().unwrap()
     }
 
     /// What a line said that must end with a code, on a machine without other programs.
@@ -80,4 +113,9 @@ pub(crate) fn said(code: i32, line: &str, output: &Output) -> String {
     }
     let words = said.split_whitespace().filter(|word| *word != "│");
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// A file in JSON.
+pub(crate) fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }

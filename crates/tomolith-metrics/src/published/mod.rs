@@ -27,7 +27,7 @@
 //! | `threshold_otsu`, `jaccard_otsu` | Otsu's threshold ([`otsu`]), and the index there | Kelly 2019, BCLP S.8 |
 //! | `threshold_lowest`, `jaccard_lowest` | lowest dose in the part, which still gels | Rackson 2021, BCLP S.8 |
 //! | `relative_time` | brightest pixel/`threshold_jaccard` | Dr.TVAM 0.9 |
-//! | `bclp_*` | norms of the band error for p → 0, 1, 2, ∞ ([`norms`]) | BCLP S.8 |
+//! | `bclp_*` | norms of the band error for p → 0, 1, 2, ∞ (`norms.rs`) | BCLP S.8 |
 //! | `light_*` | where the light goes ([`budget`]) | – |
 //!
 //! AID: Pellizzon et al., arXiv 2602.12178. BCLP: Li et al., Additive Manufacturing 94 (2024) 104447. Nicolet et al.,
@@ -52,7 +52,7 @@
 //! ```
 
 pub mod budget;
-pub mod norms;
+mod norms;
 mod order;
 pub mod otsu;
 pub mod slices;
@@ -536,8 +536,12 @@ fn band_errors(
     options: &Options<'_>,
 ) {
     let tolerances = [options.epsilon, 0.0];
-    let band = TargetBand::around(target, labels, options.gray, 0.0);
-    let errors = norms::band_errors(dose, &band, tolerances, options.response);
+    let band = TargetBand {
+        target,
+        labels,
+        gray: options.gray,
+    };
+    let errors = norms::band_errors(dose, band, tolerances, options.response);
     for ((suffix, epsilon), errors) in ["", "_eps0"].into_iter().zip(tolerances).zip(errors) {
         for (title, error) in ["", "_part", "_void"].into_iter().zip(errors) {
             let counted = error.voxels > 0;

@@ -1,4 +1,4 @@
-//! The band error in the norms of BCLP, over any region, with any tolerance.
+//! The band error in the norms of BCLP.
 //!
 //! **Equation** over the voxels of a region whose response leaves its band, V = {|M(d) − f_T| > ε},
 //!
@@ -18,58 +18,16 @@ use tomolith_core::grid::Volume;
 use tomolith_core::response::Response;
 use tomolith_core::target::label;
 
-/// Over which voxels a norm is taken: the indicator function w of S.8.
+/// What the response should be in each voxel.
 #[derive(Clone, Copy, Debug)]
-pub enum NormRegion<'a> {
-    /// Part and void.
-    All,
-    /// The part.
-    Part,
-    /// The void.
-    Void,
-    /// Part and void voxels where the mask is true, array order.
-    Mask(&'a [bool]),
+pub(super) struct TargetBand<'a> {
+    pub(super) target: &'a Volume<f32>,
+    pub(super) labels: &'a Volume<u8>,
+    /// Whether it is the target's own values; else 1 in the part and 0 in the void.
+    pub(super) gray: bool,
 }
 
-/// What the response should be: f_T ± ε per voxel.
-#[derive(Clone, Copy, Debug)]
-pub struct TargetBand<'a> {
-    target: &'a Volume<f32>,
-    labels: &'a Volume<u8>,
-    gray: bool,
-    tolerance: Tolerance<'a>,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Tolerance<'a> {
-    Uniform(f64),
-    Field(&'a [f32]),
-}
-
-impl<'a> TargetBand<'a> {
-    /// ± `epsilon` around 1 in the part and 0 in the void, or around the target's own values when it is `gray`.
-    #[must_use]
-    pub fn around(
-        target: &'a Volume<f32>,
-        labels: &'a Volume<u8>,
-        gray: bool,
-        epsilon: f64,
-    ) -> Self {
-        TargetBand {
-            target,
-            labels,
-            gray,
-            tolerance: Tolerance::Uniform(epsilon),
-        }
-    }
-
-    /// The same with a tolerance per voxel, array order.
-    #[must_use]
-    pub fn with_tolerance(mut self, epsilon: &'a [f32]) -> Self {
-        self.tolerance = Tolerance::Field(epsilon);
-        self
-    }
-
+impl TargetBand<'_> {
     fn value(&self, i: usize) -> f64 {
         if self.gray {
             f64::from(self.target.values[i])
@@ -77,28 +35,21 @@ impl<'a> TargetBand<'a> {
             f64::from(u8::from(self.labels.values[i] == label::PART))
         }
     }
-
-    fn epsilon(&self, i: usize) -> f64 {
-        match self.tolerance {
-            Tolerance::Uniform(epsilon) => epsilon,
-            Tolerance::Field(field) => f64::from(field[i]),
-        }
-    }
 }
 
 /// Norms of a band error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BandError {
+pub(super) struct BandError {
     /// Voxels of the region.
-    pub voxels: u64,
+    pub(super) voxels: u64,
     /// Those out of their band: p → 0.
-    pub violated: u64,
+    pub(super) violated: u64,
     /// p = 1
-    pub l1: f64,
+    pub(super) l1: f64,
     /// p = 2
-    pub l2: f64,
+    pub(super) l2: f64,
     /// p → ∞
-    pub largest: f64,
+    pub(super) largest: f64,
 }
 
 impl BandError {
@@ -128,48 +79,10 @@ impl BandError {
     }
 }
 
-/// The band error of a dose over a region. All arrays are of the same voxels.
-///
-/// # Panics
-/// When they have different lengths.
-#[must_use]
-pub fn band_error(
-    dose: &Volume<f32>,
-    band: &TargetBand<'_>,
-    region: NormRegion<'_>,
-    response: &dyn Response,
-) -> BandError {
-    let labels = &band.labels.values;
-    let counts = |i: usize| match region {
-        NormRegion::All => labels[i] == label::PART || labels[i] == label::VOID,
-        NormRegion::Part => labels[i] == label::PART,
-        NormRegion::Void => labels[i] == label::VOID,
-        NormRegion::Mask(mask) => mask[i] && (labels[i] == label::PART || labels[i] == label::VOID),
-    };
-    let blocks: Vec<BandError> = dose
-        .values
-        .par_chunks(BLOCK)
-        .enumerate()
-        .map(|(b, block)| {
-            let mut sum = BandError::default();
-            for (k, &d) in block.iter().enumerate() {
-                let i = b * BLOCK + k;
-                if counts(i) {
-                    let off = (f64::from(response.value(d)) - band.value(i)).abs();
-                    sum.add(off - band.epsilon(i));
-                }
-            }
-            sum
-        })
-        .collect();
-    BandError::joined(blocks.iter())
-}
-
-/// The band errors with two uniform tolerances, `[tolerance][all, part, void]`, in one pass. The band's own tolerance does
-/// not count.
+/// The band errors with two tolerances, `[tolerance][all, part, void]`, in one pass.
 pub(super) fn band_errors(
     dose: &Volume<f32>,
-    band: &TargetBand<'_>,
+    band: TargetBand<'_>,
     tolerances: [f64; 2],
     response: &dyn Response,
 ) -> [[BandError; 3]; 2] {
@@ -302,31 +215,20 @@ mod tests {
         let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
         let target = volume(&[1.0, 1.0, 0.0, 0.0, 1.0]);
         let dose = volume(&[0.5, 1.25, 0.25, 0.0, 9.0]);
-        let band = TargetBand::around(&target, &labels, false, 0.125);
-        let error = band_error(&dose, &band, NormRegion::All, &Identity);
+        let band = TargetBand {
+            target: &target,
+            labels: &labels,
+            gray: false,
+        };
+        let [[error, part, void], [exact, ..]] = band_errors(&dose, band, [0.125, 0.0], &Identity);
         // 0.375, 0.125, 0.125 out of their bands
         assert_eq!((error.voxels, error.violated), (4, 3));
         assert!((error.l1 - 0.625).abs() < 1e-12);
         assert!((error.l2 - (0.375f64.powi(2) + 2.0 * 0.125f64.powi(2)).sqrt()).abs() < 1e-12);
         assert_eq!(error.largest, 0.375);
-        let part = band_error(&dose, &band, NormRegion::Part, &Identity);
-        let void = band_error(&dose, &band, NormRegion::Void, &Identity);
         assert_eq!((part.violated, void.violated), (2, 1));
         assert!((part.l1 + void.l1 - error.l1).abs() < 1e-12);
-        let mask = [false, true, false, true, true];
-        assert_eq!(
-            band_error(&dose, &band, NormRegion::Mask(&mask), &Identity).l1,
-            0.125
-        );
-        // A field of tolerances: only the first voxel is out of its band
-        let field = [0.25f32, 0.25, 0.25, 0.0, 0.0];
-        let error = band_error(
-            &dose,
-            &band.with_tolerance(&field),
-            NormRegion::All,
-            &Identity,
-        );
-        assert_eq!((error.violated, error.l1), (1, 0.25));
+        assert_eq!((exact.violated, exact.l1), (3, 1.0));
     }
 
     #[test]
@@ -335,8 +237,12 @@ mod tests {
         let target = volume(&[0.7, 0.3]);
         let response = Logistic::new(Default::default()).unwrap();
         let dose = volume(&[response.inverse(0.7), 0.5]);
-        let band = TargetBand::around(&target, &labels, true, 0.0);
-        let error = band_error(&dose, &band, NormRegion::All, &response);
+        let band = TargetBand {
+            target: &target,
+            labels: &labels,
+            gray: true,
+        };
+        let [_, [error, ..]] = band_errors(&dose, band, [0.1, 0.0], &response);
         // The first is where it should be, the second responds with 0.5
         assert!(
             (error.l1 - 0.2).abs() < 1e-6 && (error.largest - 0.2).abs() < 1e-6,
@@ -345,23 +251,29 @@ mod tests {
     }
 
     #[test]
-    fn one_pass_finds_what_each_region_and_tolerance_finds_alone() {
+    fn errors_of_many_blocks_are_those_of_their_voxels() {
         let n = 3 * BLOCK / 2;
         let labels: Vec<u8> = (0..n).map(|i| [PART, VOID, OUTSIDE][i % 3]).collect();
         let values: Vec<f32> = (0..n).map(|i| (i * 7919 % 1009) as f32 / 1009.0).collect();
         let (labels, dose) = (volume(&labels), volume(&values));
-        let response = Logistic::new(Default::default()).unwrap();
-        for response in [&Identity as &dyn Response, &response] {
-            let band = TargetBand::around(&dose, &labels, false, 0.0);
-            let found = band_errors(&dose, &band, [0.125, 0.0], response);
-            for (found, epsilon) in found.iter().zip([0.125, 0.0]) {
-                let band = TargetBand::around(&dose, &labels, false, epsilon);
-                let alone = [NormRegion::All, NormRegion::Part, NormRegion::Void]
-                    .map(|region| band_error(&dose, &band, region, response));
-                assert!(alone.iter().all(|e| e.violated > 1000));
-                assert_eq!(*found, alone);
-            }
+        let band = TargetBand {
+            target: &dose,
+            labels: &labels,
+            gray: false,
+        };
+        let of = |wanted: u8, target: f64| {
+            let own = dose.values.iter().zip(&labels.values);
+            let own = own.filter(|(_, label)| **label == wanted);
+            let own = own.map(|(&dose, _)| (f64::from(dose) - target).abs() - 0.125);
+            own.filter(|error| *error > ROUNDING).collect::<Vec<_>>()
+        };
+        let [[all, part, void], _] = band_errors(&dose, band, [0.125, 0.0], &Identity);
+        for (found, expected) in [(part, of(PART, 1.0)), (void, of(VOID, 0.0))] {
+            assert!(expected.len() > 1000);
+            assert_eq!(found.violated, expected.len() as u64);
+            assert!((found.l1 / expected.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         }
+        assert_eq!(all.violated, part.violated + void.violated);
     }
 
     #[test]

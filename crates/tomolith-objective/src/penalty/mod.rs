@@ -9,11 +9,13 @@ pub mod smoothness;
 pub mod sparsity;
 mod weighted;
 
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
 use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::{CostKernel, Field, HostField, PatternCost};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read, Section};
 pub use weighted::Penalties;
 
 /// A real-valued function of the patterns. It knows no optics.
@@ -28,9 +30,32 @@ pub trait PatternPenalty<F: Field>: Send + Sync {
     fn is_convex(&self) -> bool;
 }
 
-/// Builds a penalty from its section, for patterns of these layouts (one per light, one after the other in the field).
-pub type BuildPenalty<F = HostField> =
-    fn(&Section, &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>>;
+/// A penalty with its parameters, before it knows any patterns.
+pub trait MakePenalty<F: Field = HostField>: Debug + Send + Sync {
+    /// The penalty on patterns of these layouts, one per light, one after the other in the field.
+    ///
+    /// # Errors
+    /// [`Error::Config`](tomolith_core::Error::Config) with the key of a parameter out of range; never for parameters that a row
+    /// [read](BuildPenalty).
+    fn make(&self, lights: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>>;
+    /// Whether it compares pixels of different frames.
+    fn joins_frames(&self) -> bool {
+        false
+    }
+}
+
+/// Reads the parameters of a penalty from its section.
+pub type BuildPenalty<F = HostField> = Read<Arc<dyn MakePenalty<F>>>;
+
+/// The `build` of a row whose parameters are P; refuses those out of range.
+fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakePenalty<F>>>
+where
+    P: MakePenalty<F> + DeserializeOwned + 'static,
+{
+    let params: P = section.parse()?;
+    params.make(&[]).map_err(|e| e.under(&section.path))?;
+    Ok(Arc::new(params))
+}
 
 /// Every penalty, for patterns in host memory.
 pub static PENALTIES: &[Kind<BuildPenalty>] = penalties();
@@ -167,7 +192,7 @@ mod tests {
         for row in PENALTIES {
             check_penalty(
                 row.name,
-                &*(row.build)(&example(row), &layouts).unwrap(),
+                &*(row.build)(&example(row)).unwrap().make(&layouts).unwrap(),
                 len,
             );
         }
@@ -178,7 +203,10 @@ mod tests {
             let section = Section::new("penalties[0].smoothness", json.clone());
             check_penalty(
                 &json.to_string(),
-                &*(smoothness::kind().build)(&section, &layouts).unwrap(),
+                &*(smoothness::kind().build)(&section)
+                    .unwrap()
+                    .make(&layouts)
+                    .unwrap(),
                 len,
             );
         }
@@ -189,7 +217,10 @@ mod tests {
             );
             check_penalty(
                 &format!("power {exponent}"),
-                &*(sparsity::kind().build)(&section, &layouts).unwrap(),
+                &*(sparsity::kind().build)(&section)
+                    .unwrap()
+                    .make(&layouts)
+                    .unwrap(),
                 len,
             );
         }
@@ -209,7 +240,7 @@ mod tests {
         ] {
             let row = PENALTIES.iter().find(|row| row.name == kind).unwrap();
             let section = Section::new(format!("penalties[0].{kind}"), json);
-            let Err(Error::Config { key: found, .. }) = (row.build)(&section, &layouts()) else {
+            let Err(Error::Config { key: found, .. }) = (row.build)(&section) else {
                 panic!("{kind}.{key} was accepted")
             };
             assert_eq!(found, format!("penalties[0].{kind}.{key}"));

@@ -14,7 +14,7 @@
 //! **Source** Tikhonov's H¹ penalty; the rounded total variation is Charbonnier et al., IEEE Trans. Image Process. 6
 //! (1997) 298. **Parameters** see [`Params`]. **Cost** one pass over the patterns, three neighbors a pixel.
 
-use super::{BuildPenalty, CostPenalty};
+use super::{BuildPenalty, CostPenalty, MakePenalty, PatternPenalty, read};
 use crate::preset::{not_negative, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -146,18 +146,23 @@ pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
         summary: "differences between neighboring pixels and frames: squared, or a smoothed total variation",
         example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
         schema: || schemars::schema_for!(Params),
-        build: |section, lights| {
-            let params: Params = section.parse()?;
-            let penalty = smoothness::<F>(&params, lights).map_err(|e| e.under(&section.path))?;
-            Ok(Box::new(penalty))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakePenalty<F> for Params {
+    fn make(&self, lights: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>> {
+        Ok(Box::new(smoothness(self, lights)?))
+    }
+
+    fn joins_frames(&self) -> bool {
+        self.angles > 0.0
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::penalty::PatternPenalty;
     use tomolith_core::dose::Quantity;
     use tomolith_core::field::HostField;
     use tomolith_core::grid::PatternGrid;

@@ -19,10 +19,11 @@
 //! assert_eq!((value, gradient.as_slice()), (1.25, &[1.0, 0.0, 2.0][..])); // 0.25 + 1; slopes 2·x
 //! ```
 
-use super::{BuildPenalty, CostPenalty};
+use super::{BuildPenalty, CostPenalty, MakePenalty, PatternPenalty, read};
 use crate::preset::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, PatternCost};
 use tomolith_core::kind::Kind;
@@ -58,18 +59,19 @@ pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
         summary: "sum of |x| to a power: penalizes bright pixels",
         example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
         schema: || schemars::schema_for!(Params),
-        build: |section, _| {
-            let params: Params = section.parse()?;
-            let penalty = sparsity::<F>(params.exponent).map_err(|e| e.under(&section.path))?;
-            Ok(Box::new(penalty))
-        },
+        build: read::<F, Params>,
+    }
+}
+
+impl<F: Field> MakePenalty<F> for Params {
+    fn make(&self, _: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>> {
+        Ok(Box::new(sparsity(self.exponent)?))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::penalty::PatternPenalty;
     use tomolith_core::field::HostField;
 
     #[test]

@@ -87,8 +87,7 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
             ));
         }
         let inner = Section::new(format!("{}.phase", key(i)), part.phase);
-        let (kind, inner) = inner.kind(PHASES)?;
-        parts.push((part.share / total, (kind.build)(&inner)?));
+        parts.push((part.share / total, inner.read(PHASES)?));
     }
     Ok(Box::new(Mixture(parts)))
 }

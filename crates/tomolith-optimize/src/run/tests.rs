@@ -27,7 +27,7 @@ fn objective(model: &SmallModel, name: &str) -> Box<dyn Objective<HostField>> {
     };
     let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
     let section = tomolith_core::kind::Section::new("objective", serde_json::json!({}));
-    (row.build)(&section, &input).unwrap()
+    (row.build)(&section).unwrap().make(&input).unwrap()
 }
 
 fn newton() -> Lbfgs<HostField> {
@@ -409,7 +409,10 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
     let refusal = |row: &tomolith_core::kind::Kind<crate::BuildOptimizer>,
                    model: &dyn DoseModel<Field = HostField>,
                    bits: Option<u32>| {
-        let mut optimizer = (row.build)(&tomolith_core::check::example(row)).unwrap();
+        let mut optimizer = (row.build)(&tomolith_core::check::example(row))
+            .unwrap()
+            .make()
+            .unwrap();
         let mut problem = Problem::new(model, &*l2, &[Limits::default()], &flag)
             .unwrap()
             .with_bits(bits)
@@ -465,7 +468,7 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
         if name == "gradient" {
             section.value["step"] = 0.5.into();
         }
-        let mut optimizer = (row.build)(&section).unwrap();
+        let mut optimizer = (row.build)(&section).unwrap().make().unwrap();
         let mut problem = Problem::new(&model, &*l2, &limits, &flag)
             .unwrap()
             .with_bits(Some(4))

@@ -22,17 +22,18 @@
 //! assert_eq!(fine.frame(1)[1..3], [0.75, 1.25]); // between frames
 //! ```
 
-use super::{BuildStart, InitialPatterns, StartInput};
+use super::{BuildStart, InitialPatterns, StartInput, starts};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::fmt;
 use std::path::PathBuf;
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::Field;
+use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Patterns};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, Section};
 use tomolith_io::npy::read_patterns;
 
 /// The parameters of `patterns`.
@@ -61,10 +62,39 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         summary: "patterns of a file: those of an earlier run, or of another program",
         example: "[start.patterns]\nfile = \"patterns.npz\"",
         schema: || schemars::schema_for!(Params),
-        build: |section| {
-            let Params { file, .. } = section.parse()?;
-            Ok(Box::new(OfFile(file)))
-        },
+        build: |section| Ok(Box::new(Files::read(section)?)),
+    }
+}
+
+/// Patterns of files, as a job begins with them.
+pub struct Files<F: Field = HostField> {
+    /// Those that it begins with.
+    pub first: OfFile,
+    /// The start whose largest pixel bounds the pixels; None: these patterns.
+    pub bounds_as: Option<Box<dyn InitialPatterns<F>>>,
+    /// Whether they are made as bright as suits the objective best.
+    pub scaled: bool,
+    /// Further ones, of which it takes the best.
+    pub or: Vec<OfFile>,
+}
+
+impl<F: Field> fmt::Debug for Files<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Files({:?}, scaled: {})", self.first, self.scaled)
+    }
+}
+
+impl<F: Field> Files<F> {
+    fn read(section: &Section) -> Result<Self> {
+        let params: Params = section.parse()?;
+        let bounds_as = |own| section.within("bounds_as", own).read(starts::<F>());
+        let at = |file: PathBuf| OfFile(section.file(&file));
+        Ok(Files {
+            first: at(params.file),
+            bounds_as: params.bounds_as.map(bounds_as).transpose()?,
+            scaled: params.scaled,
+            or: params.or.into_iter().map(at).collect(),
+        })
     }
 }
 
@@ -110,6 +140,20 @@ impl<F: Field> InitialPatterns<F> for OfFile {
         let lights = input.model.patterns().iter();
         let grids: Vec<&PatternGrid> = lights.map(|light| &light.grid).collect();
         Given(self.read(&grids)?).patterns(input, run)
+    }
+}
+
+impl<F: Field> InitialPatterns<F> for Files<F> {
+    fn is_given(&self) -> bool {
+        true
+    }
+
+    fn files(&self) -> Option<&Files<F>> {
+        Some(self)
+    }
+
+    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
+        self.first.patterns(input, run)
     }
 }
 

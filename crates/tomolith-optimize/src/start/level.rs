@@ -65,6 +65,10 @@ impl<F: Field> InitialPatterns<F> for Uniform {
 }
 
 impl<F: Field> InitialPatterns<F> for Zero {
+    fn asks_for_doses(&self) -> bool {
+        false
+    }
+
     fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
         input.bounded(input.model.new_patterns()?)
     }

@@ -9,12 +9,13 @@ pub mod level;
 pub mod lsqr;
 
 use super::Limits;
+pub use given::Files;
 use rayon::prelude::*;
 use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Read};
 use tomolith_core::response::Response;
 use tomolith_core::target::{Target, label};
 use tomolith_objective::buffer::near_the_other_kind;
@@ -44,10 +45,18 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     fn is_given(&self) -> bool {
         false
     }
+    /// Whether it asks for the doses with which the material responds as the target wants.
+    fn asks_for_doses(&self) -> bool {
+        !self.is_given()
+    }
+    /// The files that a job begins with, where it begins with files.
+    fn files(&self) -> Option<&Files<F>> {
+        None
+    }
 }
 
-/// Builds a start from its section.
-pub type BuildStart<F = HostField> = fn(&Section) -> Result<Box<dyn InitialPatterns<F>>>;
+/// Reads a start from its section.
+pub type BuildStart<F = HostField> = Read<Box<dyn InitialPatterns<F>>>;
 
 /// Every start, for patterns in host memory; the first is the default.
 pub static STARTS: &[Kind<BuildStart>] = starts();
@@ -237,6 +246,7 @@ mod tests {
     use super::*;
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::kind::Section;
     use tomolith_core::response::{Identity, Logistic};
 
     /// Mean dose of part and of void.

@@ -98,10 +98,14 @@ fn solve<F: Field>(
     let (name, json) = &job.objective;
     let input = part.objective_input(model, Arc::new(Identity));
     let section = Section::new("objective", json.clone());
-    let objective = (row(objectives::<F>(), name).build)(&section, &input).unwrap();
+    let objective = (row(objectives::<F>(), name).build)(&section)
+        .unwrap()
+        .make(&input)
+        .unwrap();
     let of_patterns = penalties::<F>().iter().filter(|_| job.penalties);
     let of_patterns = of_patterns.map(|row| {
-        let penalty = (row.build)(&example(row), model.patterns()).unwrap();
+        let penalty = (row.build)(&example(row)).unwrap();
+        let penalty = penalty.make(model.patterns()).unwrap();
         (0.3, penalty)
     });
     let of_patterns = Penalties::new(of_patterns.collect()).unwrap();
@@ -124,7 +128,10 @@ fn solve<F: Field>(
         .with_edges(input.edge_field().unwrap());
     let (name, json) = &job.optimizer;
     let section = Section::new("optimizer", json.clone());
-    let mut optimizer = (row(optimizers::<F>(), name).build)(&section).unwrap();
+    let mut optimizer = (row(optimizers::<F>(), name).build)(&section)
+        .unwrap()
+        .make()
+        .unwrap();
     let stop = Stop {
         iterations: job.steps,
         ..Stop::default()
@@ -204,8 +211,8 @@ fn a_job_on_the_parallel_model_has_the_same_bits() {
 fn every_optimizer_has_the_same_bits() {
     for row in optimizers::<HostField>() {
         let section = example(row);
-        let needs = (row.build)(&section).unwrap().requirements();
-        let normalizes = (row.build)(&section).unwrap().normalizes();
+        let made = (row.build)(&section).unwrap().make().unwrap();
+        let (needs, normalizes) = (made.requirements(), made.normalizes());
         for bits in [None, Some(5)] {
             if bits.is_some() && needs.continuous.is_some() {
                 continue;
@@ -308,8 +315,11 @@ fn every_objective_has_the_same_bits_and_a_logistic_one_the_same_numbers() {
                 if row.name == "threshold" && surface == "fraction" {
                     section.value["exponent"] = 4.0.into();
                 }
-                let mut host = (row.build)(&section, &input).unwrap();
-                let mut other = (objectives::<SealedField>()[i].build)(&section, &input).unwrap();
+                let mut host = (row.build)(&section).unwrap().make(&input).unwrap();
+                let mut other = (objectives::<SealedField>()[i].build)(&section)
+                    .unwrap()
+                    .make(&input)
+                    .unwrap();
                 if is_emphasized {
                     let emphasis = match row.name {
                         "process_window" => &without_tolerance,
@@ -340,7 +350,10 @@ fn a_sum_of_objectives_has_the_same_bits() {
         let input = part.objective_input(model, Arc::new(Identity));
         let part = |name: &str, weight: f64| {
             let section = Section::new("objective", json!({}));
-            let objective = (row(objectives::<F>(), name).build)(&section, &input).unwrap();
+            let objective = (row(objectives::<F>(), name).build)(&section)
+                .unwrap()
+                .make(&input)
+                .unwrap();
             (weight, objective)
         };
         let parts = vec![part("threshold", 0.7), part("bclp", 0.2), part("l1", 0.1)];
@@ -363,7 +376,8 @@ fn every_penalty_has_the_same_bits() {
         lights: &[PatternLayout],
         like: &F,
     ) -> (Vec<f64>, Vec<f32>) {
-        let penalty = (penalties::<F>()[kind].build)(section, lights).unwrap();
+        let penalty = (penalties::<F>()[kind].build)(section).unwrap();
+        let penalty = penalty.make(lights).unwrap();
         let (x, step) = (
             field(like, &noise(3, like.len())),
             field(like, &noise(9, like.len())),

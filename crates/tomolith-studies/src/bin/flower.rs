@@ -276,8 +276,8 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         limits: &limits,
     };
     let flag = Run::new();
-    let (row, section) = Section::new("start", setting.start.clone()).kind(STARTS)?;
-    let mut x = (row.build)(&section)?.patterns(&input, &flag)?;
+    let start = Section::new("start", setting.start.clone()).read(STARTS)?;
+    let mut x = start.patterns(&input, &flag)?;
     for value in x.as_mut_slice() {
         *value *= setting.brightness;
     }
@@ -289,11 +289,11 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         response: response.clone(),
     };
     let bclp = json!({"bclp": {"epsilon": setting.epsilon, "p": 2.0, "q": 1.0}});
-    let (row, section) = Section::new("objective", bclp).kind(OBJECTIVES)?;
-    let objective = (row.build)(&section, &objective_input)?;
+    let objective = Section::new("objective", bclp).read(OBJECTIVES)?;
+    let objective = objective.make(&objective_input)?;
     let (name, params) = &setting.optimizer;
-    let (row, section) = Section::new("optimizer", json!({ *name: params })).kind(OPTIMIZERS)?;
-    let mut optimizer = (row.build)(&section)?;
+    let method = Section::new("optimizer", json!({ *name: params })).read(OPTIMIZERS)?;
+    let mut optimizer = method.make()?;
     let mut problem = Problem::new(model, objective.as_ref(), &limits, &flag)?;
     let stop = Stop {
         iterations: setting.iterations,

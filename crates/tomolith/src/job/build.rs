@@ -15,7 +15,8 @@ use crate::optics::gradient::IndexGradient;
 use crate::optics::light::{Light, Selection};
 use crate::optics::motion::Motion;
 use crate::optics::obstacle::{BodyMaterial, Obstacle};
-use crate::optics::phase::{PHASES, Scattering};
+use crate::optics::phase::{PHASES, Phase, Scattering};
+use crate::optics::projector::PROJECTORS;
 use crate::optics::resin::Resin;
 use crate::optics::surface::{Net, Surface, meeting};
 use crate::optics::trace::Bath;
@@ -34,6 +35,10 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Optics {
     /// The vial.
     pub(crate) vial: Box<dyn Vial>,
+    /// Its kind's name in a job.
+    pub(super) vial_kind: &'static str,
+    /// The names of the projectors' kinds, one per light.
+    pub(super) projector_kinds: Vec<&'static str>,
     /// One per light.
     pub(crate) lights: Vec<Light>,
     /// What stands between each light's pixels and the vial.
@@ -59,6 +64,7 @@ impl Optics {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone())
             .based(base)
             .kind(VIALS)?;
+        let vial_kind = kind.name;
         let vial = with_ends((kind.build)(&section)?, &spec.vial.common)?;
         let gradient = gradient_of(spec, vial.as_ref())?;
         let read = |value: &Value| {
@@ -69,14 +75,19 @@ impl Optics {
         let model = spec.model.as_ref().map(read).transpose()?;
         let obstacles = obstacles_of(spec, base, vial.as_ref())?;
         let motion = motion_of(spec)?;
+        let phase = Section::new("resin.phase", spec.resin.phase.clone()).read(PHASES)?;
+        let phase: Arc<dyn Phase> = Arc::from(phase);
         let mut paths = Vec::with_capacity(spec.light.len());
+        let mut projector_kinds = Vec::with_capacity(spec.light.len());
         for (i, light) in spec.light.iter().enumerate() {
-            let projector = light.projector.build(&format!("light[{i}].projector"))?;
+            let section = Section::new(format!("light[{i}].projector"), light.projector.0.clone());
+            let (kind, section) = section.kind(PROJECTORS)?;
+            projector_kinds.push(kind.name);
             paths.push(rays::Optics {
-                projector: Arc::from(projector),
+                projector: Arc::from((kind.build)(&section)?),
                 motion,
                 obstacles: obstacles.clone(),
-                scattering: scattering_of(&spec.resin_of(i))?,
+                scattering: scattering_of(&spec.resin_of(i), &phase),
             });
         }
         let bath = bath_of(spec, vial.as_ref())?;
@@ -109,6 +120,8 @@ impl Optics {
         }
         let mut optics = Optics {
             vial,
+            vial_kind,
+            projector_kinds,
             lights,
             paths,
             bodies: obstacles.len(),
@@ -345,13 +358,11 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
 }
 
 /// What scatters in the resin.
-fn scattering_of(resin: &ResinSpec) -> Result<Option<Scattering>> {
-    let (kind, section) = Section::new("resin.phase", resin.phase.clone()).kind(PHASES)?;
-    let phase = (kind.build)(&section)?;
-    Ok((resin.scattering_per_mm > 0.0).then(|| Scattering {
+fn scattering_of(resin: &ResinSpec, phase: &Arc<dyn Phase>) -> Option<Scattering> {
+    (resin.scattering_per_mm > 0.0).then(|| Scattering {
         per_mm: resin.scattering_per_mm,
-        phase: Arc::from(phase),
-    }))
+        phase: Arc::clone(phase),
+    })
 }
 
 /// The bodies in the light.
@@ -534,6 +545,13 @@ pub(super) mod tests {
                 .iter()
                 .all(|light| light.resin.gradient.is_some())
         );
+    }
+
+    #[test]
+    fn a_projector_without_pixels_is_refused() {
+        let spec = spec(&["light.projector.collimated.pixel_pitch_mm=0"]);
+        let refused = key(Optics::new(&spec, Path::new("")).err().unwrap());
+        assert_eq!(refused, "light[0].projector.collimated.pixel_pitch_mm");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::build::Optics;
 use super::progress::{Event, Progress};
-use super::read::with_every_default;
+use super::resolve::JobKinds;
 use super::scene::Scene;
 use super::scheduled::{self, Emitted};
 use super::spec::{JobSpec, LightSpec, MovieCoding};
@@ -20,7 +20,6 @@ use crate::io::write_whole;
 use crate::models::Run;
 use crate::optics::light::Light;
 use crate::report::{Irradiance, MovieReport};
-use crate::response::Response;
 use crate::units::exact;
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -61,13 +60,14 @@ pub(crate) fn printers(
 ///
 /// # Errors
 /// [`Error::Config`] when the dose that turns the resin solid is not known.
-pub(crate) fn white_in_time(spec: &JobSpec, response: &dyn Response) -> Result<Option<(f64, f64)>> {
+pub(super) fn white_in_time(spec: &JobSpec, kinds: &JobKinds) -> Result<Option<(f64, f64)>> {
     let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
         return Ok(None);
     };
+    let response = kinds.response.as_ref();
     let middle = || {
-        super::write::window(&with_every_default(spec.clone()))
-            .map(|[lower, upper]| f64::midpoint(lower, upper))
+        let thresholds = kinds.thresholds();
+        thresholds.map(|[lower, upper]| f64::midpoint(lower, upper))
     };
     let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
         Error::config(

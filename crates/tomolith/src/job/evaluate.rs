@@ -517,7 +517,7 @@ impl Scene {
 
     /// ε of the job's BCLP objective, or the paper's own where there is none.
     fn band_half_width(&self) -> f64 {
-        let given = self.kinds.bclp_epsilon();
+        let given = self.kinds.epsilon();
         given.unwrap_or(published::Options::default().epsilon)
     }
 

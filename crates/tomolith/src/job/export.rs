@@ -207,7 +207,7 @@ fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option
         return Ok(None);
     };
     let own = Section::new("response", job.spec.response.clone());
-    let response = response(own.based(&job.base()))?;
+    let response = response(&own.based(&job.base()))?;
     Ok(Some(f64::from(response.inverse(threshold as f32))))
 }
 

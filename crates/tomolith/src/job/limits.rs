@@ -83,7 +83,7 @@ impl Asked<'_> {
         let kind = kind_of(judged);
         let lights = acting_on(scene, s);
         let finest = scene.levels.last();
-        let (pixel_key, pixel_light) = coarsest_pixels(spec, &lights);
+        let (pixel_key, pixel_light) = coarsest_pixels(&scene.optics.projector_kinds, &lights);
         let best = judged.curve.iter().map(|[_, iou]| *iou);
         Found {
             kind,

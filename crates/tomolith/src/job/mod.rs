@@ -81,9 +81,11 @@ pub use stages::{check, run, run_leaving, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use super::build::Optics;
     use super::spec::with_example;
     use super::*;
     use crate::error::Error;
+    use std::path::Path;
 
     /// A job that names nearly every key.
     pub(crate) const FULL: &str = r#"
@@ -152,10 +154,8 @@ folder = "out/part"
     #[test]
     fn lengths_take_units_and_defaults_are_filled_in() {
         let spec = read(FULL).unwrap();
-        assert_eq!(
-            spec.light[0].projector.build("").unwrap().pixel_pitch_mm(),
-            [0.05; 2]
-        );
+        let optics = Optics::new(&spec, Path::new("")).unwrap();
+        assert_eq!(optics.lights[0].pixels.pitch_mm, [0.05; 2]);
         assert_eq!(spec.light[0].angles.count(), 180);
         assert_eq!(
             (
@@ -243,10 +243,10 @@ folder = "out/part"
                 ["stop.iterations", "a whole number, 0 or more"],
             ),
             (
-                "\"50 um\"",
-                "\"50 kg\"",
+                "pitch_mm = 0.05",
+                "pitch_mm = \"50 kg\"",
                 "50 kg",
-                ["pixel_pitch_mm", "unknown unit of length `kg`"],
+                ["grid.pitch_mm", "unknown unit of length `kg`"],
             ),
             (
                 "\n[vial]",
@@ -265,12 +265,6 @@ folder = "out/part"
                 "[128]",
                 "[128]",
                 ["light[0].pixels", "a list of 2"],
-            ),
-            (
-                "collimated",
-                "colimated",
-                "colimated",
-                ["projector.colimated", "did you mean `collimated`?"],
             ),
         ] {
             let text = FULL.replacen(from, to, 1);

@@ -47,7 +47,7 @@ pub(super) fn maps(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<dyn Response>>
                 ));
             }
         }
-        response(Section::new(format!("{key}.map"), property.map.clone()).based(base))
+        response(&Section::new(format!("{key}.map"), property.map.clone()).based(base))
     };
     spec.property.iter().enumerate().map(map_of).collect()
 }

@@ -22,9 +22,8 @@ use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::models::{PatternLayout, Run};
 use crate::optics::light::Light;
-use crate::optimize::start::given::{Given, OfFile, resample};
+use crate::optimize::start::given::{Given, resample};
 use crate::ranks::{Communicator, Shares, frames_of_rank, together};
-use serde_json::Value;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -224,15 +223,12 @@ impl Scene {
 
     /// The patterns of a file that the job begins with, as this process's part of a level's; None where it begins otherwise, or alone.
     pub(super) fn own_start(&self, level: &Level) -> Result<Option<Given>> {
-        let file = self.spec.start.pointer("/patterns/file");
-        let file = file
-            .and_then(Value::as_str)
-            .filter(|_| self.ranks.is_some());
-        let Some(file) = file else {
+        let files = self.kinds.start.files();
+        let Some(files) = files.filter(|_| self.ranks.is_some()) else {
             return Ok(None);
         };
         let grids: Vec<_> = level.lights.iter().map(|light| &light.pixels).collect();
-        let whole = self.agreed(OfFile(file.into()).read(&grids))?;
+        let whole = self.agreed(files.first.read(&grids))?;
         Ok(Some(Given(self.own_patterns(level, whole))))
     }
 

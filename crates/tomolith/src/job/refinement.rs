@@ -23,7 +23,7 @@ use super::resolve::JobKinds;
 use super::spec::{Against, JobSpec};
 use crate::grid::VolumeGrid;
 use crate::models::{ModelFamily, Refines};
-use crate::objective::threshold;
+use crate::objective::{Chosen, threshold};
 use crate::optics::light::Light;
 use crate::report::number::significant;
 
@@ -314,7 +314,7 @@ pub(super) fn sharpened(
     let is_fine = across(&finest.grid, &finest.lights, 2.0) == 1;
     let is_free =
         spec.multiresolution.is_none() && is_free((spec, kinds), family.capabilities().refines);
-    (is_free && is_fine).then(|| kinds.with_exponent(EXPONENT))?
+    (is_free && is_fine).then(|| kinds.with(Chosen::Exponent(EXPONENT)))?
 }
 
 /// By how much a wider window lowers what the void may have.
@@ -327,7 +327,7 @@ pub(super) fn widened(kinds: &JobKinds, steps: usize) -> Option<JobKinds> {
     if lower < WIDER {
         return None;
     }
-    kinds.with_lower(lower)
+    kinds.with(Chosen::Lower(lower))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The kinds that a job names: built, tried on a few voxels before any work, and refused where they do not go together.
+//! The kinds that a job names: read once, tried on a few voxels before any work, and refused where they do not go together.
 
 use super::in_time;
 use super::scene::at_section;
@@ -9,16 +9,12 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
 use crate::models::{DoseLayout, Family, PatternLayout};
-use crate::objective::penalty::{BuildPenalty, PENALTIES, Penalties};
+use crate::objective::penalty::{MakePenalty, PENALTIES, Penalties};
 use crate::objective::preset::SurfaceHandling;
 use crate::objective::voxel_weights::{Common, Ground};
-use crate::objective::{
-    BuildObjective, OBJECTIVES, OF_FRACTIONS, Objective, ObjectiveInput, Sum, process_window,
-    threshold,
-};
-use crate::optimize::start::given::OfFile;
-use crate::optimize::start::{BuildStart, InitialPatterns, STARTS};
-use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements};
+use crate::objective::{Chosen, MakeObjective, OBJECTIVES, Objective, ObjectiveInput, Sum};
+use crate::optimize::start::{InitialPatterns, STARTS};
+use crate::optimize::{BuildOptimizer, MakeOptimizer, OPTIMIZERS, Optimizer, Requirements};
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{Target, label, label_voxels};
 use crate::units::exact;
@@ -26,17 +22,17 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The kinds that a job names, read once: the row of each family's table, the section that it is built from, and what the rest of the job asks of it.
+/// The kinds that a job names, read once: parameters that are typed and in their ranges, and what the rest of the job asks of them.
 #[derive(Clone)]
 pub(crate) struct JobKinds {
     /// What the material makes of a dose.
     pub(crate) response: Arc<dyn Response>,
-    objectives: Vec<ObjectiveKind>,
-    penalties: Vec<PenaltyKind>,
-    optimizer: Named<BuildOptimizer>,
-    start: Named<BuildStart>,
-    /// The start whose largest pixel bounds the pixels, where it is another one.
-    bounding: Option<Named<BuildStart>>,
+    objectives: Vec<JobObjective>,
+    /// Each with its weight.
+    penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
+    optimizer: Arc<dyn MakeOptimizer>,
+    /// Where the optimizer begins.
+    pub(crate) start: Arc<dyn InitialPatterns>,
     /// What the optimizer needs beside it.
     pub(crate) requirements: Requirements,
     /// Whether it divides doses by their largest.
@@ -45,74 +41,37 @@ pub(crate) struct JobKinds {
     base: PathBuf,
 }
 
-/// A row of a family's table, and the section that names it.
-#[derive(Clone)]
-struct Named<B: 'static> {
-    kind: &'static Kind<B>,
-    section: Section,
-}
-
-impl<B> Named<B> {
-    fn read(section: &Section, table: &'static [Kind<B>]) -> Result<Self> {
-        let (kind, section) = section.kind(table)?;
-        Ok(Named { kind, section })
-    }
-
-    /// A number among its parameters, where the job gives it.
-    fn number(&self, key: &str) -> Option<f64> {
-        self.section.value.get(key)?.as_f64()
-    }
-}
-
 /// One objective of a job.
 #[derive(Clone)]
-struct ObjectiveKind {
+struct JobObjective {
     /// Its key, without the kind's name.
     path: String,
+    /// Its key.
+    key: String,
     common: Common,
     response: Arc<dyn Response>,
-    /// None: a word that is no surface, which building it refuses.
-    surface: Option<SurfaceHandling>,
-    of: Named<BuildObjective>,
+    of: Arc<dyn MakeObjective>,
 }
 
-/// One penalty of a job.
-#[derive(Clone)]
-struct PenaltyKind {
-    weight: f64,
-    of: Named<BuildPenalty>,
+pub(super) fn response(section: &Section) -> Result<Arc<dyn Response>> {
+    section.read(RESPONSES).map(Arc::from)
 }
 
-pub(super) fn response(section: Section) -> Result<Arc<dyn Response>> {
-    let (kind, inner) = section.kind(RESPONSES)?;
-    Ok(Arc::from((kind.build)(&inner)?))
-}
-
-impl ObjectiveKind {
-    fn read(section: Section, job: &Arc<dyn Response>, base: &Path) -> Result<Self> {
+impl JobObjective {
+    fn read(section: Section, job: &Arc<dyn Response>) -> Result<Self> {
         let path = section.path.clone();
         let (common, section) = Common::split(section)?;
         let response = match &common.response {
-            Some(own) => {
-                let own = Section::new(format!("{path}.response"), own.clone());
-                response(own.based(base))?
-            }
+            Some(own) => response(&section.within("response", own.clone()))?,
             None => Arc::clone(job),
         };
-        let of = Named::read(&section, OBJECTIVES)?;
-        let surface = match of.section.value.get("surface").map(Value::as_str) {
-            None if OF_FRACTIONS.contains(&of.kind.name) => Some(SurfaceHandling::Fraction),
-            None | Some(Some("voxel")) => Some(SurfaceHandling::Voxel),
-            Some(Some("fraction")) => Some(SurfaceHandling::Fraction),
-            Some(Some("cells")) => Some(SurfaceHandling::Cells),
-            Some(_) => None,
-        };
-        Ok(ObjectiveKind {
+        let (kind, section) = section.kind(OBJECTIVES)?;
+        Ok(JobObjective {
+            of: (kind.build)(&section)?,
+            key: section.path,
             path,
             common,
             response,
-            surface,
-            of,
         })
     }
 
@@ -125,9 +84,8 @@ impl ObjectiveKind {
     ) -> Result<Box<dyn Objective<HostField>>> {
         let mut input = input.clone();
         input.response = Arc::clone(&self.response);
-        let inner = &self.of.section;
-        let build = self.of.kind.build;
-        let mut objective = build(inner, &input).map_err(|e| at_section(&inner.path, e))?;
+        let at_key = |error: Error| at_section(&self.key, error.under(&self.key));
+        let mut objective = self.of.make(&input).map_err(at_key)?;
         let ObjectiveInput {
             layout,
             labels,
@@ -152,111 +110,74 @@ impl ObjectiveKind {
         if on_grid || self.common.knows_tolerance() {
             objective
                 .must_be_reached()
-                .map_err(|e| e.under(&inner.path))?;
+                .map_err(|e| e.under(&self.key))?;
         }
         Ok(objective)
     }
 }
 
-impl PenaltyKind {
-    fn read(i: usize, value: &Value) -> Result<Self> {
-        let mut section = Section::new(format!("penalties[{i}]"), value.clone());
-        let weight = section
-            .value
-            .as_object_mut()
-            .and_then(|map| map.remove("weight"));
-        let weight = weight.as_ref().and_then(Value::as_f64).ok_or_else(|| {
-            Error::config(
-                format!("penalties[{i}].weight"),
-                weight.map_or("the key is missing".to_owned(), |w| format!("found {w}")),
-                "a number, 0 or more",
-            )
-        })?;
-        let of = Named::read(&section, PENALTIES)?;
-        Ok(PenaltyKind { weight, of })
-    }
+/// A penalty and its weight.
+fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
+    let mut section = Section::new(format!("penalties[{i}]"), value.clone());
+    let own = section.value.as_object_mut();
+    let weight = own.and_then(|map| map.remove("weight"));
+    let weight = weight.as_ref().and_then(Value::as_f64).ok_or_else(|| {
+        Error::config(
+            format!("penalties[{i}].weight"),
+            weight.map_or("the key is missing".to_owned(), |w| format!("found {w}")),
+            "a number, 0 or more",
+        )
+    })?;
+    Ok((weight, section.read(PENALTIES)?))
 }
 
 impl JobKinds {
     /// Reads the kinds of a job; `base` is where its files begin.
     ///
     /// # Errors
-    /// [`Error::Config`] with the key of what is no kind, or of a parameter of the response or the optimizer.
+    /// [`Error::Config`] with the key of what is no kind, or of a parameter.
     pub(super) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
-        let of_job = Section::new("response", spec.response.clone());
-        let response = response(of_job.based(base))?;
-        let objective = |section| ObjectiveKind::read(section, &response, base);
+        let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
+        let response = response(&section("response", &spec.response))?;
+        let objective = |own: Section| JobObjective::read(own.based(base), &response);
         let objectives = spec.objectives()?.into_iter().map(objective);
-        let objectives = objectives.collect::<Result<Vec<_>>>()?;
-        let penalties = spec.penalties.iter().enumerate();
-        let penalties = penalties.map(|(i, value)| PenaltyKind::read(i, value));
-        let penalties = penalties.collect::<Result<Vec<_>>>()?;
-        let optimizer = Section::new("optimizer", spec.optimizer.clone());
-        let optimizer = Named::read(&optimizer, OPTIMIZERS)?;
-        let method = (optimizer.kind.build)(&optimizer.section)?;
-        let start = Section::new("start", spec.start.clone());
-        let bounding = spec.start.pointer("/patterns/bounds_as");
-        let bounding = bounding.map(|own| Section::new("start.patterns.bounds_as", own.clone()));
-        let bounding = bounding.map(|own| Named::read(&own, STARTS)).transpose()?;
+        let objectives = objectives.collect::<Result<_>>()?;
+        let penalties = spec.penalties.iter().enumerate().map(penalty);
+        let penalties = penalties.collect::<Result<_>>()?;
+        let optimizer = section("optimizer", &spec.optimizer).read(OPTIMIZERS)?;
+        let method = optimizer.make()?;
         Ok(JobKinds {
-            objectives,
-            penalties,
+            start: Arc::from(section("start", &spec.start).read(STARTS)?),
             requirements: method.requirements(),
             normalizes: method.normalizes(),
-            optimizer,
-            start: Named::read(&start, STARTS)?,
-            bounding,
             response,
+            objectives,
+            penalties,
+            optimizer,
             base: base.to_owned(),
         })
     }
 
     /// A new optimizer.
     pub(super) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        (self.optimizer.kind.build)(&self.optimizer.section)
+        self.optimizer.make()
     }
 
     /// The optimizer's name in a job.
     pub(super) fn method(&self) -> &'static str {
-        self.optimizer.kind.name
+        self.requirements.name
     }
 
-    /// The same with an optimizer that keeps so many steps.
-    pub(super) fn set_memory(&mut self, memory: usize) {
-        self.optimizer.section.value["memory"] = memory.into();
+    /// How many steps the optimizer remembers, where it remembers any.
+    pub(super) fn pairs(&self) -> Option<usize> {
+        self.optimizer.pairs()
     }
 
-    /// Where the optimizer begins.
-    pub(super) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
-        (self.start.kind.build)(&self.start.section)
-    }
-
-    /// The start whose largest pixel bounds the pixels; None where it is the one that the optimizer begins at.
-    pub(super) fn bounding_start(&self) -> Result<Option<Box<dyn InitialPatterns>>> {
-        let build = |own: &Named<BuildStart>| (own.kind.build)(&own.section);
-        self.bounding.as_ref().map(build).transpose()
-    }
-
-    /// Whether given patterns are as bright as suits the objective best.
-    pub(super) fn scales_start(&self) -> bool {
-        self.starts_as_given() && self.start.section.value["scaled"] == Value::Bool(true)
-    }
-
-    /// Further patterns to choose from.
-    pub(super) fn further_starts(&self) -> Vec<OfFile> {
-        let files = self.start.section.value["or"].as_array();
-        let files = files.into_iter().flatten().filter_map(Value::as_str);
-        files.map(|file| OfFile(self.base.join(file))).collect()
-    }
-
-    /// Whether the start asks for the doses with which the material responds as the target wants.
-    pub(super) fn asks_for_doses(&self) -> bool {
-        !["zero", "patterns"].contains(&self.start.kind.name)
-    }
-
-    /// Whether it begins at patterns that are to be taken as they are.
-    pub(super) fn starts_as_given(&self) -> bool {
-        self.start.kind.name == "patterns"
+    /// Lets the optimizer remember so many steps, where it remembers any.
+    pub(super) fn set_pairs(&mut self, pairs: usize) {
+        if let Some(optimizer) = self.optimizer.with_pairs(pairs) {
+            self.optimizer = optimizer;
+        }
     }
 
     /// The sum of the objectives; `on_grid` whether fields of voxels fit the input's grid.
@@ -265,7 +186,7 @@ impl JobKinds {
         input: &ObjectiveInput<'_>,
         on_grid: bool,
     ) -> Result<Sum<HostField>> {
-        let build = |own: &ObjectiveKind| {
+        let build = |own: &JobObjective| {
             let objective = own.build(input, &self.base, on_grid)?;
             Ok((own.common.weight, objective))
         };
@@ -274,15 +195,13 @@ impl JobKinds {
 
     /// The sum of the penalties.
     pub(super) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-        let build =
-            |own: &PenaltyKind| Ok((own.weight, (own.of.kind.build)(&own.of.section, lights)?));
+        let build = |(weight, own): &(f64, Arc<dyn MakePenalty>)| Ok((*weight, own.make(lights)?));
         Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
     }
 
     /// Whether a penalty compares pixels of different frames.
     pub(super) fn penalizes_frames(&self) -> bool {
-        let angles = |own: &PenaltyKind| own.of.number("angles");
-        self.penalties.iter().filter_map(angles).any(|w| w > 0.0)
+        self.penalties.iter().any(|(_, own)| own.joins_frames())
     }
 
     /// What every objective may have, and its key.
@@ -292,66 +211,50 @@ impl JobKinds {
 
     /// The key that asks for surface-aware cells, when there is one.
     pub(super) fn cells_key(&self) -> Option<String> {
-        let has_cells = |own: &&ObjectiveKind| own.surface == Some(SurfaceHandling::Cells);
+        let has_cells = |own: &&JobObjective| own.of.surface() == SurfaceHandling::Cells;
         let own = self.objectives.iter().find(has_cells)?;
-        Some(format!("{}.surface", own.of.section.path))
+        Some(format!("{}.surface", own.key))
     }
 
     /// Whether all objectives weigh a voxel by its inside fraction, none has numbers of its own for the job's voxels, and the method minimizes
     /// them: one that compares doses with the target itself knows part and void alone.
     pub(super) fn sees_fractions(&self) -> bool {
-        let sees = |own: &ObjectiveKind| {
-            own.surface == Some(SurfaceHandling::Fraction) && !own.common.has_fields()
+        let sees = |own: &JobObjective| {
+            own.of.surface() == SurfaceHandling::Fraction && !own.common.has_fields()
         };
         self.requirements.target.is_none() && self.objectives.iter().all(sees)
     }
 
     /// Whether an objective looks for the process window itself.
     pub(super) fn seeks_window(&self) -> bool {
-        let is_window = |own: &ObjectiveKind| own.of.kind.name == process_window::NAME;
-        self.objectives.iter().any(is_window)
+        self.objectives.iter().any(|own| own.of.seeks_window())
     }
 
-    /// Half width ε of the band round gray values, of the first objective that has one.
+    /// Thresholds [void, part] of the first objective, where it has any.
+    pub(super) fn thresholds(&self) -> Option<[f64; 2]> {
+        self.objectives.first()?.of.thresholds()
+    }
+
+    /// Half width ε of the band round the target's values, of the first objective that has one.
     pub(super) fn epsilon(&self) -> Option<f64> {
-        let mut objectives = self.objectives.iter();
-        objectives.find_map(|own| own.of.number("epsilon"))
+        self.objectives.iter().find_map(|own| own.of.epsilon())
     }
 
-    /// ε of the first BCLP objective.
-    pub(super) fn bclp_epsilon(&self) -> Option<f64> {
-        let bclp = |own: &&ObjectiveKind| own.of.kind.name == "bclp";
-        let mut objectives = self.objectives.iter().filter(bclp);
-        objectives.find_map(|own| own.of.number("epsilon"))
-    }
-
-    /// The same with a wider window: what the void may have at most is `lower`. None where the job has another objective, or names thresholds.
-    pub(super) fn with_lower(&self, lower: f64) -> Option<Self> {
-        self.with_threshold("lower", lower, &["lower", "upper"])
-    }
-
-    /// The same with deviations to another power. None where the job has another objective, or names the power.
-    pub(super) fn with_exponent(&self, exponent: f64) -> Option<Self> {
-        self.with_threshold("exponent", exponent, &["exponent"])
-    }
-
-    /// The same with another number in its one objective, where that is [`threshold`] and the job names none of some keys.
-    fn with_threshold(&self, key: &str, number: f64, unless: &[&str]) -> Option<Self> {
+    /// The same with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.
+    pub(super) fn with(&self, chosen: Chosen) -> Option<Self> {
         let [own] = self.objectives.as_slice() else {
             return None;
         };
-        let parameters = &own.of.section.value;
-        let is_named = unless.iter().any(|key| parameters.get(key).is_some());
-        if own.of.kind.name != threshold::NAME || is_named {
-            return None;
-        }
-        let mut other = self.clone();
-        other.objectives[0].of.section.value[key] = number.into();
-        Some(other)
+        let of = own.of.with(chosen)?;
+        let objectives = vec![JobObjective { of, ..own.clone() }];
+        Some(JobKinds {
+            objectives,
+            ..self.clone()
+        })
     }
 }
 
-/// Builds every kind once on a few voxels, so that bad parameters are refused before heavy work.
+/// Makes the objective on a few voxels, so that what the job cannot have is refused before heavy work.
 pub(super) fn try_kinds(
     spec: &JobSpec,
     kinds: &JobKinds,
@@ -392,9 +295,8 @@ pub(super) fn try_kinds(
         tolerant: gray || tolerates_dose(&objective, &layout, &labels),
     };
     fit_together(spec, &kinds.requirements, is)?;
-    kinds.start()?;
     // Of a gray target the values are not known yet
-    if kinds.asks_for_doses() && !gray {
+    if kinds.start.asks_for_doses() && !gray {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;
     }
     Ok(())
@@ -502,11 +404,8 @@ fn methods_without(need: Reason) -> String {
     let needs = |row: &Kind<BuildOptimizer>| {
         let example: toml::Table = row.example.parse().ok()?;
         let value = serde_json::to_value(example.get("optimizer")?.get(row.name)?).ok()?;
-        Some(
-            (row.build)(&Section::new("optimizer", value))
-                .ok()?
-                .requirements(),
-        )
+        let method = (row.build)(&Section::new("optimizer", value)).ok()?;
+        Some(method.make().ok()?.requirements())
     };
     let names = OPTIMIZERS.iter().filter_map(|row| {
         let without = need(&needs(row)?).is_none();

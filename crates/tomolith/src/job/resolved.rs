@@ -132,7 +132,7 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`].
     pub fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.scene.optimizer()
+        self.scene.kinds.optimizer()
     }
 
     /// Model, objective, start and bounds.
@@ -145,10 +145,10 @@ impl ResolvedJob {
             unreachable!("a job has a level")
         };
         let stage = Stage::new(scene, &self.voxels, level, &mut Silent, run)?;
-        let start = stage.start(scene, scene.start()?.as_ref(), run)?;
+        let start = stage.start(scene, scene.kinds.start.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(scene, &start),
-            penalties: scene.penalties(stage.model.patterns())?,
+            penalties: scene.kinds.penalties(stage.model.patterns())?,
             objective: stage.objective(scene, 0)?,
             start,
             target: stage.voxels.target.clone(),

@@ -2,6 +2,7 @@
 
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
+use super::resolve::JobKinds;
 use super::scene::{Scene, Voxels};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
@@ -138,9 +139,12 @@ pub(super) fn keep(
     Ok(())
 }
 
-/// The tables of a job that a checkpoint depends on, with every default written out.
-pub(super) fn tables(spec: &JobSpec) -> Result<Value> {
+/// The tables of a job that a checkpoint depends on, with every default written out and the memory that its optimizer has.
+pub(super) fn tables(spec: &JobSpec, kinds: &JobKinds) -> Result<Value> {
     let mut tables = with_every_default(spec.clone()).to_value()?;
+    if let Some(pairs) = kinds.pairs() {
+        tables["optimizer"][kinds.method()]["memory"] = pairs.into();
+    }
     if let Some(map) = tables.as_object_mut() {
         for unimportant in [
             "stop",
@@ -175,10 +179,8 @@ pub(super) fn as_floats(value: &mut Value) {
 /// target's table.
 pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
     let mut tables = tables.clone();
-    let mut start = Value::Null;
     if let Some(map) = tables.as_object_mut() {
         map.remove("target");
-        start = map.remove("start").unwrap_or_default();
     }
     let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
     let inside: Vec<u64> = voxels
@@ -190,13 +192,10 @@ pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
         .collect();
     let mut parts = vec![
         hash(tables.to_string().as_bytes()),
-        hash(start.to_string().as_bytes()),
         hash(bytemuck::cast_slice(&labels)),
         hash(bytemuck::cast_slice(&inside)),
     ];
     contents(&tables, base, &mut parts)?;
-    // The scene has found its file already
-    contents(&start, Path::new(""), &mut parts)?;
     Ok(hash(bytemuck::cast_slice(&parts)))
 }
 

@@ -594,10 +594,6 @@ mod tests {
             ("light.angles.arc_deg=720", "light[0].angles.arc_deg"),
             ("light.angles={ list_deg = [] }", "light[0].angles.list_deg"),
             ("light.sub_angles=0", "light[0].sub_angles"),
-            (
-                "light.projector.collimated.pixel_pitch_mm=0",
-                "light[0].projector.collimated.pixel_pitch_mm",
-            ),
             ("bounds.min=-1", "bounds.min"),
             ("bounds.min=1e30", "bounds.min"),
             ("bounds.max=1e30", "bounds.max"),

@@ -13,7 +13,7 @@ use super::progress::Progress;
 use super::property::{Property, properties};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::spec::{JobSpec, LightSpec};
+use super::spec::LightSpec;
 use crate::error::Result;
 use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
@@ -26,7 +26,6 @@ use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
 use crate::models::Run;
-use crate::objective::threshold;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
     ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits, ReportData,
@@ -294,7 +293,7 @@ fn report(
         response: &judged.response,
         inside: Some(&judged.fine.target.inside),
         bodies: judged.bodies.as_ref(),
-        window: window(&resolved),
+        window: scene.kinds.thresholds(),
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
         optimization: judged.optimization.as_ref(),
@@ -422,7 +421,7 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
             labels: &fine.labels,
             response,
             inside: &fine.target.inside,
-            window: window(&scene.spec),
+            window: scene.kinds.thresholds(),
             exposure: *exposure,
             limits,
         });
@@ -496,13 +495,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         ..
     } = done;
     let spec = &scene.spec;
-    let kind = |value: &serde_json::Value| match value {
-        serde_json::Value::Object(map) => map.keys().cloned().collect::<Vec<_>>().join(", "),
-        other => other.as_str().unwrap_or_default().to_owned(),
-    };
     let [nz, ny, nx] = scene.grid.shape;
     let mut facts = vec![
-        ("Vial", kind(&spec.vial.kind)),
+        ("Vial", scene.optics.vial_kind.to_owned()),
         (
             "Resin",
             match spec.resin.active_per_mm() {
@@ -523,7 +518,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         let seconds = optimized.outcome.counters.model_s.max(1e-9);
         let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
         let speed = large(calls as f64 * optimized.updates as f64 / seconds);
-        facts.push(("Optimizer", kind(&spec.optimizer)));
+        facts.push(("Optimizer", scene.kinds.method().to_owned()));
         let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {
@@ -561,24 +556,6 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         .into_iter()
         .map(|(name, text)| (name.to_owned(), text))
         .collect()
-}
-
-/// Thresholds of the first objective, where it has any.
-pub(crate) fn window(spec: &JobSpec) -> Option<[f64; 2]> {
-    let objective = spec.objectives().ok()?.swap_remove(0).value;
-    objective
-        .as_object()?
-        .iter()
-        .find_map(|(kind, parameters)| {
-            let get = |key: &str| parameters.get(key)?.as_f64();
-            let default = |value: f64| (kind == threshold::NAME).then_some(value);
-            let lower = get("lower").or_else(|| get("d_l"));
-            let upper = get("upper").or_else(|| get("d_h"));
-            Some([
-                lower.or_else(|| default(threshold::LOWER))?,
-                upper.or_else(|| default(threshold::UPPER))?,
-            ])
-        })
 }
 
 /// Date and time, UTC.

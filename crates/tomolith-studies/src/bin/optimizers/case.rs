@@ -132,8 +132,8 @@ impl Case {
             target: &self.target,
             response: Arc::new(Identity),
         };
-        let (row, section) = Section::new("objective", json!({ name: json })).kind(OBJECTIVES)?;
-        (row.build)(&section, &input)
+        let objective = Section::new("objective", json!({ name: json })).read(OBJECTIVES)?;
+        objective.make(&input)
     }
 
     fn input<'a>(&'a self, limits: &'a [Limits]) -> StartInput<'a> {
@@ -155,8 +155,8 @@ impl Case {
     }
 
     fn start(&self, name: &str) -> Result<HostField, Error> {
-        let (row, section) = Section::new("start", json!(name)).kind(STARTS)?;
-        (row.build)(&section)?.patterns(&self.input(&[Limits::default()]), &Run::new())
+        let start = Section::new("start", json!(name)).read(STARTS)?;
+        start.patterns(&self.input(&[Limits::default()]), &Run::new())
     }
 
     /// Runs a method and measures where `track` wants it.
@@ -178,9 +178,8 @@ impl Case {
             Origin::Given(given) => given.patterns(&input, &flag)?,
         };
         let objective = self.objective(method.objective.0, method.objective.1.clone())?;
-        let (row, section) = Section::new("optimizer", json!({ method.optimizer: method.params }))
-            .kind(OPTIMIZERS)?;
-        let mut optimizer = (row.build)(&section)?;
+        let section = Section::new("optimizer", json!({ method.optimizer: method.params }));
+        let mut optimizer = section.read(OPTIMIZERS)?.make()?;
         let mut problem = Problem::new(self.model(), objective.as_ref(), &limits, &flag)?
             .with_target(input.target_field()?);
         let stop = Stop {

@@ -1,7 +1,6 @@
 //! The lights that act on a species, and what of them may limit its print.
 
 use super::super::scene::Scene;
-use super::super::spec::JobSpec;
 use crate::grid::PatternGrid;
 use crate::optics::light::Light;
 use crate::report::number::significant;
@@ -31,7 +30,7 @@ pub(super) fn acting_on(scene: &Scene, s: usize) -> Vec<Acting<'_>> {
 }
 
 /// The coarsest pixels: the key of their size, and their light where there are several.
-pub(super) fn coarsest_pixels(spec: &JobSpec, lights: &[Acting<'_>]) -> (String, Option<String>) {
+pub(super) fn coarsest_pixels(kinds: &[&str], lights: &[Acting<'_>]) -> (String, Option<String>) {
     // The first of equal ones
     let area = |acting: &&Acting<'_>| acting.light.pixels.pixel_mm2();
     let coarsest = lights
@@ -39,11 +38,7 @@ pub(super) fn coarsest_pixels(spec: &JobSpec, lights: &[Acting<'_>]) -> (String,
         .rev()
         .max_by(|a, b| area(a).total_cmp(&area(b)));
     let index = coarsest.map_or(0, |acting| acting.index);
-    let kinds = spec.light[index].projector.0.as_object();
-    let key = match kinds.and_then(|kinds| kinds.keys().next()) {
-        Some(kind) => format!("light[{index}].projector.{kind}.pixel_pitch_mm"),
-        None => "light.projector".to_owned(),
-    };
+    let key = format!("light[{index}].projector.{}.pixel_pitch_mm", kinds[index]);
     let name = coarsest.and_then(|acting| acting.name);
     (key, name.map(str::to_owned))
 }

@@ -76,7 +76,7 @@ pub(crate) fn optimize(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
-    let tables = tables(&scene.spec)?;
+    let tables = tables(&scene.spec, &scene.kinds)?;
     let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
     scene.must_agree(fingerprint)?;
     let mut checkpoints =
@@ -90,7 +90,8 @@ pub(crate) fn optimize(
     if resumed.is_none() {
         checkpoints.begin_anew();
     }
-    let job_start = scene.start()?;
+    let job_start = scene.kinds.start.as_ref();
+    let files = job_start.files();
     let mut carried: Option<Vec<Patterns>> = None;
     let mut bounds = Vec::new();
     let mut pixels: Option<Vec<&PatternGrid>> = None;
@@ -108,22 +109,20 @@ pub(crate) fn optimize(
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
             let given = scene.own_start(level)?;
-            let job_start = given
-                .as_ref()
-                .map_or(job_start.as_ref(), |given| given as _);
-            let mut x = stage.start(scene, job_start, cancel)?;
-            bounds = match scene.kinds.bounding_start()? {
+            let own_start = given.as_ref().map_or(job_start, |given| given as _);
+            let mut x = stage.start(scene, own_start, cancel)?;
+            bounds = match files.and_then(|files| files.bounds_as.as_deref()) {
                 None => stage.limits(scene, &x),
                 Some(own) => {
-                    let own = stage.start(scene, own.as_ref(), cancel)?;
+                    let own = stage.start(scene, own, cancel)?;
                     let bounds = stage.limits(scene, &own);
                     sofar.first_loss = stage.first_loss(scene, &own, cancel)?;
                     clip(&mut x, stage.model.patterns(), &bounds)?;
                     bounds
                 }
             };
-            if scene.kinds.scales_start() && resumed.is_none() {
-                stage.brighten(scene, &mut x, &bounds, cancel)?;
+            if let Some(files) = files.filter(|files| files.scaled && resumed.is_none()) {
+                stage.brighten(scene, &files.or, &mut x, &bounds, cancel)?;
             }
             (start, pixels) = (Some(x), Some(own));
         }

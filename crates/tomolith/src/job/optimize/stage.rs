@@ -225,7 +225,7 @@ impl<'a> Stage<'a> {
         let model = self.model.as_ref();
         let objective = self.objective(scene, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(scene.penalties(model.patterns())?);
+            .with_penalties(scene.kinds.penalties(model.patterns())?);
         levels::improve(scene, &mut problem, x, progress)
     }
 
@@ -278,9 +278,9 @@ impl<'a> Stage<'a> {
         let layout = model.outputs()[0].clone();
         let objective = self.objective(scene, wider)?;
         let spec = &scene.spec;
-        let mut optimizer = scene.optimizer()?;
+        let mut optimizer = scene.kinds.optimizer()?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(scene.penalties(model.patterns())?)
+            .with_penalties(scene.kinds.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
         let response = scene.response();
         let input = start_input(model, &self.voxels, response.as_ref(), &[]);

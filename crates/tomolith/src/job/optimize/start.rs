@@ -10,6 +10,7 @@ use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
+use crate::optimize::start::given::OfFile;
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
@@ -64,7 +65,7 @@ pub(super) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(&mut x, GLIMMER)?;
-    if start.is_given() && scene.kinds.starts_as_given() {
+    if start.is_given() && scene.kinds.start.is_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
@@ -185,6 +186,7 @@ impl Stage<'_> {
     pub(super) fn brighten(
         &self,
         scene: &Scene,
+        or: &[OfFile],
         x: &mut HostField,
         bounds: &[Limits],
         cancel: &Run,
@@ -195,12 +197,9 @@ impl Stage<'_> {
         let objective = self.objective(scene, 0)?;
         let mut dose = self.model.new_dose()?;
         let mut lowest = f64::INFINITY;
-        let further = match scene.ranks {
-            None => scene.kinds.further_starts(),
-            Some(_) => Vec::new(),
-        };
+        let further = or.iter().filter(|_| scene.ranks.is_none());
         let mut candidate = x.clone();
-        for next in std::iter::once(None).chain(further.iter().map(Some)) {
+        for next in std::iter::once(None).chain(further.map(Some)) {
             if let Some(file) = next {
                 candidate = self.start(scene, file, cancel)?;
                 clip(&mut candidate, self.model.patterns(), bounds)?;

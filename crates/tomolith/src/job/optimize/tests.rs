@@ -57,8 +57,8 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
     let (optics, run) = (scene.optimizing(), Run::new());
     let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
     let models = (&plan.model as _, plan.surrogate.as_deref());
-    let start = scene.start().unwrap();
-    let x = starting_patterns(&scene, &[&voxels], models, start.as_ref(), &Run::new()).unwrap();
+    let start = scene.kinds.start.as_ref();
+    let x = starting_patterns(&scene, &[&voxels], models, start, &Run::new()).unwrap();
     (voxels, plan, x)
 }
 

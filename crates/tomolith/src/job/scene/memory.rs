@@ -10,7 +10,6 @@ use crate::job::resolve::JobKinds;
 use crate::job::resources::{free_memory_mb, memory_budget_mb, require};
 use crate::job::spec::JobSpec;
 use crate::models::{OpticalScene, Purpose};
-use serde_json::Value;
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
@@ -26,10 +25,10 @@ impl Scene {
         }
         if self.extent.memory < asked {
             let memory = self.extent.memory;
-            set_quasi_newton_memory(&mut self.spec.optimizer, memory);
-            self.kinds.set_memory(memory);
+            self.kinds.set_pairs(memory);
             self.warnings.push(format!(
-                "the memory budget (resources.memory_gb) is too small: optimizer.lbfgs.memory is {memory}, not {asked}"
+                "the memory budget (resources.memory_gb) is too small: optimizer.{}.memory is {memory}, not {asked}",
+                self.kinds.method()
             ));
         }
         let asked = self.extent.refine;
@@ -136,31 +135,4 @@ pub(super) fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Re
     };
     let cost = optics.family(&grid)?.cost(&scene, &grid)?;
     Ok(cost.working_bytes as f64 / 1e6)
-}
-
-/// The parameter `memory` of the one kind of a section, when it has one.
-pub(super) fn quasi_newton_memory(section: &Value) -> Option<usize> {
-    let memory = section
-        .as_object()?
-        .values()
-        .next()?
-        .get("memory")?
-        .as_u64()?;
-    usize::try_from(memory).ok()
-}
-
-pub(super) fn set_quasi_newton_memory(section: &mut Value, memory: usize) {
-    if let Value::String(name) = section {
-        *section = Value::Object(
-            [(name.clone(), Value::Object(serde_json::Map::new()))]
-                .into_iter()
-                .collect(),
-        );
-    }
-    if let Some(Value::Object(parameters)) = section
-        .as_object_mut()
-        .and_then(|map| map.values_mut().next())
-    {
-        parameters.insert("memory".to_owned(), memory.into());
-    }
 }

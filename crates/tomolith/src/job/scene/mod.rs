@@ -23,29 +23,25 @@ use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
-use crate::models::{DoseLayout, OpticalScene, PatternLayout, Purpose, Run, planner};
-use crate::objective::penalty::Penalties;
+use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
-use crate::optimize::Optimizer;
-use crate::optimize::start::InitialPatterns;
 use crate::ranks::Communicator;
 use crate::response::{Response, dose_for};
 use crate::target::{self, Shape, label};
 use grid::{bounds_of, grid_of, moved};
-use memory::{bytes_stacked, judged_mb, quasi_newton_memory, with_fields};
+use memory::{bytes_stacked, judged_mb, with_fields};
 use remarks::{
     ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, narrow_arc,
     on_its_own_grid,
 };
 pub(super) use remarks::{at_section, few_angles};
-use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
 pub(super) use voxels::Voxels;
 
 /// A job that can be run.
 pub(crate) struct Scene {
-    /// The tables; the optimizer's memory may have been lowered.
+    /// The tables, whose kinds are [`kinds`](Self::kinds) and [`optics`](Self::optics); the machine's time may bound the pixels.
     pub(crate) spec: JobSpec,
     /// The folder that files of the tables begin in.
     pub(crate) base: PathBuf,
@@ -117,21 +113,16 @@ impl Scene {
         on: Option<&VolumeGrid>,
         run: &Run,
     ) -> Result<Self> {
-        let mut spec = job.spec.of_species(s);
-        for pointer in ["/patterns/file", "/patterns/bounds_as/patterns/file"] {
-            if let Some(Value::String(file)) = spec.start.pointer_mut(pointer) {
-                *file = job.base().join(&*file).to_string_lossy().into_owned();
-            }
-        }
+        let spec = job.spec.of_species(s);
         RunFolder::check(&job.folder())?;
         let mut optics = Optics::new(&spec, &job.base())?;
         let printers = device::printers(&spec, &job.base(), &optics.lights)?;
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
-        notes.extend(given_patterns(&spec, &optics)?);
+        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
+        notes.extend(given_patterns(&kinds, &optics)?);
         let shape = target::build_under(&spec.target, &job.base(), "target", run)
             .map_err(|e| at_target(&spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
-        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
         let has_cells = kinds.cells_key().is_some();
         try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
             .map_err(known_elsewhere)?;
@@ -158,7 +149,7 @@ impl Scene {
         }
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
-        notes.extend(chosen(&spec));
+        notes.extend(chosen(&spec, &kinds));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         time_refusals::must_be_stable(&spec, &grid)?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
@@ -179,7 +170,7 @@ impl Scene {
         let kinds = sharpened.unwrap_or(kinds);
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
-        let memory = quasi_newton_memory(&job.resolved().optimizer).unwrap_or(0);
+        let memory = kinds.pairs().unwrap_or(0);
         let canvases = printers.iter().flatten().map(Printer::canvas_grid);
         let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
         let last = &levels[levels.len() - 1];
@@ -275,8 +266,7 @@ impl Scene {
 
     /// Bounds the pixels by what the machine can give in the time that it has.
     fn bound_by_time(&mut self) -> Result<()> {
-        let Some((white, seconds)) = device::white_in_time(&self.spec, self.response().as_ref())?
-        else {
+        let Some((white, seconds)) = device::white_in_time(&self.spec, &self.kinds)? else {
             return Ok(());
         };
         let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
@@ -312,7 +302,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
-        if !voxels.target.gray || !self.kinds.asks_for_doses() {
+        if !voxels.target.gray || !self.kinds.start.asks_for_doses() {
             return Ok(());
         }
         let values = voxels
@@ -352,30 +342,6 @@ impl Scene {
         };
         let sum = kinds.objective(&input, true);
         sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
-    }
-
-    /// The penalties on the patterns.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub(crate) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-        self.kinds.penalties(lights)
-    }
-
-    /// The optimizer.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.kinds.optimizer()
-    }
-
-    /// Where the optimizer begins.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub(crate) fn start(&self) -> Result<Box<dyn InitialPatterns>> {
-        self.kinds.start()
     }
 }
 

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
 use crate::io::npy::read_patterns;
 use crate::job::build::Optics;
+use crate::job::resolve::JobKinds;
 use crate::job::resources::compared;
 use crate::job::spec::JobSpec;
 use crate::optics::light::Light;
@@ -11,9 +12,7 @@ use crate::optimize::Keep;
 use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::concise;
-use serde_json::Value;
 use std::collections::BTreeSet;
-use std::path::Path;
 
 /// The key that says how many voxels there are.
 pub(super) fn grid_key(spec: &JobSpec) -> String {
@@ -185,9 +184,8 @@ pub(super) fn narrow_arc(spec: &JobSpec) -> Option<String> {
 }
 
 /// What a job chooses of its method that no line of the screen shows.
-pub(super) fn chosen(spec: &JobSpec) -> Vec<String> {
-    let has_edges = spec.optimizer["osmo"]["edges"] == true;
-    let edges = has_edges.then_some(
+pub(super) fn chosen(spec: &JobSpec, kinds: &JobKinds) -> Vec<String> {
+    let edges = kinds.requirements.edges.map(|_|
         "optimizer.osmo.edges = true: each step ends with two more halves, at the part's surface",
     );
     let last = (spec.stop.keep == Keep::Last).then_some(
@@ -201,8 +199,8 @@ pub(super) fn chosen(spec: &JobSpec) -> Vec<String> {
 }
 
 /// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.
-pub(super) fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<String>> {
-    let Some(file) = spec.start.pointer("/patterns/file").and_then(Value::as_str) else {
+pub(super) fn given_patterns(kinds: &JobKinds, optics: &Optics) -> Result<Vec<String>> {
+    let Some(files) = kinds.start.files() else {
         return Ok(Vec::new());
     };
     let key = "start.patterns.file";
@@ -210,7 +208,7 @@ pub(super) fn given_patterns(spec: &JobSpec, optics: &Optics) -> Result<Vec<Stri
     let accepted = format!(
         "patterns.npz of a run, or an .npz with an array `patterns` [angle, row, column]; of {lights} light(s)"
     );
-    let arrays = read_patterns(Path::new(file))
+    let arrays = read_patterns(&files.first.0)
         .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
     if arrays.len() != lights {
         let found = format!("patterns of {} lights", arrays.len());

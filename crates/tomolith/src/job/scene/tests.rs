@@ -1,5 +1,4 @@
 use super::grid::{cut, on_rows};
-use super::memory::{quasi_newton_memory, set_quasi_newton_memory};
 use super::*;
 use crate::grid::PatternGrid;
 
@@ -43,18 +42,6 @@ fn slices_lie_on_the_rows_of_the_pixels() {
     assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
     // Ten slices hold the target only where they are
     assert_eq!(moved(10, 0.0, 33), 0.0);
-}
-
-#[test]
-fn the_memory_of_a_quasi_newton_method_is_found_and_lowered() {
-    let mut section = serde_json::json!({ "lbfgs": { "memory": 10 } });
-    assert_eq!(quasi_newton_memory(&section), Some(10));
-    set_quasi_newton_memory(&mut section, 4);
-    assert_eq!(quasi_newton_memory(&section), Some(4));
-    assert_eq!(
-        quasi_newton_memory(&serde_json::json!({ "gradient": {} })),
-        None
-    );
 }
 
 #[test]

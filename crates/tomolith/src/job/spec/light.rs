@@ -2,11 +2,9 @@
 
 use super::angles::Angles;
 use super::{JobSpec, is_default};
-use crate::error::{Error, Result};
+use crate::error::Error;
 use crate::exposure::{PrinterSpec, Rotation};
-use crate::kind::Section;
 use crate::optics::interface::Polarization;
-use crate::optics::projector::{PROJECTORS, Projector};
 use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -187,15 +185,6 @@ impl SelectionSpec {
 pub struct ProjectorSpec(pub Value);
 
 impl ProjectorSpec {
-    /// The projector; `path` is its key.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
-    pub fn build(&self, path: &str) -> Result<Box<dyn Projector>> {
-        let (kind, section) = Section::new(path, self.0.clone()).kind(PROJECTORS)?;
-        (kind.build)(&section)
-    }
-
     /// Makes pixels larger by a factor.
     pub(crate) fn coarsen(&mut self, factor: f64) {
         for parameters in self.0.as_object_mut().into_iter().flatten() {

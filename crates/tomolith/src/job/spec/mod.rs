@@ -306,9 +306,6 @@ impl JobSpec {
         let read = || {
             let mut spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
             spec.turn_at_one_speed(has_rpm)?;
-            for (i, light) in spec.light.iter().enumerate() {
-                light.projector.build(&format!("light[{i}].projector"))?;
-            }
             Ok(spec)
         };
         read().map_err(|e| document.locate(with_example(e)))
