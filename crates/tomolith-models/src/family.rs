@@ -219,6 +219,12 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     /// What the model refuses; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel>;
 
+    /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and keeps no more
+    /// between calls, so that one model serves both.
+    fn judges_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
+        false
+    }
+
     /// The model of its light that is not scattered and does not spread: which pixels can meet a voxel, in one call.
     ///
     /// # Errors

@@ -126,6 +126,10 @@ impl ModelFamily for Params {
         })
     }
 
+    fn judges_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
+        true
+    }
+
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let csr = Csr::read(&self.file)?;
         let model = MatrixModel::new(&csr, pixels(&input.scene), input.grid.clone())?;

@@ -12,7 +12,8 @@
 //! **Cost** of a dose that of the share, and the sum of a dose field over ranks; of a pullback that of the share alone. **Limits** models whose
 //! dose is a sum over frames. Every rank makes the same calls; where one of them fails, all do ([`together`]).
 
-use crate::{DoseModel, HostModel, Run};
+use crate::several::SharedModel;
+use crate::{DoseModel, Run};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::Result;
@@ -22,7 +23,7 @@ use tomolith_core::ranks::{Communicator, together};
 
 /// A model of this rank's frames, whose dose is that of all ranks' frames; see the [module](self).
 pub struct Sharded {
-    model: HostModel,
+    model: SharedModel,
     ranks: Arc<dyn Communicator>,
     /// Of all ranks.
     updates: u64,
@@ -31,7 +32,7 @@ pub struct Sharded {
 impl Sharded {
     /// A share. Called by all ranks.
     #[must_use]
-    pub fn new(model: HostModel, ranks: Arc<dyn Communicator>) -> Self {
+    pub fn new(model: SharedModel, ranks: Arc<dyn Communicator>) -> Self {
         let mut updates = [model.updates() as f64];
         ranks.all_reduce(&mut updates);
         Sharded {

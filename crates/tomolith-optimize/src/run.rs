@@ -23,6 +23,8 @@ pub struct Stop {
     /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
     /// never); 0.001 is Li et al. (2024), eq. 28
     pub change: f64,
+    /// Steps after which `change` is looked at (default 0: as soon as there are five)
+    pub change_after: usize,
     /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
     /// never); convex problems only
     pub gap: f64,
@@ -42,6 +44,7 @@ impl Default for Stop {
             iterations: 45,
             projected_gradient: 0.0,
             change: 0.0,
+            change_after: 0,
             gap: 0.0,
             relative_loss: 0.0,
             first_loss: None,
@@ -517,7 +520,10 @@ impl<F: Field> State<F> {
             Some(StopReason::ZeroLoss)
         } else if row.projected_gradient.is_some_and(small) {
             Some(StopReason::ProjectedGradient)
-        } else if stop.change > 0.0 && self.change().is_some_and(|c| c <= stop.change * row.loss) {
+        } else if stop.change > 0.0
+            && row.iteration >= stop.change_after
+            && self.change().is_some_and(|c| c <= stop.change * row.loss)
+        {
             Some(StopReason::Steady)
         } else if stop.gap > 0.0 && self.gap().is_some_and(|gap| gap.relative() <= stop.gap) {
             Some(StopReason::Gap)

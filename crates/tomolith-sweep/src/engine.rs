@@ -19,7 +19,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::write_whole;
-use tomolith::job::{self, Job, RunFolder, Silent, folder::TAKEN};
+use tomolith::job::{self, Job, KeptModel, RunFolder, Silent, folder::TAKEN};
 use tomolith::models::Run;
 use tomolith::units::counted;
 use tomolith::{Error, Result};
@@ -555,9 +555,11 @@ impl Slot<'_> {
                 return;
             }
         };
+        let mut kept = KeptModel::default();
         while let Some((i, from)) = self.next() {
             let begin = Instant::now();
-            let ran = catch_unwind(AssertUnwindSafe(|| pool.install(|| self.run_one(i, &from))));
+            let run = || pool.install(|| self.run_one(i, &from, &mut kept));
+            let ran = catch_unwind(AssertUnwindSafe(run));
             let ran = ran.unwrap_or_else(|panic| {
                 let text = panic
                     .downcast_ref::<String>()
@@ -629,7 +631,7 @@ impl Slot<'_> {
         Some(from)
     }
 
-    fn run_one(&self, i: usize, from: &[usize]) -> Result<State> {
+    fn run_one(&self, i: usize, from: &[usize], kept: &mut KeptModel) -> Result<State> {
         let cancel = Arc::clone(&lock(self.run));
         loop {
             // Another process may have finished it meanwhile
@@ -638,7 +640,7 @@ impl Slot<'_> {
             }
             let job = self.job(i, from)?;
             let leaves = self.plan.sweep.spec.keep.leaves();
-            match job::run_here(&job, true, leaves, &mut Silent, &cancel) {
+            match job::run_here(&job, true, leaves, kept, &mut Silent, &cancel) {
                 Ok(_) => return state(self.plan, i),
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
                     thread::sleep(BUSY);

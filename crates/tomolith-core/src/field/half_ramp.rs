@@ -213,15 +213,14 @@ mod tests {
         for frame in 0..2 {
             for row in 0..rows {
                 let at = |column: usize| (frame * columns + column) * rows + row;
-                let mx: Vec<f64> = (0..columns)
-                    .map(|i| {
-                        (0..columns)
-                            .map(|j| m[i][j] * f64::from(values[at(j)]))
-                            .sum()
-                    })
-                    .collect();
+                let sum = |factors: &[f64], of: &dyn Fn(usize) -> f64| -> f64 {
+                    factors.iter().enumerate().map(|(i, m)| m * of(i)).sum()
+                };
+                let x = |column: usize| f64::from(values[at(column)]);
+                let mx: Vec<f64> = m.iter().map(|of_row| sum(of_row, &x)).collect();
                 for column in 0..columns {
-                    let expected: f64 = (0..columns).map(|i| m[i][column] * mx[i]).sum();
+                    let transposed: Vec<f64> = m.iter().map(|of_row| of_row[column]).collect();
+                    let expected = sum(&transposed, &|i| mx[i]);
                     let found = f64::from(out.as_slice()[at(column)]);
                     assert!(
                         (found - expected).abs() < 1e-5,

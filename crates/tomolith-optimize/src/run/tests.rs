@@ -391,6 +391,16 @@ fn a_steady_loss_ends_the_run_by_equation_28() {
     };
     let last = losses.len() - 1;
     assert!(met(last) && (5..last).all(|k| !met(k)), "{losses:?}");
+    // Not before so many steps
+    let stop = Stop {
+        change: 0.01,
+        change_after: last + 3,
+        ..steps(500)
+    };
+    let (_, outcome) = go(&model, &*l2, &mut newton(), stop, None, &mut []);
+    let outcome = outcome.unwrap();
+    assert_eq!(outcome.reason, StopReason::Steady);
+    assert!(outcome.history.len() >= last + 4);
 }
 
 #[test]

@@ -2,15 +2,18 @@
 //!
 //! The model of a dose serves the next one where light and voxels are the same, and so does its memory.
 
+use super::kept::Judge;
 use super::scene::Scene;
 use super::species::planned;
 use crate::error::Result;
 use crate::field::{Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::models::masked::MaskedModel;
+use crate::models::scenarios::SharedModel;
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::optics::light::{Light, Selection};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// How patterns are exposed: on which voxels, and over how many angles of a frame.
 #[derive(Clone)]
@@ -48,7 +51,9 @@ pub(super) struct Doses<'a> {
     workspace: Workspace,
     /// Per light, the rows that may be lit.
     lit: Vec<LitRows>,
-    last: Option<(Exposed, MaskedModel, String)>,
+    last: Option<(Exposed, SharedModel, String)>,
+    /// A model that is there already, for what it has the doses of.
+    judge: Option<&'a Judge>,
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -58,11 +63,17 @@ pub(super) type Simulated = (Volume<f32>, Vec<Volume<f32>>, String);
 
 impl<'a> Doses<'a> {
     pub(super) fn new(scene: &'a Scene) -> Self {
+        Self::by(None, scene)
+    }
+
+    /// The same by a model that is there already, where it has the doses asked for.
+    pub(super) fn by(judge: Option<&'a Judge>, scene: &'a Scene) -> Self {
         Doses {
             scene,
             workspace: Workspace::default(),
             lit: Vec::new(),
             last: None,
+            judge,
         }
     }
 
@@ -102,24 +113,23 @@ impl<'a> Doses<'a> {
                 self.last.insert((exposed.clone(), model, reason))
             }
         };
+        let model = model.as_ref();
         let (dose, others) = simulated(model, patterns, &mut self.workspace, cancel)?;
         Ok((dose, others, reason.clone()))
     }
 
-    fn made(&self, exposed: &Exposed, making: &Run) -> Result<(MaskedModel, String)> {
+    fn made(&self, exposed: &Exposed, making: &Run) -> Result<(SharedModel, String)> {
+        if let Some(judge) = self.judge.filter(|own| own.gives(exposed, &self.lit)) {
+            return Ok((Arc::clone(&judge.model), judge.reason.clone()));
+        }
         let refine = (self.scene.grid.pitch_mm / exposed.grid.pitch_mm).round();
         let purpose = Purpose::Evaluate {
             refine: refine.max(1.0) as usize,
         };
         let lights = lit_alone(exposed.lights.clone(), self.lit.clone());
-        let family = self.scene.optics.model.as_ref();
-        made(
-            (family, purpose),
-            self.scene,
-            &lights,
-            &exposed.grid,
-            making,
-        )
+        let family = (self.scene.optics.model.as_ref(), purpose);
+        let (model, reason) = made(family, self.scene, &lights, &exposed.grid, making)?;
+        Ok((Arc::new(model), reason))
     }
 
     /// Lets the next dose have the memory of an earlier one.
@@ -177,7 +187,7 @@ struct Workspace {
 
 /// Doses of the first and of further species.
 fn simulated(
-    model: &MaskedModel,
+    model: &dyn DoseModel<Field = HostField>,
     patterns: &[Patterns],
     workspace: &mut Workspace,
     cancel: &Run,

@@ -7,6 +7,7 @@ use super::cross_check::{self, CrossCheck};
 use super::doses::{Doses, Exposed};
 use super::doubts;
 use super::in_time::{InTime, print_in_time};
+use super::kept::Judge;
 use super::noise::Noise;
 use super::others::{self, Others};
 use super::progress::{Event, Progress};
@@ -128,7 +129,18 @@ impl Evaluated {
     }
 }
 
-/// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from.
+/// At how many angles of a frame patterns are judged: one where all vials stand still.
+pub(super) fn judged_angles(scene: &Scene) -> usize {
+    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
+    if scene.optics.lights.iter().all(stands) {
+        1
+    } else {
+        scene.spec.evaluate.sub_angles
+    }
+}
+
+/// Simulates and measures patterns, per light: the written ones, and the raw ones they were made from; by a model that is there already, where
+/// it has their doses.
 ///
 /// # Errors
 /// [`Error::Canceled`](crate::Error::Canceled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
@@ -138,20 +150,16 @@ pub(crate) fn evaluate_patterns(
     voxels: &Voxels,
     shown: &[Patterns],
     raw: Option<&[Patterns]>,
+    judge: Option<&Judge>,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
-    let stands = |light: &Light| light.pixels.frame_arc == 0.0;
-    let sub_angles = if scene.optics.lights.iter().all(stands) {
-        1
-    } else {
-        scene.spec.evaluate.sub_angles
-    };
+    let sub_angles = judged_angles(scene);
     let grid = scene.fine_grid();
     let own = Exposed::new(&scene.grid, scene.optics.lights.clone());
     let [still, turning] =
         [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
-    let mut doses = Doses::new(scene);
+    let mut doses = Doses::by(judge, scene);
     let mut others = Others::new(scene);
     let own_of_others = match raw {
         None => Vec::new(),

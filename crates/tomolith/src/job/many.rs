@@ -1,5 +1,6 @@
 //! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and what it starts from.
 
+use super::kept::KeptModel;
 use super::progress::Progress;
 use super::read::{Job, with_every_default};
 use super::resume::{as_floats, content, contents, hash};
@@ -39,7 +40,8 @@ pub fn needs(job: &Job) -> Result<Needs> {
     })
 }
 
-/// Runs a job as [`run`](super::run) does and leaves only some of its outputs, in the calling thread and on the threads of its pool.
+/// Runs a job as [`run`](super::run) does and leaves only some of its outputs, in the calling thread and on the threads of its pool. The model
+/// of an earlier run is taken over where it serves this job, too, which changes no result; this one's stands in its place afterwards.
 ///
 /// # Errors
 /// As [`run`](super::run).
@@ -47,10 +49,11 @@ pub fn run_here(
     job: &Job,
     resume: bool,
     leaves: Leaves,
+    kept: &mut KeptModel,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<super::Summary> {
-    super::stages::run_stages(job, resume, leaves, progress, cancel)
+    super::stages::run_stages(job, resume, leaves, kept, progress, cancel)
 }
 
 /// Tables that change nothing of a result.

@@ -11,6 +11,7 @@
 //! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
 //! | jobs of another program | [`mod@import`] |
 //! | what many runs ask of a job | `many` |
+//! | the model that judges its own patterns, and serves the next run | `kept` |
 //! | one job on several processes | `ranks` |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
@@ -31,6 +32,7 @@ pub mod folder;
 mod heights;
 pub mod import;
 mod in_time;
+mod kept;
 pub mod kinds;
 mod levels;
 mod light;
@@ -70,6 +72,7 @@ mod write;
 pub use document::Document;
 pub use folder::RunFolder;
 pub use import::{Imported, import};
+pub use kept::KeptModel;
 pub use many::{Leaves, Needs, needs, run_here};
 pub use outcome::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};

@@ -53,7 +53,8 @@ use crate::error::{Error, Result};
 use crate::field::{Bounds, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::metrics::Evaluation;
-use crate::models::{DoseModel, Run};
+use crate::models::Run;
+use crate::models::scenarios::SharedModel;
 use crate::objective::Sum;
 use crate::objective::penalty::Penalties;
 use crate::optics::light::Light;
@@ -70,7 +71,7 @@ pub struct ResolvedJob {
 /// What an optimizer needs.
 pub struct Task {
     /// F, on the finest voxels of the optimization.
-    pub model: Box<dyn DoseModel<Field = HostField>>,
+    pub model: SharedModel,
     /// L, of that dose.
     pub objective: Sum<HostField>,
     /// R, the price of patterns by themselves.
@@ -144,7 +145,7 @@ impl ResolvedJob {
         let [.., level] = scene.levels.as_slice() else {
             unreachable!("a job has a level")
         };
-        let stage = Stage::new(scene, &self.voxels, level, &mut Silent, run)?;
+        let stage = Stage::new(scene, &self.voxels, level, None, &mut Silent, run)?;
         let start = stage.start(scene, scene.kinds.start.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(scene, &start),
@@ -182,7 +183,8 @@ impl ResolvedJob {
         }
         let written = Written::of_raw(patterns.to_vec(), &self.scene)?;
         let shown = &written.shown;
-        let judged = evaluate_patterns(&self.scene, &self.voxels, shown, None, &mut Silent, run)?;
+        let (scene, own) = (&self.scene, &self.voxels);
+        let judged = evaluate_patterns(scene, own, shown, None, None, &mut Silent, run)?;
         Ok(judged.evaluation)
     }
 }

@@ -182,21 +182,19 @@ pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
     if let Some(map) = tables.as_object_mut() {
         map.remove("target");
     }
-    let labels: Vec<u64> = voxels.labels.values.par_chunks(BLOCK).map(hash).collect();
-    let inside: Vec<u64> = voxels
-        .target
-        .inside
-        .values
-        .par_chunks(BLOCK)
-        .map(|block| hash(bytemuck::cast_slice(block)))
-        .collect();
-    let mut parts = vec![
-        hash(tables.to_string().as_bytes()),
-        hash(bytemuck::cast_slice(&labels)),
-        hash(bytemuck::cast_slice(&inside)),
-    ];
+    let mut parts = vec![hash(tables.to_string().as_bytes())];
+    parts.extend(of_voxels(voxels));
     contents(&tables, base, &mut parts)?;
     Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// Hashes of labels and of shares.
+pub(super) fn of_voxels(voxels: &Voxels) -> [u64; 2] {
+    let labels = voxels.labels.values.par_chunks(BLOCK).map(hash);
+    let inside = voxels.target.inside.values.par_chunks(BLOCK);
+    let inside = inside.map(|block| hash(bytemuck::cast_slice(block)));
+    let [labels, inside]: [Vec<u64>; 2] = [labels.collect(), inside.collect()];
+    [labels, inside].map(|hashes| hash(bytemuck::cast_slice(&hashes)))
 }
 
 /// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.

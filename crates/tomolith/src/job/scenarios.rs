@@ -275,16 +275,16 @@ pub(super) fn joined(
     dark: &[bool],
     level: &Level,
     cancel: &Run,
-) -> Result<(HostModel, Option<SharedModel>)> {
+) -> Result<(SharedModel, Option<SharedModel>)> {
     if scene.scenarios.is_empty() {
-        return Ok((Box::new(model), None));
+        return Ok((Arc::new(model), None));
     }
     let others = scene.scenarios.iter().map(|own| own.model(level, cancel));
     let first: SharedModel = Arc::new(model);
     let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all
     let all = MaskedModel::new(Box::new(all), dark.to_vec(), 1.0);
-    Ok((Box::new(all), Some(first)))
+    Ok((Arc::new(all), Some(first)))
 }
 
 /// What the written patterns print in the job and in each scenario, all gelled at the job's threshold; None without scenarios. `response_of` gives

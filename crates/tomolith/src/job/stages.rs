@@ -6,6 +6,7 @@ use super::estimate::{Work, mean_sub_angles};
 use super::evaluate::evaluate_patterns;
 use super::folder::RunFolder;
 use super::in_time::InTime;
+use super::kept::KeptModel;
 use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
@@ -55,7 +56,8 @@ pub fn run_leaving(
     cancel: &Run,
 ) -> Result<Summary> {
     watched(progress, cancel, |progress| {
-        run_stages(job, resume, leaves, progress, cancel)
+        let kept = &mut KeptModel::default();
+        run_stages(job, resume, leaves, kept, progress, cancel)
     })
 }
 
@@ -63,6 +65,7 @@ pub(super) fn run_stages(
     job: &Job,
     resume: bool,
     leaves: Leaves,
+    kept: &mut KeptModel,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
@@ -70,8 +73,9 @@ pub(super) fn run_stages(
     let mut scene = begin(job, resume, &mut clock)?;
     let folder = open(job, &scene, clock.progress)?;
     let sampled = sample(job, &mut scene, &mut clock)?;
-    let optimized = optimized(job, &scene, &sampled.0, resume, &mut clock)?;
-    judge(job, (scene, sampled), optimized, leaves, folder, clock)
+    let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
+    let of = (scene, sampled);
+    judge(job, of, (optimized, kept), leaves, folder, clock)
 }
 
 /// The stages of one of several ranks; the first one goes on to the end.
@@ -94,8 +98,10 @@ pub(super) fn run_shared(
     let folder = scene.agreed(folder)?;
     let sampled = sample(job, &mut scene, &mut clock);
     let sampled = scene.agreed(sampled)?;
-    let optimized = optimized(job, &scene, &sampled.0, resume, &mut clock)?;
-    let judged = |folder| judge(job, (scene, sampled), optimized, leaves, folder, clock);
+    let kept = &mut KeptModel::default();
+    let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
+    let of = (scene, sampled);
+    let judged = |folder| judge(job, of, (optimized, kept), leaves, folder, clock);
     folder.map(judged).transpose()
 }
 
@@ -124,11 +130,13 @@ fn optimized(
     scene: &Scene,
     voxels: &Voxels,
     resume: bool,
+    kept: &mut KeptModel,
     clock: &mut Clock<'_>,
 ) -> Result<Optimized> {
     let stage = clock.stage(OPTIMIZING);
     let place = RunFolder::checkpoint_in(&job.folder());
-    let optimized = optimize(scene, voxels, &place, resume, clock.progress, &stage);
+    let progress = &mut *clock.progress;
+    let optimized = optimize(scene, voxels, &place, resume, kept, progress, &stage);
     optimized.map_err(|e| job.locate(e))
 }
 
@@ -136,7 +144,7 @@ fn optimized(
 fn judge(
     job: &Job,
     (scene, (voxels, mut warnings)): (Scene, (Voxels, Vec<String>)),
-    optimized: Optimized,
+    (optimized, kept): (Optimized, &KeptModel),
     leaves: Leaves,
     folder: RunFolder,
     mut clock: Clock<'_>,
@@ -151,6 +159,7 @@ fn judge(
         &voxels,
         &patterns.shown,
         Some(&optimized.raw),
+        kept.judge(),
         clock.progress,
         &stage,
     );
@@ -216,6 +225,7 @@ fn simulate_stages(
         &voxels,
         &patterns.shown,
         patterns.raw.as_deref(),
+        None,
         clock.progress,
         &stage,
     )?;

@@ -411,6 +411,13 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     }
     let stop = &spec.stop;
     optional(stop.change, |v| not_negative("stop.change", v, ""))?;
+    if let (Some(after), None) = (stop.change_after, stop.change) {
+        return Err(Error::config(
+            "stop.change_after",
+            format!("{after} iterations without a change to look at"),
+            "stop.change beside it, or neither",
+        ));
+    }
     optional(stop.gap.filter(|gap| *gap != 0.0), |v| {
         let accepted = "a part of the loss, 0.000001 to 0.99, or 0: never";
         within("stop.gap", v, 1e-6, 0.99, accepted)
@@ -602,6 +609,7 @@ mod tests {
             ("multiresolution.levels=9", "multiresolution.levels"),
             ("bounds.bits=17", "bounds.bits"),
             ("stop.change=-1", "stop.change"),
+            ("stop.change_after=9", "stop.change_after"),
             ("stop.gap=1e-9", "stop.gap"),
             ("stop.relative_loss=1", "stop.relative_loss"),
             ("stop.iou=1.5", "stop.iou"),

@@ -4,6 +4,7 @@ mod stage;
 mod start;
 mod watch;
 
+use super::kept::{self, KeptModel};
 use super::levels::Levelled;
 use super::progress::{Event, Progress};
 use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
@@ -64,7 +65,7 @@ impl Optimized {
     }
 }
 
-/// Runs the optimizer of a job, or goes on from the checkpoint in its folder.
+/// Runs the optimizer of a job, or goes on from the checkpoint in its folder; by a kept model that suits it, and leaves its own if that can judge.
 ///
 /// # Errors
 /// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
@@ -73,6 +74,7 @@ pub(crate) fn optimize(
     voxels: &Voxels,
     place: &Path,
     resume: bool,
+    kept: &mut KeptModel,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
@@ -90,6 +92,8 @@ pub(crate) fn optimize(
     if resumed.is_none() {
         checkpoints.begin_anew();
     }
+    let key = kept::key(scene, voxels)?;
+    let mut judge = kept.take(key);
     let job_start = scene.kinds.start.as_ref();
     let files = job_start.files();
     let mut carried: Option<Vec<Patterns>> = None;
@@ -99,7 +103,8 @@ pub(crate) fn optimize(
     let own_levels = scene.own_levels();
     for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
         let is_last = i + 1 == scene.levels.len();
-        let stage = scene.agreed(Stage::new(scene, voxels, own_level, progress, cancel))?;
+        let stage = Stage::new(scene, voxels, own_level, judge.take(), progress, cancel);
+        let stage = scene.agreed(stage)?;
         let stage = stage.shared(scene);
         if i == 0 {
             let text = stage.reason.clone();
@@ -178,6 +183,7 @@ pub(crate) fn optimize(
                     }
                 };
                 let raw = stage.levelled(scene, raw, progress, cancel)?;
+                kept.put(key, &stage);
                 return Ok(Optimized {
                     raw,
                     levels,

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::in_time::planned_in_time;
+use crate::job::kept::Judge;
 use crate::job::levels::{self, Levelled};
 use crate::job::progress::{Event, Progress};
 use crate::job::refinement::{self, Level};
@@ -38,25 +39,27 @@ pub(super) struct SoFar {
 
 /// One level, ready to be optimized.
 pub(crate) struct Stage<'a> {
-    pub(super) level: &'a Level,
+    pub(in crate::job) level: &'a Level,
     pub(crate) voxels: Cow<'a, Voxels>,
     /// Those of further species.
     pub(super) others: Vec<Voxels>,
-    pub(crate) model: Box<dyn DoseModel<Field = HostField>>,
+    pub(crate) model: SharedModel,
     pub(super) straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// That of the job as it is, where `model` is that of all scenarios.
     pub(super) nominal: Option<SharedModel>,
-    /// Pixels that stay dark.
-    pub(super) dark: Vec<bool>,
+    /// Pixels that stay dark; none where it is empty.
+    pub(in crate::job) dark: Vec<bool>,
     /// Which model, and why.
-    pub(super) reason: String,
+    pub(in crate::job) reason: String,
 }
 
 impl<'a> Stage<'a> {
+    /// A level with its model, or with one that is there already.
     pub(crate) fn new(
         scene: &Scene,
         voxels: &'a Voxels,
         level: &'a Level,
+        judge: Option<Judge>,
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Self> {
@@ -68,6 +71,18 @@ impl<'a> Stage<'a> {
         let others = scene.others.iter();
         let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
         let others = others.collect::<Result<Vec<_>>>()?;
+        if let Some(Judge { model, reason, .. }) = judge {
+            return Ok(Stage {
+                level,
+                voxels,
+                others,
+                model,
+                straight: None,
+                nominal: None,
+                dark: Vec::new(),
+                reason,
+            });
+        }
         let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
         let optics = OpticalScene {
             lights: &level.lights,
@@ -106,8 +121,8 @@ impl<'a> Stage<'a> {
             return self;
         };
         let of_all = |model| Sharded::new(model, Arc::clone(ranks));
-        self.straight = (self.straight).map(|model| Box::new(of_all(model)) as Box<_>);
-        self.model = Box::new(of_all(self.model));
+        self.straight = (self.straight).map(|model| Box::new(of_all(model.into())) as Box<_>);
+        self.model = Arc::new(of_all(self.model));
         self.reason = format!(
             "{}; its frames are shared by {} ranks",
             self.reason,
@@ -295,6 +310,7 @@ impl<'a> Stage<'a> {
             iterations: self.level.until,
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
+            change_after: spec.stop.change_after.unwrap_or(0),
             gap: spec.stop.gap.unwrap_or(0.0),
             relative_loss: spec.stop.relative_loss.unwrap_or(0.0),
             first_loss: sofar.first_loss,

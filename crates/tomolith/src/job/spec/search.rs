@@ -90,6 +90,10 @@ pub struct StopSpec {
     /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub change: Option<f64>,
+    /// Iterations after which `change` is looked at; 0 when left out. From patterns that are good already the loss changes little while
+    /// the print still does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change_after: Option<usize>,
     /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
     /// objectives; looked at after every fifth iteration.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -116,6 +120,7 @@ impl Default for StopSpec {
             iterations: 45,
             projected_gradient: None,
             change: None,
+            change_after: None,
             gap: None,
             loss: 0.0,
             relative_loss: None,

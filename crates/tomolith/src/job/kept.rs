@@ -1,0 +1,213 @@
+//! A model that optimizes and judges: it is built once, and left to the next run.
+//!
+//! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
+//! ([`judges_alike`](crate::models::ModelFamily::judges_alike)), one model does both. A later run in the same process takes it over where
+//! its job differs in nothing that a model reads. Results are the same to the bit.
+//!
+//! **Memory.** Such a model keeps no more between calls than one that judges, and it stands in place of that one. It is let go before
+//! another is built.
+
+use super::doses::{Exposed, LitRows};
+use super::evaluate::judged_angles;
+use super::in_time;
+use super::optimize::Stage;
+use super::read::with_every_default;
+use super::resume::{as_floats, contents, hash, of_voxels};
+use super::scene::{Scene, Voxels};
+use crate::error::Result;
+use crate::models::scenarios::SharedModel;
+use crate::models::{OpticalScene, PatternLayout};
+use crate::optics::light::Light;
+
+/// Tables that no model reads.
+const UNREAD: [&str; 8] = [
+    "objective",
+    "optimizer",
+    "start",
+    "bounds",
+    "stop",
+    "checkpoint",
+    "output",
+    "resources",
+];
+
+/// What a run leaves to the next one in the same process: its model, where that may serve others, or nothing.
+#[derive(Default)]
+pub struct KeptModel(Option<(u64, Judge)>);
+
+/// A model that gives the doses of an optimization and those that judge it.
+#[derive(Clone)]
+pub(crate) struct Judge {
+    exposed: Exposed,
+    pub(super) model: SharedModel,
+    /// Which model, and why.
+    pub(super) reason: String,
+}
+
+impl KeptModel {
+    /// Takes out the model that this key stands for; another one is let go.
+    pub(super) fn take(&mut self, key: Option<u64>) -> Option<Judge> {
+        let (own, judge) = self.0.take()?;
+        (Some(own) == key).then_some(judge)
+    }
+
+    /// Keeps the model of a stage under its job's key; none where it leaves pixels dark.
+    pub(super) fn put(&mut self, key: Option<u64>, stage: &Stage<'_>) {
+        self.0 = key.filter(|_| stage.dark.is_empty()).map(|key| {
+            let judge = Judge {
+                exposed: Exposed::new(&stage.level.grid, stage.level.lights.clone()),
+                model: SharedModel::clone(&stage.model),
+                reason: stage.reason.clone(),
+            };
+            (key, judge)
+        });
+    }
+
+    /// The model that is kept.
+    pub(super) fn judge(&self) -> Option<&Judge> {
+        self.0.as_ref().map(|(_, judge)| judge)
+    }
+}
+
+impl Judge {
+    /// Whether it has the doses of patterns that are lit in these rows.
+    pub(super) fn gives(&self, exposed: &Exposed, lit: &[LitRows]) -> bool {
+        let shows = |(own, lit): (&PatternLayout, &LitRows)| {
+            own.runs.iter().zip(lit).all(|(run, &(bottom, count))| {
+                count == 0 || run.bottom <= bottom && bottom + count <= run.bottom + run.count
+            })
+        };
+        let layouts = self.model.patterns();
+        self.exposed == *exposed && layouts.len() == lit.len() && layouts.iter().zip(lit).all(shows)
+    }
+}
+
+/// What a job's model is known by, where one model optimizes and judges; None where it does not.
+///
+/// # Errors
+/// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
+pub(super) fn key(scene: &Scene, voxels: &Voxels) -> Result<Option<u64>> {
+    if !is_judged_alike(scene)? {
+        return Ok(None);
+    }
+    let mut tables = with_every_default(scene.spec.clone()).to_value()?;
+    as_floats(&mut tables);
+    if let Some(map) = tables.as_object_mut() {
+        map.retain(|key, _| !UNREAD.contains(&key.as_str()));
+    }
+    let mut parts = vec![hash(tables.to_string().as_bytes())];
+    parts.extend(of_voxels(voxels));
+    contents(&tables, &scene.base, &mut parts)?;
+    Ok(Some(hash(bytemuck::cast_slice(&parts))))
+}
+
+/// Whether one model optimizes and judges.
+fn is_judged_alike(scene: &Scene) -> Result<bool> {
+    let [level] = scene.levels.as_slice() else {
+        return Ok(false);
+    };
+    let is_joined = scene.ranks.is_some()
+        || scene.mixing.is_some()
+        || scene.has_cells
+        || !(scene.others.is_empty() && scene.scenarios.is_empty())
+        || scene.is_optimized_in_time()
+        || in_time::diffuses(scene);
+    let fine = scene.fine_grid();
+    let own = Exposed::new(&level.grid, level.lights.clone());
+    let is_own = |angles| Exposed::new(&fine, scene.optics.lights_turning(angles)) == own;
+    let is_plain = |(level, own): (&Light, &Light)| {
+        level.pixels == own.pixels && !own.selection.is_any() && own.point_spread.is_none()
+    };
+    let mut lights = level.lights.iter().zip(&scene.optics.lights);
+    if is_joined
+        || scene.grid != fine
+        || ![1, judged_angles(scene)].into_iter().all(is_own)
+        || !lights.all(is_plain)
+    {
+        return Ok(false);
+    }
+    let optics = OpticalScene {
+        lights: &level.lights,
+        ..scene.optimizing()
+    };
+    let family = scene.optics.family(&level.grid)?;
+    Ok(family.judges_alike(&optics, &level.grid))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Job, Leaves, RunFolder, Silent, run_here};
+    use crate::models::Run;
+    use std::path::Path;
+
+    /// A disc of one slice, judged as it is optimized.
+    const PLANE: &str = r#"
+        target = { phantom = { cylinder = { size_mm = 1.6, height_mm = 0.1 } } }
+        grid = { shape = [24, 24, 1], pitch_mm = 0.1, region = "cylinder" }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [24, 1], angles = 30, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        objective = { ospw = { lower = 0.7, upper = 0.9 } }
+        optimizer = { lbfgs = {} }
+        stop = { iterations = 6 }
+        evaluate = { refine = 1, sub_angles = 1 }
+    "#;
+
+    /// Runs the job with changes by what is kept; its report without what is of the time, and its patterns.
+    fn ran(kept: &mut KeptModel, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
+        let file = folder.join("job.toml");
+        std::fs::write(&file, PLANE).unwrap();
+        let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
+        let job = Job::read(&file, &changes).unwrap();
+        let job = job.with_folder(&folder.join("run"), "test").overwriting();
+        run_here(
+            &job,
+            false,
+            Leaves::Patterns,
+            kept,
+            &mut Silent,
+            &Run::new(),
+        )
+        .unwrap();
+        let read = |name| std::fs::read(folder.join("run").join(name)).unwrap();
+        let mut report: serde_json::Value = serde_json::from_slice(&read("report.json")).unwrap();
+        let tables = report.as_object_mut().unwrap();
+        tables.retain(|key, _| key != "run");
+        assert!(RunFolder::finished(&folder.join("run")).is_some());
+        (report, read("patterns.npz"))
+    }
+
+    #[test]
+    fn a_run_by_the_model_of_another_is_the_same_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut kept = KeptModel::default();
+        let changes = ["objective.ospw.lower=0.4", "optimizer={ fista = {} }"];
+        ran(&mut kept, &changes, folder.path());
+        let model = |kept: &KeptModel| kept.judge().map(|judge| SharedModel::clone(&judge.model));
+        let first = model(&kept).unwrap();
+        let again = ran(&mut kept, &[], folder.path());
+        let second = model(&kept).unwrap();
+        assert!(std::sync::Arc::ptr_eq(&first, &second));
+        let alone = ran(&mut KeptModel::default(), &[], folder.path());
+        assert!(again == alone, "a report or patterns differ");
+        // A vial that absorbs more has another
+        ran(&mut kept, &["resin.absorption_per_mm=0.2"], folder.path());
+        assert!(!std::sync::Arc::ptr_eq(&first, &model(&kept).unwrap()));
+    }
+
+    #[test]
+    fn nothing_is_kept_where_patterns_are_judged_otherwise() {
+        let folder = tempfile::tempdir().unwrap();
+        for change in [
+            "evaluate.refine=2",
+            "evaluate.sub_angles=2",
+            "grid.shape=[24, 24, 2]",
+            "light[0].selection={ columns = [2, 20] }",
+        ] {
+            let mut kept = KeptModel::default();
+            ran(&mut kept, &[change], folder.path());
+            assert!(kept.judge().is_none(), "{change}");
+        }
+    }
+}
