@@ -9,8 +9,8 @@
 //! singular at L = 0, where it is set to 0; p < 1 as in [`band`](super::band). **Cost** one pass; a power other than 1 and 2
 //! costs a `powf` per voxel outside its band.
 
-use super::preset::{AroundTarget, SurfaceHandling, not_negative, positive};
-use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
+use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative, positive};
+use super::{BuildObjective, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -48,7 +48,9 @@ impl Default for Params {
     }
 }
 
-impl Params {
+impl Preset for Params {
+    type Bands = AroundTarget;
+
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<AroundTarget> {
         not_negative("epsilon", self.epsilon)?;
@@ -64,6 +66,13 @@ impl Params {
             q: self.q,
         })
     }
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn epsilon(&self) -> Option<f64> {
+        Some(self.epsilon)
+    }
 }
 
 /// The row of the table.
@@ -75,23 +84,5 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
         schema: || schemars::schema_for!(Params),
         build: read::<F, Params>,
-    }
-}
-
-impl<F: Field> MakeObjective<F> for Params {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(self.surface, input)
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn epsilon(&self) -> Option<f64> {
-        Some(self.epsilon)
     }
 }

@@ -9,8 +9,8 @@
 //! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a gray target.
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
-use super::preset::{AroundTarget, SurfaceHandling, not_negative};
-use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
+use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative};
+use super::{BuildObjective, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -39,34 +39,30 @@ impl Default for Params {
     }
 }
 
-impl Params {
-    /// Bands of width 0 with p = q = `power`.
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self, power: u8) -> Result<AroundTarget> {
-        not_negative("part_weight", self.part_weight)?;
-        not_negative("void_weight", self.void_weight)?;
-        Ok(AroundTarget {
-            half_width: 0.0,
-            part_weight: self.part_weight as f32,
-            void_weight: self.void_weight as f32,
-            p: f64::from(power),
-            q: f64::from(power),
-        })
-    }
-}
-
 /// Bands of width 0 to a power: what each of the rows reads.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(transparent)]
 pub(super) struct ToPower<const POWER: u8>(Params);
 
-impl<F: Field, const POWER: u8> MakeObjective<F> for ToPower<POWER> {
-    fn check(&self) -> Result<()> {
-        self.0.bands(POWER).map(drop)
-    }
+impl<const POWER: u8> Preset for ToPower<POWER> {
+    type Bands = AroundTarget;
 
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.0.bands(POWER)?.build(self.0.surface, input)
+    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+    fn bands(&self) -> Result<AroundTarget> {
+        let Params {
+            part_weight,
+            void_weight,
+            ..
+        } = self.0;
+        not_negative("part_weight", part_weight)?;
+        not_negative("void_weight", void_weight)?;
+        Ok(AroundTarget {
+            half_width: 0.0,
+            part_weight: part_weight as f32,
+            void_weight: void_weight as f32,
+            p: f64::from(POWER),
+            q: f64::from(POWER),
+        })
     }
 
     fn surface(&self) -> SurfaceHandling {

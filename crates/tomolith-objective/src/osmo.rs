@@ -9,8 +9,8 @@
 //! method's normalization by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, SurfaceHandling, below, finite};
-use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
+use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite};
+use super::{BuildObjective, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -39,7 +39,9 @@ impl Default for Params {
     }
 }
 
-impl Params {
+impl Preset for Params {
+    type Bands = PartAndVoid;
+
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<PartAndVoid> {
         finite("d_h", self.d_h)?;
@@ -52,6 +54,13 @@ impl Params {
             q: 2.0,
         })
     }
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.d_l, self.d_h])
+    }
 }
 
 /// The row of the table.
@@ -63,23 +72,5 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
         schema: || schemars::schema_for!(Params),
         build: read::<F, Params>,
-    }
-}
-
-impl<F: Field> MakeObjective<F> for Params {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(self.surface, input)
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.d_l, self.d_h])
     }
 }

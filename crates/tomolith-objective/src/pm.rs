@@ -14,7 +14,9 @@
 //! **Cost** the label pass of [`band`](super::band); the buffer costs two distance transforms once.
 
 use super::band::Band;
-use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
+use super::preset::{
+    BuildBands, PartAndVoid, SurfaceHandling, below, finite, not_negative, positive,
+};
 use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
 use rayon::prelude::*;
 use schemars::JsonSchema;

@@ -1,10 +1,11 @@
 //! What the presets share: how part and void become bands.
 
 use super::band::{Band, BandObjective, Bands};
-use super::{BoxedObjective, ObjectiveInput};
+use super::{BoxedObjective, Chosen, MakeObjective, ObjectiveInput};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::fmt::Debug;
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
@@ -58,6 +59,71 @@ impl SurfaceHandling {
     }
 }
 
+/// Parameters that are bands and powers, and nothing else: a preset of the band objective.
+pub trait Preset: Debug + Send + Sync + Sized + 'static {
+    /// What they are for a target.
+    type Bands: BuildBands;
+    /// The bands and powers.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of a parameter out of range.
+    fn bands(&self) -> Result<Self::Bands>;
+    /// How voxels that the surface cuts are weighed.
+    fn surface(&self) -> SurfaceHandling;
+    /// As [`MakeObjective::thresholds`].
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        None
+    }
+    /// As [`MakeObjective::epsilon`].
+    fn epsilon(&self) -> Option<f64> {
+        None
+    }
+    /// As [`MakeObjective::with`].
+    fn with(&self, _chosen: Chosen) -> Option<Self> {
+        None
+    }
+}
+
+/// Bands and powers that a target makes an objective.
+pub trait BuildBands {
+    /// The objective of a target.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a target or a surface that they do not go with, [`Error::Config`] for bands out of range.
+    fn build<F: Field>(
+        &self,
+        surface: SurfaceHandling,
+        input: &ObjectiveInput,
+    ) -> BoxedObjective<F>;
+}
+
+impl<F: Field, P: Preset> MakeObjective<F> for P {
+    fn check(&self) -> Result<()> {
+        self.bands().map(drop)
+    }
+
+    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
+        self.bands()?.build(Preset::surface(self), input)
+    }
+
+    fn surface(&self) -> SurfaceHandling {
+        Preset::surface(self)
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Preset::thresholds(self)
+    }
+
+    fn epsilon(&self) -> Option<f64> {
+        Preset::epsilon(self)
+    }
+
+    fn with(&self, chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
+        let other = Preset::with(self, chosen)?;
+        Some(Arc::new(other))
+    }
+}
+
 /// The powers of a band objective and the bands of part and void.
 #[derive(Clone, Copy, Debug)]
 pub struct PartAndVoid {
@@ -71,23 +137,21 @@ pub struct PartAndVoid {
     pub q: f64,
 }
 
-impl PartAndVoid {
-    /// The objective of a target of part and void.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for a gray target, [`Error::Config`] for bands out of range.
-    pub fn build<F: Field>(
+impl BuildBands for PartAndVoid {
+    fn build<F: Field>(
         &self,
         surface: SurfaceHandling,
         input: &ObjectiveInput,
     ) -> BoxedObjective<F> {
         self.build_with_labels(surface, input, input.labels)
     }
+}
 
-    /// As [`build`](Self::build), with other labels than the input's.
+impl PartAndVoid {
+    /// As [`build`](BuildBands::build), with other labels than the input's.
     ///
     /// # Errors
-    /// As [`build`](Self::build).
+    /// As [`build`](BuildBands::build).
     pub fn build_with_labels<F: Field>(
         &self,
         surface: SurfaceHandling,
@@ -223,12 +287,9 @@ pub struct AroundTarget {
     pub q: f64,
 }
 
-impl AroundTarget {
-    /// The objective: f is 1 in the part and 0 in the void, or the gray values of a gray target.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for a gray target with a surface fraction, [`Error::Config`] for bands out of range.
-    pub fn build<F: Field>(
+impl BuildBands for AroundTarget {
+    /// f is 1 in the part and 0 in the void, or the gray values of a gray target.
+    fn build<F: Field>(
         &self,
         surface: SurfaceHandling,
         input: &ObjectiveInput,
@@ -253,7 +314,9 @@ impl AroundTarget {
         check_shape("labels", &input.labels.grid.shape, input)?;
         finish(self.gray(input), self.p, self.q, input)
     }
+}
 
+impl AroundTarget {
     fn gray(&self, input: &ObjectiveInput) -> Bands {
         let values = input.layout.field_of(&input.target.inside);
         let labels = input.layout.field_of(input.labels);

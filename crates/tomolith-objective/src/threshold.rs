@@ -16,11 +16,10 @@
 //! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
 
 use super::band::Band;
-use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative, positive};
-use super::{BoxedObjective, BuildObjective, Chosen, MakeObjective, ObjectiveInput, read};
+use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative, positive};
+use super::{BuildObjective, Chosen, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::Kind;
@@ -67,7 +66,9 @@ impl Default for Params {
     }
 }
 
-impl Params {
+impl Preset for Params {
+    type Bands = PartAndVoid;
+
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<PartAndVoid> {
         let lower = self.lower.unwrap_or(LOWER);
@@ -98,6 +99,23 @@ impl Params {
             q: exponent,
         })
     }
+
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.lower.unwrap_or(LOWER), self.upper.unwrap_or(UPPER)])
+    }
+
+    fn with(&self, chosen: Chosen) -> Option<Self> {
+        let mut params = self.clone();
+        let is_named = match chosen {
+            Chosen::Lower(lower) => params.lower.replace(lower).or(self.upper),
+            Chosen::Exponent(exponent) => params.exponent.replace(exponent),
+        };
+        is_named.is_none().then_some(params)
+    }
 }
 
 /// What it is called in a job.
@@ -112,35 +130,5 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
         schema: || schemars::schema_for!(Params),
         build: read::<F, Params>,
-    }
-}
-
-impl<F: Field> MakeObjective<F> for Params {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(self.surface, input)
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.lower.unwrap_or(LOWER), self.upper.unwrap_or(UPPER)])
-    }
-
-    fn with(&self, chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
-        let mut params = self.clone();
-        let is_named = match chosen {
-            Chosen::Lower(lower) => params.lower.replace(lower).or(self.upper),
-            Chosen::Exponent(exponent) => params.exponent.replace(exponent),
-        };
-        match is_named {
-            None => Some(Arc::new(params)),
-            Some(_) => None,
-        }
     }
 }

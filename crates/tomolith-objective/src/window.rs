@@ -14,8 +14,8 @@
 //! **Parameters** see [`Params`] and [`WindowParams`]. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, SurfaceHandling, below, finite, not_negative};
-use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
+use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative};
+use super::{BuildObjective, read};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
@@ -87,7 +87,9 @@ fn squared(lower: f64, upper: f64, [part, void]: [Band; 2]) -> Result<PartAndVoi
 #[serde(transparent)]
 struct Sided<const BOTH: bool>(Params);
 
-impl<const BOTH: bool> Sided<BOTH> {
+impl<const BOTH: bool> Preset for Sided<BOTH> {
+    type Bands = PartAndVoid;
+
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<PartAndVoid> {
         let Params { lower, upper, .. } = self.0;
@@ -97,16 +99,6 @@ impl<const BOTH: bool> Sided<BOTH> {
             false => [Band::above(u), Band::below(l)],
         };
         squared(lower, upper, bands)
-    }
-}
-
-impl<F: Field, const BOTH: bool> MakeObjective<F> for Sided<BOTH> {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(self.0.surface, input)
     }
 
     fn surface(&self) -> SurfaceHandling {
@@ -142,7 +134,9 @@ pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
     }
 }
 
-impl WindowParams {
+impl Preset for WindowParams {
+    type Bands = PartAndVoid;
+
     #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
     fn bands(&self) -> Result<PartAndVoid> {
         let WindowParams {
@@ -151,6 +145,13 @@ impl WindowParams {
         not_negative("w", w)?;
         let part = Band::new(upper as f32, (upper + w) as f32, 1.0);
         squared(lower, upper, [part, Band::below(lower as f32)])
+    }
+    fn surface(&self) -> SurfaceHandling {
+        self.surface
+    }
+
+    fn thresholds(&self) -> Option<[f64; 2]> {
+        Some([self.lower, self.upper])
     }
 }
 
@@ -163,23 +164,5 @@ pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
         example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
         schema: || schemars::schema_for!(WindowParams),
         build: read::<F, WindowParams>,
-    }
-}
-
-impl<F: Field> MakeObjective<F> for WindowParams {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(self.surface, input)
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.lower, self.upper])
     }
 }

@@ -14,11 +14,12 @@
 //!
 //! **Layout** of a backend's data: frame by frame the active rows of every column ([`ColumnRun`]). Pixels that are no elements count as dark.
 //! **Bits** of the host: in f32, products rounded before they are added; M from the first to the last active column of a frame, then Mᵀ
-//! back. **Cost** two recursions, 16 operations a pixel, and a copy.
+//! back; rows of short frames go side by side through the sixteen lanes of a pass. **Cost** two recursions, 16 operations a pixel, and a copy.
 
 use super::group::Group;
 use super::{Field as _, HostField, LANES};
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::Arc;
 use wide::f32x8;
 
@@ -51,69 +52,162 @@ pub trait HalfRampKernel<F>: Send + Sync {
     fn apply(&self, x: &F, out: &mut F);
 }
 
-/// [`HalfRampKernel`] in host memory.
+/// [`HalfRampKernel`] in host memory: frames in batches of up to sixteen rows of pixels, which are filtered side by side.
 #[derive(Clone, Debug)]
-pub struct HostHalfRamp(Arc<HalfRamp>);
+pub struct HostHalfRamp(Arc<[Batch]>);
+
+/// Neighboring frames whose rows are filtered side by side, or one that is higher.
+#[derive(Debug)]
+struct Batch {
+    frames: Vec<Frame>,
+    /// From the first to the last column in which any of them has active rows.
+    columns: Range<usize>,
+    /// Elements of the field.
+    elements: Range<usize>,
+}
+
+/// The active pixels of a frame.
+#[derive(Debug)]
+struct Frame {
+    /// From the first to the last column that has active rows.
+    runs: Vec<ColumnRun>,
+    /// The first of these columns.
+    column: usize,
+    /// Lowest active row.
+    bottom: usize,
+    /// Rows from there to above the highest active one.
+    height: usize,
+    /// Lane of the lowest row.
+    lane: usize,
+    elements: usize,
+}
+
+impl Frame {
+    fn new(mut runs: Vec<ColumnRun>) -> Self {
+        let elements = runs.iter().map(|run| run.count).sum();
+        let is_lit = |run: &ColumnRun| run.count > 0;
+        let column = runs.iter().position(is_lit).unwrap_or(runs.len());
+        runs.truncate(
+            runs.iter()
+                .rposition(is_lit)
+                .map_or(column, |last| last + 1),
+        );
+        runs.drain(..column);
+        let lit = || runs.iter().filter(|run| run.count > 0);
+        let bottom = lit().map(|run| run.bottom).min().unwrap_or(0);
+        let top = lit().map(|run| run.bottom + run.count).max().unwrap_or(0);
+        Frame {
+            runs,
+            column,
+            bottom,
+            height: top - bottom,
+            lane: 0,
+            elements,
+        }
+    }
+}
+
+impl Batch {
+    /// Every frame, in the order of the field.
+    fn all(ramp: HalfRamp) -> Vec<Self> {
+        let mut batches: Vec<Batch> = Vec::new();
+        let mut end = 0;
+        for runs in ramp.frames {
+            let mut frame = Frame::new(runs);
+            let columns = frame.column..frame.column + frame.runs.len();
+            let begin = end;
+            end += frame.elements;
+            let rows = |batch: &Batch| {
+                batch
+                    .frames
+                    .last()
+                    .map_or(0, |last| last.lane + last.height)
+            };
+            match batches.last_mut() {
+                Some(batch) if rows(batch) + frame.height <= LANES => {
+                    frame.lane = rows(batch);
+                    batch.columns.start = batch.columns.start.min(columns.start);
+                    batch.columns.end = batch.columns.end.max(columns.end);
+                    batch.elements.end = end;
+                    batch.frames.push(frame);
+                }
+                _ => batches.push(Batch {
+                    frames: vec![frame],
+                    columns,
+                    elements: begin..end,
+                }),
+            }
+        }
+        batches
+    }
+
+    /// out ← P·x for its elements: sixteen rows at a time through all columns.
+    fn apply(&self, x: &[f32], out: &mut [f32], scratch: &mut Vec<[f32; LANES]>) {
+        let height = self.frames.iter().map(|frame| frame.height).max();
+        for row in (0..height.unwrap_or(0)).step_by(LANES) {
+            scratch.clear();
+            scratch.resize(self.columns.len(), [0.0; LANES]);
+            for (column, [element, lane, count]) in self.overlaps(row) {
+                scratch[column][lane..lane + count].copy_from_slice(&x[element..element + count]);
+            }
+            recur(scratch.iter_mut());
+            self.end_rows(scratch);
+            recur(scratch.iter_mut().rev());
+            for (column, [element, lane, count]) in self.overlaps(row) {
+                out[element - self.elements.start..][..count]
+                    .copy_from_slice(&scratch[column][lane..lane + count]);
+            }
+        }
+    }
+
+    /// What the runs have in common with the sixteen rows from `row` on above the lowest: the column of the batch; first element, first lane,
+    /// how many.
+    fn overlaps(&self, row: usize) -> impl Iterator<Item = (usize, [usize; 3])> + '_ {
+        self.frames.iter().flat_map(move |frame| {
+            let first = frame.column - self.columns.start;
+            let runs = frame.runs.iter().enumerate();
+            runs.map(move |(i, run)| {
+                let [element, lane, count] = overlap(run, frame.bottom + row);
+                (first + i, [element, frame.lane + lane, count])
+            })
+        })
+    }
+
+    /// M ends with the last active column of a frame, which may come before that of its neighbors.
+    fn end_rows(&self, scratch: &mut [[f32; LANES]]) {
+        if let [_] = self.frames.as_slice() {
+            return;
+        }
+        for frame in &self.frames {
+            let end = frame.column + frame.runs.len() - self.columns.start;
+            for column in &mut scratch[end..] {
+                column[frame.lane..frame.lane + frame.height].fill(0.0);
+            }
+        }
+    }
+}
 
 impl HalfRampKernel<HostField> for HostHalfRamp {
     fn new(ramp: HalfRamp, like: &HostField) -> Self {
-        let elements = ramp.frames.iter().flatten().map(|run| run.count);
-        assert_eq!(elements.sum::<usize>(), like.len(), "runs of another field");
-        HostHalfRamp(Arc::new(ramp))
+        let batches = Batch::all(ramp);
+        let elements = batches.last().map_or(0, |last| last.elements.end);
+        assert_eq!(elements, like.len(), "runs of another field");
+        HostHalfRamp(batches.into())
     }
 
     fn apply(&self, x: &HostField, out: &mut HostField) {
         let x = x.as_slice();
         let mut rest = out.as_mut_slice();
-        let mut frames = Vec::with_capacity(self.0.frames.len());
-        for runs in &self.0.frames {
-            let elements: usize = runs.iter().map(|run| run.count).sum();
-            frames.push((
-                lit(runs),
-                rest.split_off_mut(..elements).unwrap_or_default(),
-            ));
+        let mut parts = Vec::with_capacity(self.0.len());
+        for batch in self.0.iter() {
+            let out = rest.split_off_mut(..batch.elements.len());
+            parts.push((batch, out.unwrap_or_default()));
         }
-        frames
+        parts
             .into_par_iter()
-            .for_each_init(Vec::new, |scratch, (runs, out)| {
-                of_frame(runs, x, out, scratch);
+            .for_each_init(Vec::new, |scratch, (batch, out)| {
+                batch.apply(x, out, scratch);
             });
-    }
-}
-
-/// The columns from the first to the last that has active rows.
-fn lit(runs: &[ColumnRun]) -> &[ColumnRun] {
-    let is_lit = |run: &ColumnRun| run.count > 0;
-    match (runs.iter().position(is_lit), runs.iter().rposition(is_lit)) {
-        (Some(first), Some(last)) => &runs[first..=last],
-        _ => &[],
-    }
-}
-
-/// One frame: sixteen rows at a time through all columns.
-fn of_frame(runs: &[ColumnRun], x: &[f32], out: &mut [f32], scratch: &mut Vec<[f32; LANES]>) {
-    let Some(begin) = runs.first().map(|run| run.first) else {
-        return;
-    };
-    let active = || runs.iter().filter(|run| run.count > 0);
-    let bottom = active().map(|run| run.bottom).min().unwrap_or(0);
-    let top = active()
-        .map(|run| run.bottom + run.count)
-        .max()
-        .unwrap_or(0);
-    for row in (bottom..top).step_by(LANES) {
-        scratch.clear();
-        scratch.resize(runs.len(), [0.0; LANES]);
-        for (run, column) in runs.iter().zip(&mut *scratch) {
-            let [element, lane, count] = overlap(run, row);
-            column[lane..lane + count].copy_from_slice(&x[element..element + count]);
-        }
-        recur(scratch.iter_mut());
-        recur(scratch.iter_mut().rev());
-        for (run, column) in runs.iter().zip(&*scratch) {
-            let [element, lane, count] = overlap(run, row);
-            out[element - begin..][..count].copy_from_slice(&column[lane..lane + count]);
-        }
     }
 }
 
@@ -246,6 +340,52 @@ mod tests {
         );
         // The least gain is that of patterns without fine detail
         assert!(px.dot(&x) > 0.19 * x.dot(&x));
+    }
+
+    #[test]
+    fn short_frames_side_by_side_have_the_bits_of_each_alone() {
+        // One to three rows, lit in different columns, and one frame without light
+        let mut first = 0;
+        let frames: Vec<Vec<ColumnRun>> = (0..40)
+            .map(|f| {
+                let lit = f % 7..30 - f % 11;
+                let of_column = |c: usize| ColumnRun {
+                    first: 0,
+                    bottom: f % 5,
+                    count: if f == 9 || !lit.contains(&c) {
+                        0
+                    } else {
+                        1 + f % 3
+                    },
+                };
+                let mut runs: Vec<ColumnRun> = (0..30).map(of_column).collect();
+                for run in &mut runs {
+                    run.first = first;
+                    first += run.count;
+                }
+                runs
+            })
+            .collect();
+        let x = HostField::from_slice(&crate::check::noise(11, first));
+        let mut together = x.zeros_like();
+        let all = HalfRamp { frames };
+        HostHalfRamp::new(all.clone(), &x).apply(&x, &mut together);
+        for runs in all.frames {
+            let elements: usize = runs.iter().map(|run| run.count).sum();
+            let begin = runs[0].first;
+            let own = |run: ColumnRun| ColumnRun {
+                first: run.first - begin,
+                ..run
+            };
+            let frames = vec![runs.into_iter().map(own).collect()];
+            let x = HostField::from_slice(&x.as_slice()[begin..begin + elements]);
+            let mut alone = x.zeros_like();
+            HostHalfRamp::new(HalfRamp { frames }, &x).apply(&x, &mut alone);
+            assert_eq!(
+                alone.as_slice(),
+                &together.as_slice()[begin..begin + elements]
+            );
+        }
     }
 
     #[test]

@@ -72,11 +72,11 @@ pub struct Direction {
 /// Sums over a direction brought into the bounds, and over the projected gradient step of its length beside it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DirectionSums {
-    /// g·p of p = P(x + stretch·d) − x
+    /// g·p of p = clip(x + stretch·d) − x, `clip` bringing into the bounds
     pub slope: f64,
     /// p·p
     pub square: f64,
-    /// g·r of r = P(x − length·g) − x
+    /// g·r of r = clip(x − length·g) − x
     pub gradient_slope: f64,
     /// r·r
     pub gradient_square: f64,
@@ -90,7 +90,7 @@ pub trait Pairs<F: Field>: Send + Sync + Sized {
     const MAX_MEMORY: usize;
     /// Writes the newest pair into a slot, and takes all products in the same pass.
     fn record(&mut self, slot: usize, latest: &Latest<F>, bounds: &F::Bounds) -> Products;
-    /// out ← P(x + stretch·d) − x, here P the projection onto the bounds; `image` is P·g of the free gradient.
+    /// out ← clip(x + stretch·d) − x, brought into the bounds; `image` is P·g of the free gradient.
     fn direction(
         &self,
         direction: &Direction,
@@ -405,7 +405,7 @@ struct DirectionBlock<'a> {
 }
 
 impl DirectionBlock<'_> {
-    /// P(x + d) − x
+    /// clip(x + d) − x
     #[inline(always)]
     fn projected(&self, x: Group, d: Group) -> Group {
         x.zip(d, |x, d| self.bounds.clamp(x + d) - x)
