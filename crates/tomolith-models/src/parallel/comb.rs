@@ -242,6 +242,7 @@ struct Rows {
 
 impl Rows {
     /// For each row the first strip, and how far into it the first voxel begins.
+    #[inline(always)] // with the instructions of the path that asks
     fn begins(&self) -> ([i32; TILE], [f32; TILE]) {
         let (mut strips, mut parts) = ([0; TILE], [0.0; TILE]);
         for row in 0..TILE {
@@ -254,6 +255,7 @@ impl Rows {
     }
 
     /// The first strip that any row meets, and for each row the place (voxels) of that strip's lower edge.
+    #[inline(always)]
     fn edges(&self) -> (i32, [f32; TILE]) {
         let last = self.start + self.per_row * (self.count - 1) as f64;
         let first = self.start.min(last).floor();
@@ -369,31 +371,37 @@ mod x86 {
     /// See [`plain_dose`]; eight lanes at a time.
     #[target_feature(enable = "avx2,fma")]
     pub(super) fn dose_avx2(rows: &Rows, source: &[f32], out: &mut Square) {
+        if rows.per_voxel <= 1.0 {
+            dose_of_halves::<2>(rows, source, out);
+        } else {
+            dose_of_halves::<3>(rows, source, out);
+        }
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    fn dose_of_halves<const TAPS: usize>(rows: &Rows, source: &[f32], out: &mut Square) {
         let (strips, parts) = rows.begins();
-        let (one, next) = (_mm256_set1_ps(1.0), _mm256_set1_epi32(1));
+        let one = _mm256_set1_ps(1.0);
         let width = _mm256_set1_ps(rows.per_voxel as f32);
-        let taps = if rows.per_voxel <= 1.0 { 2 } else { 3 };
-        for row in 0..rows.count {
+        let lanes = [0.0, 8.0].map(|first| half_ramp(first));
+        for (row, out) in out.chunks_exact_mut(TILE).enumerate().take(rows.count) {
             let at = window(source.len(), strips[row]);
-            let window = &source[at..at + 32];
             let factor = _mm256_set1_ps(rows.factor[row]);
-            let halves = out[row * TILE..(row + 1) * TILE].chunks_exact_mut(8);
-            for (half, out) in halves.enumerate() {
-                let lanes = half_ramp(8.0 * half as f32);
-                let begin = _mm256_fmadd_ps(lanes, width, _mm256_set1_ps(parts[row]));
-                let mut strip = _mm256_cvttps_epi32(begin);
+            for (lanes, out) in lanes.iter().zip(out.chunks_exact_mut(8)) {
+                let begin = _mm256_fmadd_ps(*lanes, width, _mm256_set1_ps(parts[row]));
+                let strip = _mm256_cvttps_epi32(begin);
                 let into = _mm256_sub_ps(begin, _mm256_cvtepi32_ps(strip));
+                // Eight voxels and their taps meet sixteen strips at most, as `MOST` is 31
+                let first = _mm256_cvtsi256_si32(strip);
+                let within = _mm256_sub_epi32(strip, _mm256_set1_epi32(first));
                 let mut cover = _mm256_min_ps(_mm256_sub_ps(one, into), width);
                 let mut left = width;
                 let mut sum = _mm256_setzero_ps();
-                for _ in 0..taps {
-                    let within = _mm256_and_si256(strip, _mm256_set1_epi32(31));
-                    // SAFETY: indices are 0 to 31, and the window has 32 floats.
-                    let value = unsafe { _mm256_i32gather_ps::<4>(window.as_ptr(), within) };
+                for tap in 0..TAPS {
+                    let value = look_half(sixteen(source, at + first as usize + tap), within);
                     sum = _mm256_fmadd_ps(cover, value, sum);
                     left = _mm256_sub_ps(left, cover);
                     cover = _mm256_min_ps(left, one);
-                    strip = _mm256_add_epi32(strip, next);
                 }
                 // SAFETY: `out` has eight floats.
                 unsafe {
@@ -422,6 +430,16 @@ mod x86 {
         )
     }
 
+    /// The upper seven lanes of `a`, and the lowest of `b` behind them.
+    #[target_feature(enable = "avx2,fma")]
+    fn shifted_half(a: __m256, b: __m256) -> __m256 {
+        let middle = _mm256_permute2f128_ps::<0x21>(a, b);
+        _mm256_castsi256_ps(_mm256_alignr_epi8::<4>(
+            _mm256_castps_si256(middle),
+            _mm256_castps_si256(a),
+        ))
+    }
+
     /// See [`plain_adjoint`]; eight lanes at a time.
     #[target_feature(enable = "avx2,fma")]
     pub(super) fn adjoint_avx2(rows: &Rows, integrals: &Integrals, source: &mut [f32]) {
@@ -432,33 +450,27 @@ mod x86 {
         let last = _mm256_set1_epi32(TILE as i32 - 1);
         let lanes = [0.0, 8.0, 16.0, 24.0].map(|first| _mm256_mul_ps(half_ramp(first), width));
         let mut sums = [zero; 4];
-        // One more than the strips: the upper edge of the last, which holds nothing
-        let mut integral = [0.0f32; 40];
         for (row, place) in places.iter().enumerate().take(rows.count) {
             let value = sixteen(&integrals.value, row * TILE);
             let constant = sixteen(&integrals.constant, row * TILE);
             let place = _mm256_set1_ps(*place);
-            for (lanes, out) in lanes.iter().zip(integral.chunks_exact_mut(8)) {
-                let edge = _mm256_add_ps(*lanes, place);
+            let integral = |lanes: __m256| {
+                let edge = _mm256_add_ps(lanes, place);
                 let edge = _mm256_min_ps(_mm256_max_ps(edge, zero), end);
                 let voxel = _mm256_min_epi32(_mm256_cvttps_epi32(edge), last);
-                let found =
-                    _mm256_fmadd_ps(edge, look_half(value, voxel), look_half(constant, voxel));
-                // SAFETY: `out` has eight floats.
-                unsafe { _mm256_storeu_ps(out.as_mut_ptr(), found) };
-            }
-            integral[32] = integral[31];
+                _mm256_fmadd_ps(edge, look_half(value, voxel), look_half(constant, voxel))
+            };
             let factor = _mm256_set1_ps(rows.factor[row] * rows.per_voxel as f32);
+            let mut here = integral(lanes[0]);
             for (i, sum) in sums.iter_mut().enumerate() {
-                let own = &integral[8 * i..8 * i + 9];
-                // SAFETY: nine floats.
-                let between = unsafe {
-                    _mm256_sub_ps(
-                        _mm256_loadu_ps(own.as_ptr().add(1)),
-                        _mm256_loadu_ps(own.as_ptr()),
-                    )
+                // The last strip has no edge behind it: at most 31 strips meet a tile, so it holds nothing
+                let next = match lanes.get(i + 1) {
+                    Some(&lanes) => integral(lanes),
+                    None => _mm256_permutevar8x32_ps(here, _mm256_set1_epi32(7)),
                 };
+                let between = _mm256_sub_ps(shifted_half(here, next), here);
                 *sum = _mm256_fmadd_ps(factor, between, *sum);
+                here = next;
             }
         }
         for (to, sum) in source[at..at + 32].chunks_exact_mut(8).zip(sums) {

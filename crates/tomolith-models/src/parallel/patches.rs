@@ -155,7 +155,9 @@ pub(super) fn gather(
         Isa::Avx512 => unsafe { x86::gather(out.map(<[f32]>::as_mut_ptr), source, entries, block) },
         #[cfg(target_arch = "x86_64")]
         // SAFETY: AVX2 and FMA were detected, as above.
-        Isa::Avx2 => unsafe { x86::gather_avx2(&mut out, source, entries, block) },
+        Isa::Avx2 => unsafe {
+            x86::gather_avx2(out.map(<[f32]>::as_mut_ptr), source, entries, block)
+        },
         Isa::Neon => gather_plain::<true>(&mut out, source, entries, block),
         _ => gather_plain::<false>(&mut out, source, entries, block),
     }
@@ -182,7 +184,7 @@ pub(super) fn spread(
         Isa::Avx512 => unsafe { x86::spread(rows, values.map(<[f32]>::as_ptr), entries, block) },
         #[cfg(target_arch = "x86_64")]
         // SAFETY: AVX2 and FMA were detected, as above.
-        Isa::Avx2 => unsafe { x86::spread_avx2(rows, values, entries, block) },
+        Isa::Avx2 => unsafe { x86::spread_avx2(rows, values.map(<[f32]>::as_ptr), entries, block) },
         Isa::Neon => spread_plain::<true>(rows, values, entries, block),
         _ => spread_plain::<false>(rows, values, entries, block),
     }
@@ -251,23 +253,22 @@ mod x86 {
     use super::{Block, LANES, PatchEntries, VOXELS};
     use std::arch::x86_64::*;
 
-    /// Vectors that four voxels hold in registers at most.
-    const HELD: usize = 6;
+    /// Registers of a voxel that four voxels can hold at most: of 32 with AVX-512.
+    const WIDE: usize = 6;
+    /// Of 16 with AVX2, half as wide: twelve, three for the column, one for a weight.
+    const HALVES: usize = 2;
 
-    /// Calls `$f::<N>` with N = `$n`, for 1 ≤ n ≤ [`HELD`].
+    /// Calls `$f::<N>` with N = `$n`, one of `$k`.
     macro_rules! with_count {
-        ($n:expr, $f:ident, $args:tt) => {
-            with_count!(@ $n, $f, $args, [1 2 3 4 5 6])
-        };
-        (@ $n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
+        ($n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
             match $n { $($k => with_count!(! $f, $k, $args),)* _ => {} }
         };
         (! $f:ident, $k:literal, ($($arg:expr),*)) => { $f::<$k>($($arg),*) };
     }
 
-    /// Vectors of a block in pieces of at most [`HELD`], nearly equal: first and number.
-    fn pieces(count: usize) -> impl Iterator<Item = (usize, usize)> {
-        let parts = count.div_ceil(HELD);
+    /// Registers of a block in pieces of at most `held`, nearly equal: first and number.
+    fn pieces(count: usize, held: usize) -> impl Iterator<Item = (usize, usize)> {
+        let parts = count.div_ceil(held);
         (0..parts).map(move |i| {
             let (first, end) = (i * count / parts, (i + 1) * count / parts);
             (first, end - first)
@@ -283,12 +284,13 @@ mod x86 {
         entries: PatchEntries,
         block: Block,
     ) {
-        for (first, count) in pieces(block.count) {
+        for (first, count) in pieces(block.count, WIDE) {
             // SAFETY: bounds are the caller's promise.
             unsafe {
                 let base = source.as_ptr().add((block.first + first) * LANES);
                 let out = out.map(|out| out.add(first * LANES));
-                with_count!(count, gather_wide, (out, base, block.row * LANES, entries));
+                let stride = block.row * LANES;
+                with_count!(count, gather_wide, (out, base, stride, entries), [1 2 3 4 5 6]);
             }
         }
     }
@@ -349,16 +351,13 @@ mod x86 {
         entries: PatchEntries,
         block: Block,
     ) {
-        for (first, count) in pieces(block.count) {
+        for (first, count) in pieces(block.count, WIDE) {
             // SAFETY: bounds are the caller's promise.
             unsafe {
                 let base = rows.as_mut_ptr().add((block.first + first) * LANES);
                 let values = values.map(|values| values.add(first * LANES));
-                with_count!(
-                    count,
-                    spread_wide,
-                    (base, values, block.row * LANES, entries)
-                );
+                let stride = block.row * LANES;
+                with_count!(count, spread_wide, (base, values, stride, entries), [1 2 3 4 5 6]);
             }
         }
     }
@@ -409,27 +408,154 @@ mod x86 {
     }
 
     /// # Safety
-    /// AVX2 and FMA.
+    /// AVX2 and FMA; slots inside `source`, the block inside rows and every `out`.
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn gather_avx2(
-        out: &mut [&mut [f32]; VOXELS],
+        out: [*mut f32; VOXELS],
         source: &[f32],
         entries: PatchEntries,
         block: Block,
     ) {
-        super::gather_plain::<true>(out, source, entries, block);
+        for (first, count) in pieces(2 * block.count, HALVES) {
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = source.as_ptr().add(block.first * LANES + first * 8);
+                let out = out.map(|out| out.add(first * 8));
+                let stride = block.row * LANES;
+                with_count!(count, gather_half, (out, base, stride, entries), [1 2 3]);
+            }
+        }
     }
 
     /// # Safety
-    /// AVX2 and FMA.
+    /// As [`gather_avx2`].
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    unsafe fn gather_half<const N: usize>(
+        out: [*mut f32; VOXELS],
+        base: *const f32,
+        stride: usize,
+        entries: PatchEntries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let mut sums = loaded::<N>(out.map(<*mut f32>::cast_const));
+            let mut add = |i: usize| {
+                let from =
+                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
+                let weights = entries.weights.get_unchecked(i);
+                let mut column = [_mm256_setzero_ps(); N];
+                for (v, column) in column.iter_mut().enumerate() {
+                    *column = _mm256_loadu_ps(from.add(v * 8));
+                }
+                for (sums, weight) in sums.iter_mut().zip(weights) {
+                    let weight = _mm256_broadcast_ss(weight);
+                    for (sum, &value) in sums.iter_mut().zip(&column) {
+                        *sum = _mm256_fmadd_ps(weight, value, *sum);
+                    }
+                }
+            };
+            match entries.chosen {
+                None => {
+                    for i in 0..entries.slots.len() {
+                        add(i);
+                    }
+                }
+                Some(chosen) => {
+                    for &i in chosen {
+                        add(i as usize);
+                    }
+                }
+            }
+            for (sums, out) in sums.iter().zip(out) {
+                for (v, &sum) in sums.iter().enumerate() {
+                    _mm256_storeu_ps(out.add(v * 8), sum);
+                }
+            }
+        }
+    }
+
+    /// # Safety
+    /// AVX2 and FMA; slots inside `rows`, the block inside rows and all `values`.
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn spread_avx2(
         rows: &mut [f32],
-        values: [&[f32]; VOXELS],
+        values: [*const f32; VOXELS],
         entries: PatchEntries,
         block: Block,
     ) {
-        super::spread_plain::<true>(rows, values, entries, block);
+        for (first, count) in pieces(2 * block.count, HALVES) {
+            // SAFETY: bounds are the caller's promise.
+            unsafe {
+                let base = rows.as_mut_ptr().add(block.first * LANES + first * 8);
+                let values = values.map(|values| values.add(first * 8));
+                let stride = block.row * LANES;
+                with_count!(count, spread_half, (base, values, stride, entries), [1 2 3]);
+            }
+        }
+    }
+
+    /// # Safety
+    /// As [`spread_avx2`].
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    unsafe fn spread_half<const N: usize>(
+        base: *mut f32,
+        values: [*const f32; VOXELS],
+        stride: usize,
+        entries: PatchEntries,
+    ) {
+        // SAFETY: bounds are the caller's promise.
+        unsafe {
+            let values = loaded::<N>(values);
+            let add = |i: usize| {
+                let to =
+                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
+                let weights = entries.weights.get_unchecked(i);
+                let mut sums = [_mm256_setzero_ps(); N];
+                for (v, sum) in sums.iter_mut().enumerate() {
+                    *sum = _mm256_loadu_ps(to.add(v * 8));
+                }
+                for (values, weight) in values.iter().zip(weights) {
+                    let weight = _mm256_broadcast_ss(weight);
+                    for (sum, &value) in sums.iter_mut().zip(values) {
+                        *sum = _mm256_fmadd_ps(weight, value, *sum);
+                    }
+                }
+                for (v, &sum) in sums.iter().enumerate() {
+                    _mm256_storeu_ps(to.add(v * 8), sum);
+                }
+            };
+            match entries.chosen {
+                None => {
+                    for i in 0..entries.slots.len() {
+                        add(i);
+                    }
+                }
+                Some(chosen) => {
+                    for &i in chosen {
+                        add(i as usize);
+                    }
+                }
+            }
+        }
+    }
+
+    /// N registers of each voxel.
+    ///
+    /// # Safety
+    /// AVX2; so many floats at each address.
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    unsafe fn loaded<const N: usize>(from: [*const f32; VOXELS]) -> [[__m256; N]; VOXELS] {
+        let mut values = [[_mm256_setzero_ps(); N]; VOXELS];
+        for (values, from) in values.iter_mut().zip(from) {
+            for (v, value) in values.iter_mut().enumerate() {
+                // SAFETY: bounds are the caller's promise.
+                *value = unsafe { _mm256_loadu_ps(from.add(v * 8)) };
+            }
+        }
+        values
     }
 }
 
