@@ -11,7 +11,7 @@ use tomolith::{Error, Result};
 const EXAMPLES: &str = "\
 Examples:
   tomolith compare out/gear-lbfgs out/gear-osmo --output gear.html
-  tomolith compare out/* --json";
+  tomolith compare out/gear-* --json";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

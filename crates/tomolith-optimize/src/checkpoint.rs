@@ -752,6 +752,7 @@ mod tests {
             arrays: vec![("pairs".to_owned(), array)],
         };
         let row = Row {
+            print: None,
             iteration,
             loss: 1.0,
             projected_gradient: None,

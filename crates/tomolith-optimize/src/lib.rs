@@ -37,7 +37,8 @@ pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;
 pub use requirements::Requirements;
 pub use run::{
-    Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run, run_after,
+    MeasuredPrint, Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run,
+    run_after,
 };
 use serde::de::DeserializeOwned;
 pub use start::{InitialPatterns, STARTS, StartInput};

@@ -146,6 +146,18 @@ pub struct Row {
     pub adjoint: u64,
     /// Seconds so far, those before a resume included.
     pub seconds: f64,
+    /// The print after the step, where an observer measured it.
+    #[serde(default)]
+    pub print: Option<MeasuredPrint>,
+}
+
+/// What an observer measured of a print.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+pub struct MeasuredPrint {
+    /// IoU at the best threshold.
+    pub iou: Option<f64>,
+    /// Process window, in units of the response.
+    pub process_window: Option<f64>,
 }
 
 /// The projected gradient of a row relative to the first of the history; none where there is none, or the first is 0.
@@ -177,6 +189,10 @@ pub struct StepReport<'a, F> {
 pub trait Observer<F> {
     /// Called at the start and after every step; `Break` ends the run.
     fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()>;
+    /// What it measured of the print at the last call of [`on_step`](Self::on_step): a part of the history, and of checkpoints.
+    fn print(&self) -> Option<MeasuredPrint> {
+        None
+    }
     /// Called when checkpoints no longer fit on the disk, and when they do again.
     fn on_room(&mut self, _room: &Room) {}
 }
@@ -451,6 +467,7 @@ impl<F: Field> State<F> {
             forward: problem.counters.forward,
             adjoint: problem.counters.adjoint,
             seconds: self.before_s + self.begin.elapsed().as_secs_f64(),
+            print: None,
         });
     }
 
@@ -482,7 +499,7 @@ impl<F: Field> State<F> {
 
     /// Asked before every step; tells the observers.
     fn reason_to_stop(
-        &self,
+        &mut self,
         problem: &Problem<F>,
         x: &F,
         stop: &Stop,
@@ -498,9 +515,13 @@ impl<F: Field> State<F> {
             counters: &problem.counters,
         };
         let mut broken = false;
+        let mut print = row.print;
         for observer in observers.iter_mut() {
             broken |= observer.on_step(&report).is_break();
+            print = observer.print().or(print);
         }
+        self.history.last_mut()?.print = print;
+        let row = self.history.last()?;
         let first = self.history.iter().find_map(|row| row.projected_gradient);
         let small = |norm: f64| norm <= stop.projected_gradient * first.unwrap_or(0.0);
         let first_loss = stop

@@ -12,6 +12,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::response::curve::Curve;
+use tomolith_core::units::counted;
 use tomolith_io::write_folder_whole;
 
 /// All pairs of a file with two columns, which messages call `what`; a first line of words is a header.
@@ -39,9 +40,14 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     if whole && pairs.len() == table.rows.len() && !pairs.is_empty() {
         return Ok(pairs);
     }
+    let is_pair = |row: &[_]| row.len() == 2;
+    let held = match table.rows.iter().find(|row| !is_pair(row)) {
+        Some(row) => format!("a line of {}", counted(row.len(), "column")),
+        None => format!("{} of {} lines hold numbers", pairs.len(), table.rows.len()),
+    };
     Err(Error::Format {
         path: path.to_owned(),
-        found: format!("{} of {} lines hold a pair", pairs.len(), table.rows.len()),
+        found: held,
         accepted: accepted(),
     })
 }

@@ -276,7 +276,7 @@ fn sentence(evaluation: &Evaluation) -> String {
         }
     };
     let mut text = format!(
-        "At a gel threshold of {} the predicted print and the part overlap with an IoU of <b>{}</b>: {} gels that should not, {} stays liquid.",
+        "At a gel threshold of {} the predicted print and the part overlap with an IoU of <b>{}</b>: {} gels that should not, {} does not gel that should.",
         significant(threshold, 3),
         significant(iou, 4),
         amount(over),
@@ -328,13 +328,18 @@ fn shown(kind: &MetricKind, value: Measure, digits: usize) -> (String, &'static 
     }
 }
 
+/// "1 voxel", "0.24 voxels"
+pub(super) fn voxels(count: f64) -> String {
+    let count = significant(count, 2);
+    let plural = if count == "1" { "" } else { "s" };
+    format!("{count} voxel{plural}")
+}
+
 /// A length in voxels, in brackets; empty for what is no length.
 fn in_voxels(kind: &MetricKind, value: Measure, pitch_mm: f64) -> String {
     value
         .filter(|_| kind.unit == "mm")
-        .map_or_else(String::new, |mm| {
-            format!("({} voxels)", significant(mm / pitch_mm, 2))
-        })
+        .map_or_else(String::new, |mm| format!("({})", voxels(mm / pitch_mm)))
 }
 
 /// Whether gray values were asked for.

@@ -213,9 +213,16 @@ pub(super) fn section(data: &ReportData<'_>) -> String {
         return species::section(one, data);
     }
     let Some(window) = data.exposure else {
-        return "<section><h2>Best exposure</h2><p class=\"muted\">Not given: either nothing prints, or the response is not the dose itself, so that more light does not \
-                scale the gray values.</p></section>"
-            .to_owned();
+        let iou = data.evaluation.measures.get("iou");
+        let why = match iou.is_none_or(|iou| iou == 0.0) {
+            true => "nothing of the part prints at any threshold",
+            false => {
+                "the response is not the dose itself, so that more light does not scale the gray values"
+            }
+        };
+        return format!(
+            "<section><h2>Best exposure</h2><p class=\"muted\">Not given: {why}.</p></section>"
+        );
     };
     let row = |name: &str, bracket: &Bracket, text: &dyn Fn(&[f64]) -> Vec<String>| {
         let [low, best, high] = cells(bracket.ascending(), text);

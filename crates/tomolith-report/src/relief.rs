@@ -109,8 +109,8 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
         });
     let length = |um: f32| {
         let um = f64::from(um);
-        let voxels = significant(um.abs() / (1e3 * pitch_mm), 2);
-        format!("{} µm ({voxels} voxels)", significant(um.abs(), 3))
+        let voxels = crate::html::voxels(um.abs() / (1e3 * pitch_mm));
+        format!("{} µm ({voxels})", significant(um.abs(), 3))
     };
     let figures: String = VIEWS
         .iter()

@@ -85,6 +85,13 @@ impl Sweep {
         let document = Document::read(file)?;
         let read = || {
             let root = document.root.as_object().cloned().unwrap_or_default();
+            if root.contains_key("target") && !root.contains_key("axes") {
+                return Err(Error::config(
+                    "target",
+                    "a job where a sweep is read",
+                    "a sweep file: job = \"job.toml\" and at least one table [[axes]]; `tomolith run` runs a job",
+                ));
+            }
             let mut spec = Section::new("", Value::Object(root)).parse::<SweepSpec>()?;
             if spec.axes.is_empty() {
                 return Err(Error::config(

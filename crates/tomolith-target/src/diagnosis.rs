@@ -41,7 +41,7 @@ use std::path::Path;
 use tidy::{drop_doubles, weld_cracks};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::Run;
-use tomolith_core::units::concise;
+use tomolith_core::units::{concise, counted};
 use tomolith_io::mesh::{Mesh, dot, minus};
 
 /// A mesh counts as flat when its volume is below this share of area × diagonal: 10⁴ times the rounding of the sum.
@@ -217,10 +217,10 @@ impl Diagnosis {
     fn about_shells(&self) -> Option<String> {
         let mut what = Vec::new();
         if let Some(at) = self.shell_crossings.at {
-            let times = self.shell_crossings.count;
+            let times = counted(self.shell_crossings.count, "time");
             let near = place(at);
             what.push(format!(
-                "intersect (edges run through triangles {times} times, the deepest near {near})"
+                "intersect (edges run through triangles {times}, the deepest near {near})"
             ));
         }
         if let Some(at) = self.overlap_at {
@@ -239,8 +239,8 @@ impl Diagnosis {
         let mut what = Vec::new();
         if let Some(at) = self.own_crossings.at {
             what.push(format!(
-                "edges run {} times through triangles of their own shell, the deepest near {}",
-                self.own_crossings.count,
+                "edges run {} through triangles of their own shell, the deepest near {}",
+                counted(self.own_crossings.count, "time"),
                 place(at)
             ));
         }

@@ -52,12 +52,25 @@ fn run(text: &str, folder: &Path, resume: bool, stop_after: usize) -> Result<usi
     Ok(summary.iterations.unwrap_or(0))
 }
 
+/// Loss, IoU and process window of every iteration.
+fn history(folder: &Path) -> Vec<[String; 3]> {
+    let text = std::fs::read_to_string(folder.join("history.csv")).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().unwrap();
+    let columns = ["loss", "iou", "process_window"]
+        .map(|name| names.iter().position(|&n| n == name).unwrap());
+    lines
+        .map(|line| columns.map(|i| line[i].to_owned()))
+        .collect()
+}
+
 /// The patterns of a run that is not cut off, and those of runs that are cut off after these iterations and go on.
 fn must_go_on(text: &str, cuts: &[usize]) {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole");
     assert_eq!(run(text, &whole, false, usize::MAX).unwrap(), 8);
     let expected = read_patterns(&whole.join("patterns.npz")).unwrap();
+    let measured = history(&whole);
     for &stop_after in cuts {
         let cut = folder.path().join(format!("cut-{stop_after}"));
         let stopped = run(text, &cut, false, stop_after);
@@ -66,6 +79,7 @@ fn must_go_on(text: &str, cuts: &[usize]) {
         assert_eq!(run(text, &cut, true, usize::MAX).unwrap(), 8);
         let found = read_patterns(&cut.join("patterns.npz")).unwrap();
         assert_eq!(found, expected, "cut off after {stop_after}");
+        assert_eq!(history(&cut), measured, "cut off after {stop_after}");
     }
 }
 

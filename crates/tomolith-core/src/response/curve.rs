@@ -12,7 +12,7 @@
 //! ```
 
 use crate::error::{Error, Result};
-use crate::units::exact;
+use crate::units::{counted, exact};
 use std::path::Path;
 
 /// Points of a measured response, by ascending dose, no dose twice.
@@ -73,7 +73,7 @@ impl Curve {
         if curve.doses.len() < 2 {
             return Err(Error::config(
                 "dose",
-                format!("found {} doses that differ", curve.doses.len()),
+                format!("found {}", counted(curve.doses.len(), "different dose")),
                 "at least two",
             ));
         }

@@ -133,7 +133,7 @@ pub(super) fn table(data: &ReportData<'_>) -> String {
         ""
     };
     format!(
-        "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the finer grid, from the patterns as they were written; \
+        "<section><h2>All numbers</h2><p class=\"muted\">↑ larger is better, ↓ smaller is better. The first columns are on the evaluation's voxels, from the patterns as they were written; \
          the last one is of the patterns before they are written, on the job's own voxels, the vial standing still.{gray}</p><div class=\"scroll\"><table><thead><tr><th></th>{heads}</tr></thead><tbody>{rows}</tbody></table></div></section>"
     )
 }

@@ -82,8 +82,15 @@ impl Optics {
             return Err(Error::config(
                 "target",
                 format!("reaches {reaches} mm from the axis, but the resin ends at {ends} mm"),
-                "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial; \
-                 target.wall_tolerance_mm lets it reach a little into the wall",
+                match spec.target.mesh_unit {
+                    Some(_) => {
+                        "a target that fits into the vial: another target.mesh_unit, target.size_mm, or a larger vial"
+                    }
+                    None => {
+                        "a target that fits into the vial: give target.size_mm or target.offset_mm, or a larger vial; \
+                         target.wall_tolerance_mm lets it reach a little into the wall"
+                    }
+                },
             ));
         }
         let touching = (over > 0.0).then(|| {

@@ -170,7 +170,7 @@ impl fmt::Display for Fall {
         write!(
             f,
             "{not}converged: the loss fell by {percent} % in the last {}",
-            self.last
+            counted(self.last, "iteration")
         )
     }
 }
@@ -458,7 +458,12 @@ impl Found {
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
         let seen = match (self.optimized, self.is_simulated) {
             (Some(seen), _) if self.saw_finer => {
-                format!(" (on the job's own, coarser voxels {seen:.3})")
+                let [own, fine] = self.pitches_mm;
+                let place = match own > 1.001 * fine {
+                    true => "on the job's own, coarser voxels",
+                    false => "before the patterns are written",
+                };
+                format!(" ({place} {seen:.3})")
             }
             (Some(seen), false) => format!(" (the optimizer saw {seen:.3})"),
             (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
@@ -482,7 +487,9 @@ impl Found {
                 -limit.loss
             };
             let change = signed(change);
-            (change != "0").then(|| format!("{name} {change}"))
+            // Beside what finer voxels saw, a gain explains nothing
+            let counts = !self.saw_finer || limit.loss > 0.0;
+            (counts && change != "0").then(|| format!("{name} {change}"))
         };
         let steps: Vec<String> = causes.iter().filter_map(step).collect();
         // What light leaves of gray values may be left by finer pixels too
@@ -640,6 +647,7 @@ mod tests {
     #[test]
     fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
         let row = |iteration: usize, loss: f64| Row {
+            print: None,
             iteration,
             loss,
             projected_gradient: None,
@@ -665,11 +673,11 @@ mod tests {
         let said = |end| Fall::of(&history(end)).map(|fall| fall.to_string());
         assert_eq!(
             said(80.0).as_deref(),
-            Some("not converged: the loss fell by 20 % in the last 10")
+            Some("not converged: the loss fell by 20 % in the last 10 iterations")
         );
         assert_eq!(
             said(99.5).as_deref(),
-            Some("converged: the loss fell by 0.5 % in the last 10")
+            Some("converged: the loss fell by 0.5 % in the last 10 iterations")
         );
         assert_eq!(said(101.0), None);
         assert_eq!(Fall::of(&history(80.0)[..1]), None);

@@ -165,26 +165,29 @@ impl Job {
         spec
     }
 
-    /// The same job as a quick trial: a third of the resolution, few angles, few iterations. What it prints is poor, but
-    /// every stage runs.
+    /// The same job as a quick trial: a third of the resolution, few angles, few iterations (but for `light.angles` and `stop.iterations`
+    /// that the command line sets). What it prints is poor, but every stage runs.
     #[must_use]
     pub fn toy(mut self) -> Self {
         self.is_toy = true;
+        let is_set = |key: &str| self.document.option(key).is_some();
         let spec = &mut self.spec;
         spec.grid
             .pitch_mm
             .iter_mut()
-            .for_each(|pitch| pitch.0 *= TOY);
+            // Without the last digits of a product: 0.3, not 0.30000000000000004
+            .for_each(|pitch| pitch.0 = (pitch.0 * TOY * 1e9).round() / 1e9);
         for count in spec.grid.shape.iter_mut().flatten() {
             *count = count.div_ceil(TOY as usize).max(TOY_EDGE);
         }
-        for light in &mut spec.light {
+        for (i, light) in spec.light.iter_mut().enumerate() {
             light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
             light.projector.coarsen(TOY);
             light.selection.coarsen(TOY as usize);
             // It is an image on the pixels of the whole job
             light.psf = None;
             match &mut light.angles {
+                _ if is_set(&format!("light[{i}].angles")) => {}
                 Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
                 Angles::List(list) => list.truncate(TOY_FRAMES),
             }
@@ -192,7 +195,9 @@ impl Job {
         spec.printer
             .iter_mut()
             .for_each(|printer| printer.coarsen(TOY));
-        spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        if !is_set("stop.iterations") {
+            spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        }
         spec.grid.refine = Some(1);
         spec.evaluate.refine.get_or_insert(LEAST_REFINE);
         spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
@@ -271,6 +276,28 @@ fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_toy_has_the_counts_that_the_command_line_names() {
+        let text = r#"
+            target = { phantom = "gear", size_mm = 3.0 }
+            grid = { pitch_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [60, 30], angles = 180, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+            stop = { iterations = 40 }
+        "#;
+        let counts = |assignments: &[&str]| {
+            let mut document = Document::toml("job.toml", text).unwrap();
+            for assignment in assignments {
+                document.set(assignment).unwrap();
+            }
+            let spec = Job::from_document(document).unwrap().toy().spec;
+            (spec.stop.iterations, spec.light[0].angles.count())
+        };
+        assert_eq!(counts(&[]), (TOY_ITERATIONS, TOY_FRAMES));
+        let set = ["stop.iterations=12", "light.angles=90"];
+        assert_eq!(counts(&set), (12, 90));
+    }
 
     #[test]
     fn counts_that_are_those_of_a_toy_are_told_as_such() {

@@ -126,7 +126,12 @@ fn printer(spec: &JobSpec) -> Result<()> {
 /// Blames a movie that cannot be shown on the key that the job sets: the speed, the device, else the frames of the light.
 fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
     let device = spec.printer.as_ref().map(|printer| printer.refresh_hz);
+    let schedule = spec.schedule.as_ref();
     if let Error::Config { key, .. } = &mut error
+        && schedule.is_some_and(|own| own.seconds_per_turn.is_some())
+    {
+        "schedule.seconds_per_turn".clone_into(key);
+    } else if let Error::Config { key, .. } = &mut error
         && spec.output.rpm == OutputSpec::default().rpm
     {
         *key = match device {

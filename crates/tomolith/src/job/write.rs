@@ -625,19 +625,16 @@ fn print(scene: &Scene, judged: &Evaluated, folder: &Path, run: Run) -> Result<O
 
 fn history(optimized: &Optimized) -> Vec<HistoryRow> {
     let rows = &optimized.outcome.history;
-    let line = |row: &Row| {
-        let quality = optimized.quality_at(row.iteration);
-        HistoryRow {
-            iteration: row.iteration,
-            loss: row.loss,
-            projected_gradient: relative_gradient(rows, row),
-            step: row.step,
-            forward_calls: row.forward as usize,
-            adjoint_calls: row.adjoint as usize,
-            seconds: row.seconds,
-            iou: quality.and_then(|q| q.iou),
-            process_window: quality.and_then(|q| q.process_window),
-        }
+    let line = |row: &Row| HistoryRow {
+        iteration: row.iteration,
+        loss: row.loss,
+        projected_gradient: relative_gradient(rows, row),
+        step: row.step,
+        forward_calls: row.forward as usize,
+        adjoint_calls: row.adjoint as usize,
+        seconds: row.seconds,
+        iou: row.print.and_then(|print| print.iou),
+        process_window: row.print.and_then(|print| print.process_window),
     };
     rows.iter().map(line).collect()
 }

@@ -20,7 +20,6 @@ pub(super) use stage::Stage;
 use start::clip;
 use std::path::Path;
 use std::time::Instant;
-pub(super) use watch::Quality;
 use watch::idle;
 
 /// What an optimization came to.
@@ -33,9 +32,7 @@ pub(crate) struct Optimized {
     pub(crate) model: String,
     /// Voxel-angle updates of one model call.
     pub(crate) updates: u64,
-    /// Metrics on the own grid, where they were measured.
-    qualities: Vec<Quality>,
-    /// How long measuring them took, s.
+    /// How long measuring prints on the way took, s.
     pub(crate) metrics_s: f64,
     /// The patterns on few levels of the machine, where they were improved on them.
     pub(crate) levels: Option<Levelled>,
@@ -50,18 +47,16 @@ pub(crate) struct Optimized {
 impl Optimized {
     /// By how much the IoU on the level's voxels rose over the last quarter of the iterations; None where it was not measured.
     pub(crate) fn gain_in_the_end(&self) -> Option<f64> {
-        let last = self.qualities.last()?;
+        let measured = || {
+            self.outcome
+                .history
+                .iter()
+                .filter(|row| row.print.is_some())
+        };
+        let last = measured().next_back()?;
         let begin = last.iteration - last.iteration.div_ceil(4);
-        let before = self.qualities.iter().rfind(|q| q.iteration <= begin)?;
-        Some(last.iou? - before.iou?)
-    }
-
-    /// The metrics after an iteration, where they were measured.
-    pub(crate) fn quality_at(&self, iteration: usize) -> Option<Quality> {
-        self.qualities
-            .iter()
-            .copied()
-            .find(|q| q.iteration == iteration)
+        let before = measured().rfind(|row| row.iteration <= begin)?;
+        Some(last.print?.iou? - before.print?.iou?)
     }
 }
 
@@ -191,7 +186,6 @@ pub(crate) fn optimize(
                     outcome,
                     updates: stage.model.updates(),
                     model: stage.reason,
-                    qualities: sofar.qualities,
                     metrics_s: sofar.metrics_s,
                     window,
                     warnings,

@@ -1,7 +1,7 @@
 //! One level of the optimization: its voxels, its model, its objective, and the loop on it.
 
 use super::start::{limits, start_input, starting_patterns};
-use super::watch::{Quality, Watch};
+use super::watch::Watch;
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -30,7 +30,6 @@ use std::sync::Arc;
 pub(super) struct SoFar {
     pub(super) rows: Vec<Row>,
     pub(super) counters: Counters,
-    pub(super) qualities: Vec<Quality>,
     pub(super) metrics_s: f64,
     pub(super) warnings: Vec<String>,
     /// The loss that counts as the first one, where it is not that of the start.
@@ -326,7 +325,7 @@ impl<'a> Stage<'a> {
             labels,
             layout,
             is_gray: self.voxels.target.gray,
-            qualities: std::mem::take(&mut sofar.qualities),
+            print: None,
             metrics_s: sofar.metrics_s,
             warnings: std::mem::take(&mut sofar.warnings),
             progress,
@@ -340,7 +339,7 @@ impl<'a> Stage<'a> {
             checkpoints,
             &mut [&mut watch],
         );
-        (sofar.qualities, sofar.metrics_s) = (watch.qualities, watch.metrics_s);
+        sofar.metrics_s = watch.metrics_s;
         sofar.warnings = watch.warnings;
         ran
     }

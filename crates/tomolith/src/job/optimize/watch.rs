@@ -6,19 +6,11 @@ use crate::job::scene::Scene;
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::DoseLayout;
-use crate::optimize::{Observer, Room, Row, StepReport};
+use crate::optimize::{MeasuredPrint, Observer, Room, Row, StepReport};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
-
-/// Metrics after an iteration.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Quality {
-    pub(super) iteration: usize,
-    pub(crate) iou: Option<f64>,
-    pub(crate) process_window: Option<f64>,
-}
 
 /// What to say when no step was better than the start, whose patterns are then the result. A method that normalizes its doses
 /// begins with its first step, and is idle when its loss never changes.
@@ -63,7 +55,8 @@ pub(super) struct Watch<'a> {
     pub(super) layout: DoseLayout,
     /// A gray target has no IoU worth following.
     pub(super) is_gray: bool,
-    pub(super) qualities: Vec<Quality>,
+    /// The print after the last step, where it was measured.
+    pub(super) print: Option<MeasuredPrint>,
     pub(super) metrics_s: f64,
     pub(super) warnings: Vec<String>,
     pub(super) progress: &'a mut dyn Progress,
@@ -74,16 +67,16 @@ impl Watch<'_> {
         let stop = &self.scene.spec.stop;
         let (loss, asked) = (stop.loss, stop.iou);
         let begin = Instant::now();
-        let quality = self.measure(report, asked.is_some());
+        self.print = self.measure(report, asked.is_some());
         self.metrics_s += begin.elapsed().as_secs_f64();
         let enough = asked
-            .zip(quality.and_then(|q| q.iou))
+            .zip(self.print.and_then(|print| print.iou))
             .is_some_and(|(asked, iou)| iou >= asked);
         report.row.loss <= loss || enough
     }
 
     /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
-    fn measure(&mut self, report: &StepReport<'_, HostField>, decides: bool) -> Option<Quality> {
+    fn measure(&self, report: &StepReport<'_, HostField>, decides: bool) -> Option<MeasuredPrint> {
         let iteration = report.row.iteration;
         let last = iteration == self.iterations;
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
@@ -96,26 +89,21 @@ impl Watch<'_> {
         } else {
             Cow::Owned(dose.par_iter().map(|&d| response.value(d)).collect())
         };
-        let quality = if decides {
-            exact(iteration, &self.labels, &values)
-        } else {
-            quick(&self.labels, &values).map(|(iou, process_window)| Quality {
-                iteration,
-                iou: Some(iou),
-                process_window,
-            })
-        };
-        self.qualities.extend(quality);
-        quality
+        if decides {
+            return exact(&self.labels, &values);
+        }
+        quick(&self.labels, &values).map(|(iou, process_window)| MeasuredPrint {
+            iou: Some(iou),
+            process_window,
+        })
     }
 }
 
 /// Metrics over all thresholds.
-fn exact(iteration: usize, labels: &[u8], response: &[f32]) -> Option<Quality> {
+fn exact(labels: &[u8], response: &[f32]) -> Option<MeasuredPrint> {
     let scan = Scan::new(labels, response).ok()?;
     let (part, void) = (scan.part(), scan.void());
-    Some(Quality {
-        iteration,
+    Some(MeasuredPrint {
         iou: scan.best_plateau().map(|plateau| plateau.iou),
         process_window: part
             .zip(void)
@@ -140,6 +128,10 @@ impl Observer<HostField> for Watch<'_> {
         } else {
             ControlFlow::Continue(())
         }
+    }
+
+    fn print(&self) -> Option<MeasuredPrint> {
+        self.print
     }
 
     fn on_room(&mut self, room: &Room) {

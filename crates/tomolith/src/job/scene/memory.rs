@@ -67,7 +67,11 @@ impl Scene {
                 (pixels_key(&self.spec), accepted)
             };
             let needed_mb = estimate::whole_mb(parts);
-            require(&key, what, needed_mb, budget, accepted)?;
+            let accepted = match self.spec.resources.memory_gb {
+                Some(_) => format!("{accepted}, or a larger resources.memory_gb"),
+                None => accepted.to_owned(),
+            };
+            require(&key, what, needed_mb, budget, &accepted)?;
         }
         self.warn_of_others();
         Ok(())

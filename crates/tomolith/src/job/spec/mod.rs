@@ -302,6 +302,13 @@ impl JobSpec {
     /// but not built.
     pub fn from_document(document: &Document) -> Result<Self> {
         let root = document.root.as_object().cloned().unwrap_or_default();
+        if root.contains_key("axes") && !root.contains_key("target") {
+            return Err(document.locate(Error::config(
+                "axes",
+                "a sweep where a job is read",
+                "a job file, with [target]; `tomolith sweep` runs a sweep",
+            )));
+        }
         let has_rpm = document.root.pointer("/output/rpm").is_some();
         let read = || {
             let mut spec = Section::new("", Value::Object(root)).parse::<JobSpec>()?;
