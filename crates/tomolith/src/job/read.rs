@@ -282,6 +282,7 @@ mod tests {
         let text = r#"
             target = { phantom = "gear", size_mm = 3.0 }
             grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.05 }
             vial = { index_matched = { radius_mm = 3.0 } }
             light = [{ pixels = [60, 30], angles = 180, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
             stop = { iterations = 40 }
