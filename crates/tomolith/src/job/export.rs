@@ -110,6 +110,7 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
                 .map_err(|e| Error::config("printer", e.to_string(), "a table"))?;
             root.insert("printer".to_owned(), table);
         }
+        document.overridden("printer", format!("--printer {}", machine.display()));
     }
     overrides
         .iter()

@@ -15,6 +15,8 @@ use std::fmt;
 
 mod acting;
 
+/// Bits from which on rounding costs next to nothing: what a machine's patterns lose then is lost between its pixels and the light's.
+const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
 /// A loss function that fell by more than this share over the last quarter of the iterations had not come to rest.
@@ -334,6 +336,10 @@ impl Found {
             "Written with {bits}{machine} the patterns have {} on the job's own voxels.",
             self.change(self.optimized?, self.written?),
         );
+        if self.has_machine && self.bits >= ENOUGH_BITS {
+            let action = "Bring the pixels of machine and light together (pitch, offset, turn) in";
+            return Some(self.limit(Cause::Levels, loss, "printer", found, action));
+        }
         Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
     }
 
@@ -509,6 +515,9 @@ impl Found {
                 Cause::Optics if limit.key == self.pixel_key => "try a lower",
                 Cause::Ends => "place the part's ends between rows of pixels, or lower",
                 Cause::Exposure => "change",
+                Cause::Levels if limit.key == "printer" => {
+                    "bring the pixels of machine and light together in"
+                }
                 _ => "raise",
             };
             let anew = match self.is_of_patterns(limit.cause) {

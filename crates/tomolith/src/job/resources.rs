@@ -59,6 +59,13 @@ pub fn available_disk_mb(path: &Path) -> Option<u64> {
     }
 }
 
+/// Bytes of the files of a folder; 0 where there is none.
+pub(super) fn bytes_in(folder: &Path) -> u64 {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let bytes = entries.filter_map(|entry| entry.metadata().ok());
+    bytes.map(|file| file.len()).sum()
+}
+
 /// Refuses what the machine cannot hold; `key` is the key of the job that asks for most of it.
 ///
 /// # Errors
@@ -104,6 +111,12 @@ mod tests {
         assert_eq!((memory_budget_mb(Some(1.5)), taken[7]), (Some(1500), 1));
         assert!(available_disk_mb(Path::new("not/there/yet")).unwrap() > 0);
         assert_eq!(available_disk_mb(Path::new("/proc/run")), None);
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a"), [0; 70]).unwrap();
+        assert_eq!(
+            (bytes_in(folder.path()), bytes_in(Path::new("not/there"))),
+            (70, 0)
+        );
     }
 
     #[test]

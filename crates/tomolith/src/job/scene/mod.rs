@@ -13,7 +13,7 @@ use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::refinement::{self, Level};
 use super::resolve::{JobKinds, counted_as, try_kinds};
-use super::resources::{available_disk_mb, require};
+use super::resources::{available_disk_mb, bytes_in, require};
 use super::scenarios::{self, Scenario};
 use super::spec::JobSpec;
 use super::{
@@ -247,7 +247,9 @@ impl Scene {
                 .push("resin.pure_radon = true: the absorption is not used".to_owned());
         }
         scene.fit_memory()?;
-        let disk = available_disk_mb(&job.folder());
+        // A checkpoint that is there gives its place to the next one
+        let held = bytes_in(&job.folder().join("checkpoint")) / 1_000_000;
+        let disk = available_disk_mb(&job.folder()).map(|free| free + held);
         require(
             "output.folder",
             "disk for the run folder",
