@@ -295,10 +295,12 @@ fn asking(mut error: Error, question: Option<&str>) -> Error {
 
 /// An error about the unit of a mesh, as one about the option.
 fn as_target_option(mut error: Error) -> Error {
-    if let Error::Config { key, .. } = &mut error
-        && key == "target.mesh_unit"
-    {
-        *key = "--mesh-unit".to_owned();
+    if let Error::Config { key, .. } = &mut error {
+        let options = ["mesh_unit", "size_mm", "rotate_deg"];
+        let named = |name: &&&str| key.strip_prefix("target.") == Some(**name);
+        if let Some(name) = options.iter().find(named) {
+            *key = format!("--{}", name.replace('_', "-"));
+        }
     }
     error
 }

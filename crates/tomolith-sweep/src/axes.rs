@@ -219,6 +219,15 @@ fn list(values: &[Value], at: &str) -> Result<Vec<Value>> {
             "at least one value",
         ));
     }
+    for (i, value) in values.iter().enumerate() {
+        if let Some(first) = values[..i].iter().position(|earlier| earlier == value) {
+            return Err(Error::config(
+                format!("{at}.values[{i}]"),
+                format!("{value}, as values[{first}]: the same run twice"),
+                "every value once",
+            ));
+        }
+    }
     Ok(values.to_vec())
 }
 
