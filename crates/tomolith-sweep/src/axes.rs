@@ -548,6 +548,17 @@ mod tests {
     }
 
     #[test]
+    fn a_value_counts_once() {
+        let twice = serde_json::json!({ "key": "k", "values": [1, 2, 1] });
+        let error = axis(twice, false).unwrap_err().to_string();
+        assert!(
+            error.starts_with("axes[0].values[2]: 1, as values[0]"),
+            "{error}"
+        );
+        assert!(axis(serde_json::json!({ "key": "k", "values": [1, 2] }), false).is_ok());
+    }
+
+    #[test]
     fn ranges_have_neat_values_and_both_ends() {
         assert_eq!(
             linear("x", 0.1, 0.7, 0.1).values(),

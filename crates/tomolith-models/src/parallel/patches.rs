@@ -253,11 +253,6 @@ mod x86 {
     use super::{Block, LANES, PatchEntries, VOXELS};
     use std::arch::x86_64::*;
 
-    /// Registers of a voxel that four voxels can hold at most: of 32 with AVX-512.
-    const WIDE: usize = 6;
-    /// Of 16 with AVX2, half as wide: twelve, three for the column, one for a weight.
-    const HALVES: usize = 2;
-
     /// Calls `$f::<N>` with N = `$n`, one of `$k`.
     macro_rules! with_count {
         ($n:expr, $f:ident, $args:tt, [$($k:literal)*]) => {
@@ -275,288 +270,157 @@ mod x86 {
         })
     }
 
-    /// # Safety
-    /// AVX-512F; slots inside `source`, the block inside rows and every `out`.
-    #[target_feature(enable = "avx512f")]
-    pub(super) unsafe fn gather(
-        out: [*mut f32; VOXELS],
-        source: &[f32],
-        entries: PatchEntries,
-        block: Block,
-    ) {
-        for (first, count) in pieces(block.count, WIDE) {
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = source.as_ptr().add((block.first + first) * LANES);
-                let out = out.map(|out| out.add(first * LANES));
-                let stride = block.row * LANES;
-                with_count!(count, gather_wide, (out, base, stride, entries), [1 2 3 4 5 6]);
+    /// Both directions in registers of `$width` floats; of each voxel `$held` are held at most, as many as the last `$k`.
+    macro_rules! kernels {
+        ($features:literal, $register:ident, $width:literal, $held:literal, [$($k:literal)*],
+         $load:ident, $store:ident, $splat:ident, $add:ident,
+         $gather:ident, $gather_piece:ident, $spread:ident, $spread_piece:ident) => {
+            /// # Safety
+            /// The features; slots inside `source`, the block inside rows and every `out`.
+            #[target_feature(enable = $features)]
+            pub(super) unsafe fn $gather(
+                out: [*mut f32; VOXELS],
+                source: &[f32],
+                entries: PatchEntries,
+                block: Block,
+            ) {
+                for (first, count) in pieces(block.count * LANES / $width, $held) {
+                    // SAFETY: bounds are the caller's promise.
+                    unsafe {
+                        let base = source.as_ptr().add(block.first * LANES + first * $width);
+                        let out = out.map(|out| out.add(first * $width));
+                        let stride = block.row * LANES;
+                        with_count!(count, $gather_piece, (out, base, stride, entries), [$($k)*]);
+                    }
+                }
             }
-        }
-    }
 
-    /// # Safety
-    /// As [`gather`].
-    #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn gather_wide<const N: usize>(
-        out: [*mut f32; VOXELS],
-        base: *const f32,
-        stride: usize,
-        entries: PatchEntries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let mut sums: [[__m512; N]; VOXELS] =
-                out.map(|out| std::array::from_fn(|v| _mm512_loadu_ps(out.add(v * 16))));
-            let mut add = |i: usize| {
-                let from =
-                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
-                let weights = entries.weights.get_unchecked(i);
-                let column: [__m512; N] =
-                    std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16)));
-                for (sums, &weight) in sums.iter_mut().zip(weights) {
-                    let weight = _mm512_set1_ps(weight);
-                    for (sum, &value) in sums.iter_mut().zip(&column) {
-                        *sum = _mm512_fmadd_ps(weight, value, *sum);
-                    }
-                }
-            };
-            match entries.chosen {
-                None => {
-                    for i in 0..entries.slots.len() {
-                        add(i);
-                    }
-                }
-                Some(chosen) => {
-                    for &i in chosen {
-                        add(i as usize);
-                    }
-                }
-            }
-            for (sums, out) in sums.iter().zip(out) {
-                for (v, &sum) in sums.iter().enumerate() {
-                    _mm512_storeu_ps(out.add(v * 16), sum);
-                }
-            }
-        }
-    }
-
-    /// # Safety
-    /// AVX-512F; slots inside `rows`, the block inside rows and all `values`.
-    #[target_feature(enable = "avx512f")]
-    pub(super) unsafe fn spread(
-        rows: &mut [f32],
-        values: [*const f32; VOXELS],
-        entries: PatchEntries,
-        block: Block,
-    ) {
-        for (first, count) in pieces(block.count, WIDE) {
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = rows.as_mut_ptr().add((block.first + first) * LANES);
-                let values = values.map(|values| values.add(first * LANES));
-                let stride = block.row * LANES;
-                with_count!(count, spread_wide, (base, values, stride, entries), [1 2 3 4 5 6]);
-            }
-        }
-    }
-
-    /// # Safety
-    /// As [`spread`].
-    #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn spread_wide<const N: usize>(
-        base: *mut f32,
-        values: [*const f32; VOXELS],
-        stride: usize,
-        entries: PatchEntries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let values: [[__m512; N]; VOXELS] =
-                values.map(|from| std::array::from_fn(|v| _mm512_loadu_ps(from.add(v * 16))));
-            let add = |i: usize| {
-                let to =
-                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
-                let weights = entries.weights.get_unchecked(i);
-                let mut sums: [__m512; N] =
-                    std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-                for (values, &weight) in values.iter().zip(weights) {
-                    let weight = _mm512_set1_ps(weight);
-                    for (sum, &value) in sums.iter_mut().zip(values) {
-                        *sum = _mm512_fmadd_ps(weight, value, *sum);
-                    }
-                }
-                for (v, &sum) in sums.iter().enumerate() {
-                    _mm512_storeu_ps(to.add(v * 16), sum);
-                }
-            };
-            match entries.chosen {
-                None => {
-                    for i in 0..entries.slots.len() {
-                        add(i);
-                    }
-                }
-                Some(chosen) => {
-                    for &i in chosen {
-                        add(i as usize);
-                    }
-                }
-            }
-        }
-    }
-
-    /// # Safety
-    /// AVX2 and FMA; slots inside `source`, the block inside rows and every `out`.
-    #[target_feature(enable = "avx2,fma")]
-    pub(super) unsafe fn gather_avx2(
-        out: [*mut f32; VOXELS],
-        source: &[f32],
-        entries: PatchEntries,
-        block: Block,
-    ) {
-        for (first, count) in pieces(2 * block.count, HALVES) {
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = source.as_ptr().add(block.first * LANES + first * 8);
-                let out = out.map(|out| out.add(first * 8));
-                let stride = block.row * LANES;
-                with_count!(count, gather_half, (out, base, stride, entries), [1 2 3]);
-            }
-        }
-    }
-
-    /// # Safety
-    /// As [`gather_avx2`].
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    unsafe fn gather_half<const N: usize>(
-        out: [*mut f32; VOXELS],
-        base: *const f32,
-        stride: usize,
-        entries: PatchEntries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let mut sums = loaded::<N>(out.map(<*mut f32>::cast_const));
-            let mut add = |i: usize| {
-                let from =
-                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
-                let weights = entries.weights.get_unchecked(i);
-                let mut column = [_mm256_setzero_ps(); N];
-                for (v, column) in column.iter_mut().enumerate() {
-                    *column = _mm256_loadu_ps(from.add(v * 8));
-                }
-                for (sums, weight) in sums.iter_mut().zip(weights) {
-                    let weight = _mm256_broadcast_ss(weight);
-                    for (sum, &value) in sums.iter_mut().zip(&column) {
-                        *sum = _mm256_fmadd_ps(weight, value, *sum);
-                    }
-                }
-            };
-            match entries.chosen {
-                None => {
-                    for i in 0..entries.slots.len() {
-                        add(i);
-                    }
-                }
-                Some(chosen) => {
-                    for &i in chosen {
-                        add(i as usize);
-                    }
-                }
-            }
-            for (sums, out) in sums.iter().zip(out) {
-                for (v, &sum) in sums.iter().enumerate() {
-                    _mm256_storeu_ps(out.add(v * 8), sum);
-                }
-            }
-        }
-    }
-
-    /// # Safety
-    /// AVX2 and FMA; slots inside `rows`, the block inside rows and all `values`.
-    #[target_feature(enable = "avx2,fma")]
-    pub(super) unsafe fn spread_avx2(
-        rows: &mut [f32],
-        values: [*const f32; VOXELS],
-        entries: PatchEntries,
-        block: Block,
-    ) {
-        for (first, count) in pieces(2 * block.count, HALVES) {
-            // SAFETY: bounds are the caller's promise.
-            unsafe {
-                let base = rows.as_mut_ptr().add(block.first * LANES + first * 8);
-                let values = values.map(|values| values.add(first * 8));
-                let stride = block.row * LANES;
-                with_count!(count, spread_half, (base, values, stride, entries), [1 2 3]);
-            }
-        }
-    }
-
-    /// # Safety
-    /// As [`spread_avx2`].
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    unsafe fn spread_half<const N: usize>(
-        base: *mut f32,
-        values: [*const f32; VOXELS],
-        stride: usize,
-        entries: PatchEntries,
-    ) {
-        // SAFETY: bounds are the caller's promise.
-        unsafe {
-            let values = loaded::<N>(values);
-            let add = |i: usize| {
-                let to =
-                    base.add((*entries.slots.get_unchecked(i) - entries.first) as usize * stride);
-                let weights = entries.weights.get_unchecked(i);
-                let mut sums = [_mm256_setzero_ps(); N];
-                for (v, sum) in sums.iter_mut().enumerate() {
-                    *sum = _mm256_loadu_ps(to.add(v * 8));
-                }
-                for (values, weight) in values.iter().zip(weights) {
-                    let weight = _mm256_broadcast_ss(weight);
-                    for (sum, &value) in sums.iter_mut().zip(values) {
-                        *sum = _mm256_fmadd_ps(weight, value, *sum);
-                    }
-                }
-                for (v, &sum) in sums.iter().enumerate() {
-                    _mm256_storeu_ps(to.add(v * 8), sum);
-                }
-            };
-            match entries.chosen {
-                None => {
-                    for i in 0..entries.slots.len() {
-                        add(i);
-                    }
-                }
-                Some(chosen) => {
-                    for &i in chosen {
-                        add(i as usize);
-                    }
-                }
-            }
-        }
-    }
-
-    /// N registers of each voxel.
-    ///
-    /// # Safety
-    /// AVX2; so many floats at each address.
-    #[target_feature(enable = "avx2,fma")]
-    #[inline]
-    unsafe fn loaded<const N: usize>(from: [*const f32; VOXELS]) -> [[__m256; N]; VOXELS] {
-        let mut values = [[_mm256_setzero_ps(); N]; VOXELS];
-        for (values, from) in values.iter_mut().zip(from) {
-            for (v, value) in values.iter_mut().enumerate() {
+            /// # Safety
+            /// As for all pieces together.
+            #[target_feature(enable = $features)]
+            #[inline]
+            unsafe fn $gather_piece<const N: usize>(
+                out: [*mut f32; VOXELS],
+                base: *const f32,
+                stride: usize,
+                entries: PatchEntries,
+            ) {
                 // SAFETY: bounds are the caller's promise.
-                *value = unsafe { _mm256_loadu_ps(from.add(v * 8)) };
+                unsafe {
+                    let mut sums: [[$register; N]; VOXELS] =
+                        out.map(|out| std::array::from_fn(|v| $load(out.add(v * $width))));
+                    let mut add = |i: usize| {
+                        let row = (*entries.slots.get_unchecked(i) - entries.first) as usize;
+                        let from = base.add(row * stride);
+                        let weights = entries.weights.get_unchecked(i);
+                        let column: [$register; N] =
+                            std::array::from_fn(|v| $load(from.add(v * $width)));
+                        for (sums, &weight) in sums.iter_mut().zip(weights) {
+                            let weight = $splat(weight);
+                            for (sum, &value) in sums.iter_mut().zip(&column) {
+                                *sum = $add(weight, value, *sum);
+                            }
+                        }
+                    };
+                    match entries.chosen {
+                        None => {
+                            for i in 0..entries.slots.len() {
+                                add(i);
+                            }
+                        }
+                        Some(chosen) => {
+                            for &i in chosen {
+                                add(i as usize);
+                            }
+                        }
+                    }
+                    for (sums, out) in sums.iter().zip(out) {
+                        for (v, &sum) in sums.iter().enumerate() {
+                            $store(out.add(v * $width), sum);
+                        }
+                    }
+                }
             }
-        }
-        values
+
+            /// # Safety
+            /// The features; slots inside `rows`, the block inside rows and all `values`.
+            #[target_feature(enable = $features)]
+            pub(super) unsafe fn $spread(
+                rows: &mut [f32],
+                values: [*const f32; VOXELS],
+                entries: PatchEntries,
+                block: Block,
+            ) {
+                for (first, count) in pieces(block.count * LANES / $width, $held) {
+                    // SAFETY: bounds are the caller's promise.
+                    unsafe {
+                        let base = rows.as_mut_ptr().add(block.first * LANES + first * $width);
+                        let values = values.map(|values| values.add(first * $width));
+                        let stride = block.row * LANES;
+                        with_count!(count, $spread_piece, (base, values, stride, entries), [$($k)*]);
+                    }
+                }
+            }
+
+            /// # Safety
+            /// As for all pieces together.
+            #[target_feature(enable = $features)]
+            #[inline]
+            unsafe fn $spread_piece<const N: usize>(
+                base: *mut f32,
+                values: [*const f32; VOXELS],
+                stride: usize,
+                entries: PatchEntries,
+            ) {
+                // SAFETY: bounds are the caller's promise.
+                unsafe {
+                    let values: [[$register; N]; VOXELS] =
+                        values.map(|from| std::array::from_fn(|v| $load(from.add(v * $width))));
+                    let add = |i: usize| {
+                        let row = (*entries.slots.get_unchecked(i) - entries.first) as usize;
+                        let to = base.add(row * stride);
+                        let weights = entries.weights.get_unchecked(i);
+                        let mut sums: [$register; N] =
+                            std::array::from_fn(|v| $load(to.add(v * $width)));
+                        for (values, &weight) in values.iter().zip(weights) {
+                            let weight = $splat(weight);
+                            for (sum, &value) in sums.iter_mut().zip(values) {
+                                *sum = $add(weight, value, *sum);
+                            }
+                        }
+                        for (v, &sum) in sums.iter().enumerate() {
+                            $store(to.add(v * $width), sum);
+                        }
+                    };
+                    match entries.chosen {
+                        None => {
+                            for i in 0..entries.slots.len() {
+                                add(i);
+                            }
+                        }
+                        Some(chosen) => {
+                            for &i in chosen {
+                                add(i as usize);
+                            }
+                        }
+                    }
+                }
+            }
+        };
     }
+
+    // Of 32 registers four voxels hold 24
+    kernels!(
+        "avx512f", __m512, 16, 6, [1 2 3 4 5 6],
+        _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_fmadd_ps,
+        gather, gather_wide, spread, spread_wide
+    );
+    // Of 16 they hold eight: two are a line of the cache
+    kernels!(
+        "avx2,fma", __m256, 8, 2, [1 2],
+        _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_fmadd_ps,
+        gather_avx2, gather_half, spread_avx2, spread_half
+    );
 }
 
 #[cfg(test)]

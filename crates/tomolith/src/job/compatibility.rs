@@ -361,11 +361,11 @@ impl Optics {
         if beyond > 0 {
             warnings.push(format!(
                 "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
-                 part lies outside and is not lit from all sides; use {} columns or more in `pixels`",
+                 part lies outside and is not lit from all sides; use {} times as many columns in `pixels`",
                 concise(reach),
                 concise(farthest),
                 100.0 * beyond as f64 / part as f64,
-                (self.lights[light].pixels.columns as f64 * farthest / reach - 1e-6).ceil()
+                significant((100.0 * farthest / reach - 1e-6).ceil() / 100.0, 3)
             ));
         }
         Ok(warnings)

@@ -636,6 +636,20 @@ mod tests {
     }
 
     #[test]
+    fn voxels_are_called_coarser_only_where_they_are() {
+        let said = |pitches_mm| {
+            let found = Found {
+                saw_finer: true,
+                pitches_mm,
+                ..found()
+            };
+            found.limits().sentence
+        };
+        assert!(said([0.056, 0.014]).contains("(on the job's own, coarser voxels 1.000)"));
+        assert!(said([0.056, 0.056]).contains("(before the patterns are written 1.000)"));
+    }
+
+    #[test]
     fn the_losses_of_a_run_add_up_to_what_is_missing() {
         let found = Found {
             optimized: Some(0.95),

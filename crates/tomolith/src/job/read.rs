@@ -278,6 +278,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_sweep_is_told_from_a_job() {
+        let sweep = "job = \"a.toml\"\naxes = [{ key = \"stop.iterations\", values = [1] }]";
+        let error = Job::from_document(Document::toml("sweep.toml", sweep).unwrap());
+        let error = error.unwrap_err().to_string();
+        assert!(error.contains("a sweep where a job is read"), "{error}");
+    }
+
+    #[test]
     fn a_toy_has_the_counts_that_the_command_line_names() {
         let text = r#"
             target = { phantom = "gear", size_mm = 3.0 }

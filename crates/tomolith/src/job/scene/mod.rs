@@ -246,12 +246,6 @@ impl Scene {
                 .warnings
                 .push("resin.pure_radon = true: the absorption is not used".to_owned());
         }
-        if job.is_toy {
-            let counted = |text: &&mut String| text.ends_with("in `pixels`");
-            for text in scene.warnings.iter_mut().filter(counted) {
-                text.push_str("; `--toy` counts in pixels three times as large as the job's");
-            }
-        }
         scene.fit_memory()?;
         // A checkpoint that is there gives its place to the next one
         let held = bytes_in(&job.folder().join("checkpoint")) / 1_000_000;
