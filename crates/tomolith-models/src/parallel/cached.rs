@@ -3,7 +3,7 @@
 //! An optimization asks for doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
 //! kept, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
 //! frame bring from a column to a voxel is one entry, so that a frame averaged over four angles costs little more than one that stands
-//! still. Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of
+//! still. Views that repeat those of a quarter turn before have the same entries, turned ([`turned`](super::turned)): they are found once. Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of
 //! the uninterrupted one.
 //!
 //! # Cost
@@ -14,7 +14,9 @@ use super::kernel::{Block, Isa, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
-use super::{GROUP, groups, is_straight};
+use super::turned::Turned;
+use super::views::Views;
+use super::{GROUP, groups, is_straight, places};
 use crate::Run;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -32,7 +34,7 @@ const MOST: f64 = (1u64 << 31) as f64;
 const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
 
 /// Voxels along the edge of a patch, and patches along that of a tile.
-const EDGE: usize = 2;
+pub(super) const EDGE: usize = 2;
 const PATCHES: usize = TILE / EDGE;
 
 /// Bytes that an optimization keeps of these lights; None where that would be too much, or rows have no lanes.
@@ -40,6 +42,24 @@ pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Opt
     let of_light = |light| expected(light, vial, grid);
     let bytes = BYTES * lights.iter().map(of_light).sum::<f64>();
     (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
+}
+
+/// Bytes of those and, while they are made, of the first part of a turn that repeats itself.
+pub(super) fn bytes_at_first(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
+    let parts = if repeats(lights, vial, grid) {
+        2.0
+    } else {
+        f64::INFINITY
+    };
+    bytes(lights, vial, grid).map(|bytes| bytes * (1.0 + 1.0 / parts))
+}
+
+/// Whether entries of a part of the turn serve all of it, for all lights.
+pub(super) fn repeats(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> bool {
+    lights.iter().all(|light| {
+        let views = Views::of(vial, light);
+        Turned::of(vial, light, grid, &views).period < views.count()
+    })
 }
 
 /// Entries of one light, of about that number: a patch has one in each frame, and as many more as columns cross it and the arc that it
@@ -66,6 +86,8 @@ pub(super) struct CachedEntries {
     /// `[tile][group]`
     groups: Vec<Group>,
     per_tile: usize,
+    /// Views of a part of the turn; groups end with it.
+    period: usize,
 }
 
 /// What a group of views brings to a tile; slots are counted from the first one of the group on.
@@ -83,27 +105,26 @@ struct Finder {
 }
 
 impl Finder {
-    /// The entries of a tile from a group of views.
-    fn group(
+    /// The entries of a tile from a group of views of the first part of the turn, patch by patch.
+    fn find(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
         (index, tile): (usize, &Tile),
         views: Range<usize>,
-    ) -> Group {
+    ) -> Patches {
         self.patches.resize(PATCHES * PATCHES, Vec::new());
         self.patches.iter_mut().for_each(Vec::clear);
-        let mut lit_by = Vec::new();
         for (i, view) in views.enumerate() {
             let first = (i * plan.columns) as u32;
             self.found.clear();
             for beam in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + beam];
                 let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
-                plan.enumerate(path, beam, meeting, &local, &mut self.found);
+                let keep = |column| plan.is_lit_in_any_part(view, column);
+                plan.enumerate_columns(path, beam, meeting, &local, keep, &mut self.found);
             }
             for run in &self.found.runs {
-                lit_by.push(first + run.column);
                 let entries = self.found.of(run);
                 for (&voxel, &weight) in entries.slots.iter().zip(entries.weights) {
                     let [y, x] = [voxel as usize / TILE, voxel as usize % TILE];
@@ -122,13 +143,56 @@ impl Finder {
                 }
             }
         }
-        lit_by.sort_unstable();
-        lit_by.dedup();
-        lit_by.shrink_to_fit();
-        Group {
-            patches: Patches::new(&self.patches),
-            lit_by,
+        Patches::new(&self.patches)
+    }
+}
+
+/// What the first part of the turn brings to all tiles, from which all parts are made.
+struct FirstPart {
+    /// `[tile][group]`
+    patches: Vec<Patches>,
+    per_tile: usize,
+    turned: Turned,
+    /// Tiles by their place, row by row, and how many a row has.
+    places: Vec<usize>,
+    across: usize,
+}
+
+impl FirstPart {
+    /// What views of a group, of any part, bring to a tile; `patches` is made once a thread.
+    fn group(
+        &self,
+        plan: &LightPlan,
+        tile: &Tile,
+        views: &Range<usize>,
+        patches: &mut Vec<Vec<ColumnEntry>>,
+    ) -> Group {
+        let right_angles = self.turned.right_angles(views);
+        let corners = Turned::corners(right_angles);
+        let group = views.start % self.turned.period / GROUP;
+        let is_lit = |slot: u32| plan.is_lit(views.start * plan.columns + slot as usize);
+        patches.resize(PATCHES * PATCHES, Vec::new());
+        patches.iter_mut().for_each(Vec::clear);
+        for y in 0..tile.size[1].div_ceil(EDGE) {
+            for x in 0..tile.size[0].div_ceil(EDGE) {
+                let at = [tile.start[0] / EDGE + x, tile.start[1] / EDGE + y];
+                let [u, v] = self.turned.origin(at, right_angles);
+                let from = self.places[v / PATCHES * self.across + u / PATCHES];
+                let patch = v % PATCHES * PATCHES + u % PATCHES;
+                let found = &self.patches[from * self.per_tile + group];
+                let own = &mut patches[y * PATCHES + x];
+                found.each(patch, |slot, weights| {
+                    if is_lit(slot) {
+                        let mut turned = [0.0; VOXELS];
+                        for (weight, corner) in weights.iter().zip(corners) {
+                            turned[corner] = *weight;
+                        }
+                        own.push((slot, turned));
+                    }
+                });
+            }
         }
+        Group::of(Patches::new(patches))
     }
 }
 
@@ -144,6 +208,14 @@ pub(super) struct Bench {
 }
 
 impl Group {
+    fn of(patches: Patches) -> Self {
+        let mut lit_by = patches.slots().to_vec();
+        lit_by.sort_unstable();
+        lit_by.dedup();
+        lit_by.shrink_to_fit();
+        Group { patches, lit_by }
+    }
+
     /// Notes in `lit` which slots `is_lit` says are; how many.
     fn light(&self, lit: &mut Vec<bool>, is_lit: impl Fn(u32) -> bool) -> usize {
         if lit.len() < self.patches.rows() {
@@ -166,26 +238,45 @@ impl CachedEntries {
     pub(super) fn of(
         plan: &LightPlan,
         path: KernelPath,
-        tiles: &[Tile],
+        (tiles, nx): (&[Tile], usize),
         run: &Run,
     ) -> Result<Self> {
-        let views = 0..plan.of_view.len();
-        let of_tiles = tiles
-            .par_iter()
-            .enumerate()
-            .map_init(Finder::default, |finder, tile| {
-                let groups = groups(views.clone()).take_while(|_| !run.is_canceled());
-                let found = groups.map(|group| finder.group(path, plan, tile, group));
-                found.collect::<Vec<_>>()
-            })
-            .flatten_iter()
-            .collect();
+        let (views, period) = (0..plan.of_view.len(), plan.turned.period);
+        let of_tiles = tiles.par_iter().enumerate();
+        let patches = of_tiles.map_init(Finder::default, |finder, tile| {
+            let groups = groups(0..period, period).take_while(|_| !run.is_canceled());
+            let found = groups.map(|group| finder.find(path, plan, tile, group));
+            found.collect::<Vec<_>>()
+        });
+        let patches: Vec<Patches> = patches.flatten_iter().collect();
         if run.is_canceled() {
             return Err(Error::Canceled);
         }
+        let per_tile = groups(views.clone(), period).count();
+        if period == views.len() {
+            let groups = patches.into_par_iter().map(Group::of).collect();
+            return Ok(CachedEntries {
+                groups,
+                per_tile,
+                period,
+            });
+        }
+        let first = FirstPart {
+            patches,
+            per_tile: groups(0..period, period).count(),
+            turned: plan.turned,
+            places: places(tiles, nx),
+            across: nx.div_ceil(TILE),
+        };
+        let of_tiles = tiles.par_iter().map_init(Vec::new, |patches, tile| {
+            let groups = groups(views.clone(), period);
+            let turned = groups.map(|group| first.group(plan, tile, &group, patches));
+            turned.collect::<Vec<_>>()
+        });
         Ok(CachedEntries {
-            groups: of_tiles,
-            per_tile: groups(views).count(),
+            groups: of_tiles.flatten_iter().collect(),
+            per_tile,
+            period,
         })
     }
 
@@ -198,7 +289,9 @@ impl CachedEntries {
     }
 
     fn group(&self, tile: usize, views: &Range<usize>) -> &Group {
-        &self.groups[tile * self.per_tile + views.start / GROUP]
+        let (part, within) = (views.start / self.period, views.start % self.period);
+        let per_part = self.period.div_ceil(GROUP);
+        &self.groups[tile * self.per_tile + part * per_part + within / GROUP]
     }
 
     /// Adds to the voxels of a tile what views of a group bring; `slots` has the lanes of all slots of the light.
@@ -211,8 +304,8 @@ impl CachedEntries {
         bench: &mut Bench,
     ) {
         let group = self.group(tile, views);
-        let first = views.start / GROUP * GROUP * columns;
-        let own = slots_of(views, columns);
+        let first = self.first_of_group(views) * columns;
+        let own = self.slots_of(views, columns);
         for (i, &block) in filled.blocks.iter().enumerate() {
             let lit = group.light(&mut bench.lit, |slot| {
                 own.contains(&slot) && filled.any_in(first + slot as usize, i)
@@ -254,7 +347,7 @@ impl CachedEntries {
         if group.lit_by.is_empty() || of_tile.is_empty() {
             return;
         }
-        let own = slots_of(views, columns);
+        let own = self.slots_of(views, columns);
         let is_whole = own.start == 0 && own.end as usize >= group.patches.rows();
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in filled.blocks.iter().enumerate() {
@@ -290,13 +383,18 @@ impl CachedEntries {
             }
         }
     }
-}
 
-/// Slots of some views of a group, counted from its first one on.
-fn slots_of(views: &Range<usize>, columns: usize) -> Range<u32> {
-    let first = views.start % GROUP;
-    let slot = |view: usize| (view * columns) as u32;
-    slot(first)..slot(first + views.len())
+    /// The first view of the group that views belong to.
+    fn first_of_group(&self, views: &Range<usize>) -> usize {
+        views.start - views.start % self.period % GROUP
+    }
+
+    /// Slots of some views of a group, counted from its first one on.
+    fn slots_of(&self, views: &Range<usize>, columns: usize) -> Range<u32> {
+        let first = views.start - self.first_of_group(views);
+        let slot = |view: usize| (view * columns) as u32;
+        slot(first)..slot(first + views.len())
+    }
 }
 
 /// The lanes of a patch's voxels; those outside the tile are `outside`'s.

@@ -75,6 +75,7 @@ pub mod radon;
 mod rake;
 mod strips;
 mod tiles;
+mod turned;
 mod views;
 mod walls;
 
@@ -142,7 +143,7 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let kept = || cached::bytes(scene.lights, scene.vial, grid).unwrap_or_default();
+        let kept = || cached::bytes_at_first(scene.lights, scene.vial, grid).unwrap_or_default();
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
             cached_bytes: is_optimized.then(kept),
@@ -166,6 +167,15 @@ impl ModelFamily for Params {
             model = model.cached();
         }
         Ok(Box::new(model))
+    }
+
+    /// One adjoint of all pixels: entries that are kept take a quarter of it to find where quarters of the turn repeat.
+    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        let mut input = input.clone();
+        if !cached::repeats(input.scene.lights, input.scene.vial, input.grid) {
+            input.scene.purpose = Purpose::Probe;
+        }
+        self.build(&input)
     }
 
     fn merit(&self) -> String {
@@ -271,7 +281,8 @@ impl Parallel {
         if self.caches && self.cache[light].get().is_none() {
             // Whoever comes first; all would find the same
             let plan = &self.lights[light];
-            let found = CachedEntries::of(plan, self.path, &self.tiles, run)?;
+            let nx = self.outputs[0].grid.shape[2];
+            let found = CachedEntries::of(plan, self.path, (&self.tiles, nx), run)?;
             let _ = self.cache[light].set(found);
         }
         Ok(self.cache[light].get())
@@ -320,14 +331,16 @@ impl Parallel {
         );
         let source = lanes.as_slice();
         let slots = &source[GUARD * row..][..plan.lit.len() * row];
+        let period = plan.period(cache.is_some());
         let lit = Lit {
             plan,
             views,
+            period,
             source,
             filled: Filled::of(slots, row / LANES, plan.levels.used),
             cache,
         };
-        let steps = run.steps(self.tiles.len() * groups(lit.views.clone()).count());
+        let steps = run.steps(self.tiles.len() * groups(lit.views.clone(), period).count());
         let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
@@ -366,7 +379,7 @@ impl Parallel {
     ) {
         let row = lit.plan.levels.row / LANES;
         let of_slots = (&lit.source[GUARD * lit.plan.levels.row..], &lit.filled);
-        for group in groups(lit.views.clone()) {
+        for group in groups(lit.views.clone(), lit.period) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
                 if steps.is_canceled() {
                     return;
@@ -445,58 +458,56 @@ impl Parallel {
         });
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        // Few long chunks read the dose less often; the result does not depend on their length. Long ones hold whole groups.
-        let chunk = views
-            .len()
-            .div_ceil(4 * rayon::current_num_threads())
-            .max(1);
-        let chunk = if chunk > GROUP {
-            chunk.next_multiple_of(GROUP)
-        } else {
-            chunk
-        };
+        // Few long chunks read the dose less often; the result does not depend on their length
+        let chunk = views.len().div_ceil(4 * rayon::current_num_threads());
+        let period = plan.period(cache.is_some());
+        let chunks = chunks(views.clone(), period, chunk);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let of_tiles = self.tiles.par_iter().map(|tile| filled.of_tile(tile, nx));
         let of_tiles: Vec<FilledTile> = of_tiles.collect();
         let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
-        lanes.as_mut_slice()[used.clone()][views.start * per_view..views.end * per_view]
-            .par_chunks_mut(chunk * per_view)
-            .enumerate()
-            .for_each_init(
-                Default::default,
-                |(entries, bench): &mut ((TileEntries, NeededEntries), Bench), (i, lanes)| {
-                    lanes.fill(0.0);
-                    let first = views.start + i * chunk;
-                    for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                        for group in groups(first..(first + chunk).min(views.end)) {
-                            let own = &mut lanes
-                                [(group.start - first) * per_view..(group.end - first) * per_view];
-                            for (index, tile) in (i * neighbors..).zip(tiles) {
-                                if run.is_canceled() {
-                                    return;
-                                }
-                                if let Some(cache) = cache {
-                                    let at = (index, &group);
-                                    let given = (cotangent, &filled, &of_tiles[index]);
-                                    let isa = (self.path.isa, plan.columns);
-                                    cache.collect(isa, at, (tile, nx), given, own, bench);
-                                    continue;
-                                }
-                                plan.collect_tile(
-                                    self.path,
-                                    group.clone(),
-                                    (index, tile, nx),
-                                    (cotangent, &filled, &of_tiles[index]),
-                                    own,
-                                    entries,
-                                );
+        let mut rest = &mut lanes.as_mut_slice()[used.clone()];
+        rest = &mut rest[views.start * per_view..views.end * per_view];
+        let of_chunks = chunks.into_iter().map(|views| {
+            let own = rest.split_off_mut(..views.len() * per_view);
+            (views, own.unwrap_or_default())
+        });
+        let of_chunks: Vec<(Range<usize>, &mut [f32])> = of_chunks.collect();
+        of_chunks.into_par_iter().for_each_init(
+            Default::default,
+            |(entries, bench): &mut ((TileEntries, NeededEntries), Bench), (views, lanes)| {
+                lanes.fill(0.0);
+                let first = views.start;
+                for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
+                    for group in groups(views.clone(), period) {
+                        let own = &mut lanes
+                            [(group.start - first) * per_view..(group.end - first) * per_view];
+                        for (index, tile) in (i * neighbors..).zip(tiles) {
+                            if run.is_canceled() {
+                                return;
                             }
+                            if let Some(cache) = cache {
+                                let at = (index, &group);
+                                let given = (cotangent, &filled, &of_tiles[index]);
+                                let isa = (self.path.isa, plan.columns);
+                                cache.collect(isa, at, (tile, nx), given, own, bench);
+                                continue;
+                            }
+                            plan.collect_tile(
+                                self.path,
+                                group.clone(),
+                                (index, tile, nx),
+                                (cotangent, &filled, &of_tiles[index]),
+                                own,
+                                entries,
+                            );
                         }
                     }
-                },
-            );
+                }
+            },
+        );
         let frames = plan.views.frames_of(&views, &sides);
         let lanes_of_views = &lanes.as_slice()[used];
         plan.collect((&self.patterns[light], frames), lanes_of_views, grad, row);
@@ -516,6 +527,8 @@ impl Parallel {
 struct Lit<'a> {
     plan: &'a LightPlan,
     views: Range<usize>,
+    /// Groups of views are those of one part of the turn.
+    period: usize,
     source: &'a [f32],
     filled: Filled,
     cache: Option<&'a CachedEntries>,
@@ -537,11 +550,37 @@ fn neighbors(row: usize) -> usize {
     (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
 }
 
-/// Views in groups, which begin at multiples of [`GROUP`].
-fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
-    let first = views.start / GROUP * GROUP;
-    let within = move |group: usize| group.max(views.start)..(group + GROUP).min(views.end);
-    (first..views.end).step_by(GROUP).map(within)
+/// Views in groups, which begin at multiples of [`GROUP`] in each part of so many views.
+fn groups(views: Range<usize>, period: usize) -> impl Iterator<Item = Range<usize>> {
+    let mut first = views.start;
+    std::iter::from_fn(move || {
+        let (part, within) = (first / period * period, first % period);
+        let end = part + ((within / GROUP + 1) * GROUP).min(period);
+        let group = first..end.min(views.end);
+        first = group.end;
+        (!group.is_empty()).then_some(group)
+    })
+}
+
+/// The same views in chunks of about `len`: several whole groups, or pieces of one.
+fn chunks(views: Range<usize>, period: usize, len: usize) -> Vec<Range<usize>> {
+    let most = if len > GROUP {
+        len.next_multiple_of(GROUP)
+    } else {
+        0
+    };
+    let mut chunks: Vec<Range<usize>> = Vec::new();
+    for group in groups(views, period) {
+        match chunks.last_mut() {
+            Some(last) if last.len() + group.len() <= most => last.end = group.end,
+            _ => {
+                let step = len.clamp(1, GROUP);
+                let piece = |first: usize| first..(first + step).min(group.end);
+                chunks.extend(group.clone().step_by(step).map(piece));
+            }
+        }
+    }
+    chunks
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.
@@ -624,6 +663,16 @@ pub(crate) fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
     vial.walls().len() == 1 && vial.is_round() && (outside - index).abs() < 1e-12
 }
 
+/// Tiles by their place in the plane, row by row.
+fn places(tiles: &[Tile], nx: usize) -> Vec<usize> {
+    let across = nx.div_ceil(TILE);
+    let mut places = vec![0; tiles.len()];
+    for (i, tile) in tiles.iter().enumerate() {
+        places[tile.start[1] / TILE * across + tile.start[0] / TILE] = i;
+    }
+    places
+}
+
 /// The dose, cut into tiles: for each tile its rows of voxels.
 fn tile_rows<'a>(
     tiles: &[Tile],
@@ -631,11 +680,7 @@ fn tile_rows<'a>(
     row: usize,
     nx: usize,
 ) -> Vec<Vec<&'a mut [f32]>> {
-    let across = nx.div_ceil(TILE);
-    let mut at = vec![0; tiles.len()];
-    for (i, tile) in tiles.iter().enumerate() {
-        at[tile.start[1] / TILE * across + tile.start[0] / TILE] = i;
-    }
+    let (at, across) = (places(tiles, nx), nx.div_ceil(TILE));
     let mut rows: Vec<Vec<&mut [f32]>> = tiles.iter().map(|_| Vec::with_capacity(TILE)).collect();
     for (y, line) in dose.chunks_mut(nx * row).enumerate() {
         let first = (y / TILE) * across;
@@ -712,7 +757,7 @@ impl Parallel {
                 let tiles = self.tiles.par_iter().enumerate();
                 tiles
                     .map_init(TileEntries::default, |entries, (index, tile)| {
-                        (0..plan.of_view.len())
+                        (0..plan.turned.period)
                             .map(|view| plan.updates_in(view, index, tile, nz, entries))
                             .sum::<u64>()
                     })

@@ -40,10 +40,16 @@ impl Patches {
         if starts.last() == Some(&0) {
             return Patches::default();
         }
-        let slots: Vec<u32> = patches.iter().flatten().map(|entry| entry.0).collect();
+        // Their number is known: vectors that grow would take twice the time
+        let count = starts.last().map_or(0, |&count| count as usize);
+        let (mut slots, mut weights) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for &(slot, of_slot) in patches.iter().flatten() {
+            slots.push(slot);
+            weights.push(of_slot);
+        }
         Patches {
             rows: slots.iter().fold(0, |rows, &slot| rows.max(slot + 1)),
-            weights: patches.iter().flatten().map(|entry| entry.1).collect(),
+            weights,
             slots,
             starts,
         }
@@ -58,6 +64,18 @@ impl Patches {
     #[cfg(test)]
     pub(super) fn len(&self) -> usize {
         self.slots.len()
+    }
+
+    /// Slots of all entries.
+    pub(super) fn slots(&self) -> &[u32] {
+        &self.slots
+    }
+
+    /// Slot and weights of all entries of a patch.
+    pub(super) fn each(&self, patch: usize, mut see: impl FnMut(u32, &[f32; VOXELS])) {
+        if let Some(entries) = self.of(patch, 0) {
+            entries.each(|slot, weights| see(slot as u32, weights));
+        }
     }
 
     /// All entries of a patch, for rows that are counted from `first` on; None where there are none.

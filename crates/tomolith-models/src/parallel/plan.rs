@@ -11,6 +11,7 @@ use super::radon::{self, Kernel};
 use super::rake::Rake;
 use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::turned::Turned;
 use super::views::Views;
 use super::walls::Walls;
 use crate::{PatternLayout, Run};
@@ -43,6 +44,7 @@ impl KernelPath {
 pub(super) struct LightPlan {
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
+    pub(super) turned: Turned,
     /// Beams of each view.
     pub(super) of_view: Vec<Range<usize>>,
     /// Beams that are combs, for a single slice.
@@ -177,6 +179,7 @@ impl LightPlan {
             .collect();
         LightPlan {
             beams,
+            turned: Turned::of(vial, light, grid, &views),
             views,
             of_view,
             combs,
@@ -193,7 +196,16 @@ impl LightPlan {
         }
     }
 
-    fn is_lit(&self, slot: usize) -> bool {
+    /// Views of a part of the turn: those whose entries are kept, or all.
+    pub(super) fn period(&self, is_cached: bool) -> usize {
+        if is_cached {
+            self.turned.period
+        } else {
+            self.views.count().max(1)
+        }
+    }
+
+    pub(super) fn is_lit(&self, slot: usize) -> bool {
         self.lit[slot].1 > self.lit[slot].0
     }
 
@@ -332,10 +344,24 @@ impl LightPlan {
         local: &Local,
         found: &mut TileEntries,
     ) {
+        let first = self.beams[beam].frame as usize * self.columns;
+        let keep = |column| self.is_lit(first + column as usize);
+        self.enumerate_columns(path, beam, meeting, local, keep, found);
+    }
+
+    /// What the columns of a beam that `keep` wants light in a tile.
+    pub(super) fn enumerate_columns(
+        &self,
+        path: KernelPath,
+        beam: usize,
+        meeting: Meeting,
+        local: &Local,
+        keep: impl Fn(u32) -> bool,
+        found: &mut TileEntries,
+    ) {
         let index = beam;
         let beam = &self.beams[index];
         let (first, end) = (meeting.first as usize, meeting.end as usize);
-        let keep = |column| self.is_lit(beam.frame as usize * self.columns + column as usize);
         if let Some(wide) = path.wide.filter(|_| meeting.chain) {
             return wide.add_chain(&Chain::new(beam, first, end), local, keep, found);
         }
@@ -352,7 +378,20 @@ impl LightPlan {
         }
     }
 
-    /// Pairs of frame and voxel of a tile, for the frames of a view, of which an active pixel lights the voxel.
+    /// Slots of a column of a view of the first part of the turn, in all parts.
+    fn slots_of_parts(&self, view: usize, column: u32) -> impl Iterator<Item = usize> {
+        let first = view * self.columns + column as usize;
+        (first..self.lit.len()).step_by(self.turned.period * self.columns)
+    }
+
+    /// Whether a column of a view of the first part lights anything in any part of the turn.
+    pub(super) fn is_lit_in_any_part(&self, view: usize, column: u32) -> bool {
+        let mut slots = self.slots_of_parts(view, column);
+        slots.any(|slot| self.is_lit(slot))
+    }
+
+    /// Pairs of frame and voxel, for the frames of a view of the first part of the turn and of those that repeat it, of which an active pixel
+    /// lights the voxel: voxels of a tile, and those that it is turned to.
     pub(super) fn updates_in(
         &self,
         view: usize,
@@ -361,21 +400,22 @@ impl LightPlan {
         nz: usize,
         entries: &mut TileEntries,
     ) -> u64 {
+        let parts = self.views.count() / self.turned.period;
         let mut total = 0;
         for i in self.of_view[view].clone() {
             entries.clear();
             let meeting = self.meetings[index * self.beams.len() + i];
-            self.enumerate(
-                KernelPath::of(Isa::in_use()),
-                i,
-                meeting,
-                &Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE),
-                entries,
-            );
-            for side in self.views.sides() {
+            let local = Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE);
+            let path = KernelPath::of(Isa::in_use());
+            let keep = |column| self.is_lit_in_any_part(view, column);
+            self.enumerate_columns(path, i, meeting, &local, keep, entries);
+            for (part, side) in
+                (0..parts).flat_map(|part| self.views.sides().map(move |side| (part, side)))
+            {
                 let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
                 for run in &entries.runs {
-                    let slot = view * self.columns + run.column as usize;
+                    let slot =
+                        (part * self.turned.period + view) * self.columns + run.column as usize;
                     let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
                     if lit.1 > lit.0 {
                         for &voxel in entries.of(run).slots {

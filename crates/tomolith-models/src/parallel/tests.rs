@@ -914,6 +914,45 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
 }
 
 #[test]
+fn entries_of_a_part_of_the_turn_serve_all_of_it() {
+    // Quarters of a square grid and halves of a rectangular one; tiles that a turn maps onto tiles, and some that it does not; columns that are
+    // dark from some sides alone; more views than a group has in each part
+    for (vial, (shape, frames, descends)) in vials().iter().take(2).flat_map(|vial| {
+        [
+            ([5, 36, 36], 44, false),
+            ([5, 32, 32], 12, true),
+            ([5, 30, 40], 22, false),
+        ]
+        .map(|case| (vial, case))
+    }) {
+        let mut pixels = PatternGrid::full_turn(frames, 0.2, 6, 45, 0.11);
+        if descends {
+            pixels
+                .azimuths
+                .iter_mut()
+                .for_each(|azimuth| *azimuth = -*azimuth);
+        }
+        let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.2));
+        light.sub_angles = 2;
+        let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
+        light.active = Some((0..frames * 45).map(run).collect());
+        let grid = VolumeGrid::centered(shape, 0.1);
+        let model = || Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+        let (plain, kept) = (model(), model().cached());
+        let parts = if shape[1] == shape[2] { 4 } else { 2 };
+        assert_eq!(kept.lights[0].turned.period, frames / parts);
+        check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
+        let x = check::noise(1, plain.patterns[0].len());
+        let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
+        let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+        for (e, d) in expected.iter().zip(&dose) {
+            // Strips of a turned frame are rounded otherwise
+            assert!((e - d).abs() < 1e-5 * scale, "{vial:?} {shape:?}: {e} {d}");
+        }
+    }
+}
+
+#[test]
 fn what_is_kept_takes_the_memory_that_was_said() {
     for vial in &vials()[..2] {
         for (pitch, sub_angles) in [(0.05, 1), (0.05, 4), (0.2, 4), (0.11, 2)] {

@@ -22,7 +22,7 @@ pub(super) struct Views {
 }
 
 /// Directions nearer than this, rad, are one.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 impl Views {
     pub(super) fn of(vial: &dyn Vial, light: &Light) -> Self {
