@@ -74,11 +74,11 @@ pub use folder::RunFolder;
 pub use import::{Imported, import};
 pub use kept::KeptModel;
 pub use many::{Leaves, Needs, needs, run_here};
-pub use outcome::{Plan, Quality, Summary};
+pub use outcome::{Plan, Quality, Summary, TimeSummary};
 pub use progress::{Event, Progress, Silent};
 pub use ranks::run_among;
 pub use read::Job;
-pub use resolved::{ResolvedJob, Task};
+pub use resolved::{Prediction, ResolvedJob, Task};
 pub use spec::*;
 pub use stages::{check, run, run_leaving, simulate};
 

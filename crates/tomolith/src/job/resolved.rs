@@ -2,7 +2,8 @@
 //!
 //! A [`Job`] says what is wanted; a [`ResolvedJob`] has read its files, built its shape, vial, lights and grid, and refused what does not fit
 //! together. Its [`Task`] is what an optimizer needs, on the finest voxels of the optimization; what patterns print is
-//! [`evaluate`](ResolvedJob::evaluate)d as `tomolith run` does it: written with the job's bits, the vial turning, on finer voxels.
+//! [`evaluate`](ResolvedJob::evaluate)d as `tomolith run` does it: written with the job's bits, the vial turning, on finer voxels, and in time where the
+//! job has a schedule.
 //!
 //! ```
 //! use std::path::Path;
@@ -38,14 +39,16 @@
 //! assert!(losses[14] < 0.5 * losses[0]); // the loss falls to less than half
 //!
 //! let end = job.evaluate(&task.patterns(&x), &run)?;
-//! let iou = |print: &tomolith::metrics::Evaluation| print.measures.get("iou").unwrap();
+//! let iou = |print: &tomolith::job::Prediction| print.evaluation.measures.get("iou").unwrap();
 //! assert!(iou(&end) > iou(&begin) && iou(&end) > 0.9); // and the print is better than that of the start
 //! # Ok::<(), tomolith::Error>(())
 //! ```
 
 use super::device::Written;
 use super::evaluate::evaluate_patterns;
+use super::in_time::InTime;
 use super::optimize::Stage;
+use super::outcome::TimeSummary;
 use super::progress::Silent;
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -66,6 +69,15 @@ use crate::target::{Shape, Target};
 pub struct ResolvedJob {
     pub(super) scene: Scene,
     pub(super) voxels: Voxels,
+}
+
+/// What patterns print.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// The print of the dose of a turn, measured.
+    pub evaluation: Evaluation,
+    /// What each network becomes over time, where the job has a schedule; else empty.
+    pub in_time: Vec<TimeSummary>,
 }
 
 /// What an optimizer needs.
@@ -162,7 +174,7 @@ impl ResolvedJob {
     ///
     /// # Errors
     /// [`Error::Shape`] for patterns of another size, [`Error::NonFinite`], [`Error::Canceled`].
-    pub fn evaluate(&self, patterns: &[Patterns], run: &Run) -> Result<Evaluation> {
+    pub fn evaluate(&self, patterns: &[Patterns], run: &Run) -> Result<Prediction> {
         let lights = self.lights();
         if patterns.len() != lights.len() {
             return Err(Error::Shape {
@@ -185,7 +197,11 @@ impl ResolvedJob {
         let shown = &written.shown;
         let (scene, own) = (&self.scene, &self.voxels);
         let judged = evaluate_patterns(scene, own, shown, None, None, &mut Silent, run)?;
-        Ok(judged.evaluation)
+        let in_time = judged.in_time.as_ref().map(InTime::summary);
+        Ok(Prediction {
+            evaluation: judged.evaluation,
+            in_time: in_time.unwrap_or_default(),
+        })
     }
 }
 

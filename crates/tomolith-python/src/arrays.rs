@@ -1,0 +1,93 @@
+//! numpy arrays ↔ fields, volumes and patterns.
+
+use crate::work::TomolithError;
+use numpy::{
+    PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods,
+};
+use pyo3::prelude::*;
+use tomolith::field::HostField;
+use tomolith::grid::{PatternGrid, Patterns, Volume};
+
+/// The type of every array that is given: float32, converted where it is another.
+pub(crate) fn float32<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let numpy = array.py().import("numpy")?;
+    numpy.call_method1("ascontiguousarray", (array, numpy.getattr("float32")?))
+}
+
+/// A field of `len` elements.
+pub(crate) fn field(what: &str, array: &Bound<'_, PyAny>, len: usize) -> PyResult<HostField> {
+    let array = float32(array)?;
+    let Ok(array) = array.extract::<PyReadonlyArray1<'_, f32>>() else {
+        return Err(TomolithError::new_err(format!(
+            "{what}: found an array of several axes; accepted: one axis of {len} elements"
+        )));
+    };
+    if array.len() != len {
+        return Err(TomolithError::new_err(format!(
+            "{what}: found {} elements; accepted: {len}",
+            array.len()
+        )));
+    }
+    let mut field = HostField::zeros(len);
+    field.as_mut_slice().copy_from_slice(array.as_slice()?);
+    Ok(field)
+}
+
+pub(crate) fn of_field<'py>(py: Python<'py>, field: &HostField) -> Bound<'py, PyArray1<f32>> {
+    PyArray1::from_slice(py, field.as_slice())
+}
+
+/// `[z, y, x]`
+pub(crate) fn of_volume<'py, T: numpy::Element + Copy>(
+    py: Python<'py>,
+    volume: &Volume<T>,
+) -> PyResult<Bound<'py, PyArray3<T>>> {
+    PyArray1::from_slice(py, &volume.values).reshape(volume.grid.shape)
+}
+
+/// `[frame, row, column]`
+pub(crate) fn of_patterns<'py>(
+    py: Python<'py>,
+    patterns: &Patterns,
+) -> PyResult<Bound<'py, PyArray3<f32>>> {
+    PyArray1::from_slice(py, &patterns.values).reshape(patterns.grid.shape())
+}
+
+/// Images of every light: a list of arrays, or the array of a single light.
+pub(crate) fn patterns<'a>(
+    given: &Bound<'_, PyAny>,
+    grids: impl ExactSizeIterator<Item = &'a PatternGrid>,
+) -> PyResult<Vec<Patterns>> {
+    let one_each = match given.try_iter() {
+        Ok(each)
+            if given.is_instance_of::<pyo3::types::PyList>()
+                || given.is_instance_of::<pyo3::types::PyTuple>() =>
+        {
+            each.collect::<PyResult<Vec<_>>>()?
+        }
+        _ => vec![given.clone()],
+    };
+    if one_each.len() != grids.len() {
+        return Err(TomolithError::new_err(format!(
+            "patterns: found {} arrays; accepted: {}, one for each light",
+            one_each.len(),
+            grids.len()
+        )));
+    }
+    let of_light = |(array, grid): (&Bound<'_, PyAny>, &PatternGrid)| {
+        let array = float32(array)?;
+        let shape = grid.shape();
+        let same = |array: &PyReadonlyArray3<'_, f32>| array.shape() == shape;
+        let Some(array) = array.extract().ok().filter(same) else {
+            let found: Vec<usize> = array.getattr("shape")?.extract()?;
+            return Err(TomolithError::new_err(format!(
+                "patterns: found shape {found:?}; accepted: {shape:?} [frame, row, column]"
+            )));
+        };
+        Ok(Patterns {
+            grid: grid.clone(),
+            values: array.as_slice()?.to_vec(),
+        })
+    };
+    one_each.iter().zip(grids).map(of_light).collect()
+}

@@ -1,0 +1,108 @@
+//! `Job`: a job file, and the whole run of it.
+
+use crate::resolved::ResolvedJob;
+use crate::work::{beside, beside_telling, plain, raised};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::{Path, PathBuf};
+use tomolith::job::{self, Document};
+
+/// A job: its tables, checked. `source` is the path of a job file (TOML or JSON) or a dict of its tables; `set` lists changes as
+/// `"stop.iterations=10"`; `folder` names the run folder.
+#[pyclass(module = "tomolith", frozen)]
+pub(crate) struct Job(job::Job);
+
+#[pymethods]
+impl Job {
+    #[new]
+    #[pyo3(signature = (source, *, set=Vec::new(), folder=None))]
+    fn new(source: &Bound<'_, PyAny>, set: Vec<String>, folder: Option<PathBuf>) -> PyResult<Self> {
+        let mut document = match source.cast::<PyDict>() {
+            Ok(tables) => {
+                let json = source.py().import("json")?;
+                let text: String = json.call_method1("dumps", (tables,))?.extract()?;
+                Document::json("job.json", text)
+            }
+            Err(_) => Document::read(&source.extract::<PathBuf>()?),
+        }
+        .map_err(raised)?;
+        set.iter()
+            .try_for_each(|change| document.set(change))
+            .map_err(raised)?;
+        let job = job::Job::from_document(document).map_err(raised)?;
+        Ok(Job(match folder {
+            Some(folder) => job.with_folder(&folder, "folder"),
+            None => job,
+        }))
+    }
+
+    /// Its name: that of the file, without ending.
+    #[getter]
+    fn name(&self) -> String {
+        self.0.name()
+    }
+
+    /// The run folder.
+    #[getter]
+    fn folder(&self) -> PathBuf {
+        self.0.folder()
+    }
+
+    /// The job with every default written out, as a dict.
+    #[getter]
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        plain(py, &self.0.resolved())
+    }
+
+    /// What the run would take, as `tomolith check --json`.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let plan = beside(py, |run| job::check(&self.0, &mut job::Silent, run))?;
+        plain(py, &plan)
+    }
+
+    /// The whole run, as `tomolith run`: what it tells at its end. `progress` is called with a dict for each event.
+    #[pyo3(signature = (*, resume=false, overwrite=false, progress=None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        resume: bool,
+        overwrite: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let job = self.replacing(overwrite);
+        let summary = beside_telling(py, progress, |told, run| job::run(&job, resume, told, run))?;
+        plain(py, &summary)
+    }
+
+    /// What the patterns of a file print, as `tomolith simulate` and, with a schedule, `tomolith print`.
+    #[pyo3(signature = (patterns, *, overwrite=false, progress=None))]
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        patterns: PathBuf,
+        overwrite: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let job = self.replacing(overwrite);
+        let summary = beside_telling(py, progress, |told, run| {
+            job::simulate(&job, Path::new(&patterns), told, run)
+        })?;
+        plain(py, &summary)
+    }
+
+    /// The job as objects: model, objective, start, and what patterns print.
+    fn resolve(&self, py: Python<'_>) -> PyResult<ResolvedJob> {
+        beside(py, |_| job::ResolvedJob::new(&self.0).map(ResolvedJob::new))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<tomolith.Job {}>", self.0.name())
+    }
+}
+
+impl Job {
+    fn replacing(&self, overwrite: bool) -> job::Job {
+        let job = self.0.clone();
+        if overwrite { job.overwriting() } else { job }
+    }
+}

@@ -1,0 +1,32 @@
+//! Tomolith for Python: what `tomolith::job` offers, over numpy arrays. No physics and no algorithm is here.
+//!
+//! | Python | Rust |
+//! |---|---|
+//! | `Job` | [`tomolith::job::Job`] and the stages of a run |
+//! | `ResolvedJob` | [`tomolith::job::ResolvedJob`]: what patterns print, in time too |
+//! | `Task` | [`tomolith::job::Task`]: model, objective, start and bounds, for loops of one's own |
+//! | `sweep` | [`tomolith_sweep::run`] |
+//!
+//! The package is `python/tomolith`, its manual docs/python.md. Calls leave Python's lock to others while they compute, and end at Ctrl-C.
+
+mod arrays;
+mod job;
+mod resolved;
+mod sweep;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package `tomolith`.
+#[pymodule]
+fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add(
+        "TomolithError",
+        module.py().get_type::<work::TomolithError>(),
+    )?;
+    module.add_class::<job::Job>()?;
+    module.add_class::<resolved::ResolvedJob>()?;
+    module.add_class::<resolved::Task>()?;
+    module.add_function(wrap_pyfunction!(sweep::sweep, module)?)
+}

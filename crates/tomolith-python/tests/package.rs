@@ -1,0 +1,52 @@
+//! Runs the tests of the package, `test_tomolith.py`, in Python on the library that was just built.
+#![expect(clippy::print_stderr, reason = "says that it was skipped")]
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+/// The Python to run, which needs numpy: `TOMOLITH_PYTHON`, which must work, or `python3` where that has it.
+fn python() -> Option<PathBuf> {
+    if let Some(named) = env::var_os("TOMOLITH_PYTHON") {
+        return Some(named.into());
+    }
+    let own = PathBuf::from("python3");
+    let found = Command::new(&own).args(["-c", "import numpy"]).output();
+    found
+        .is_ok_and(|found| found.status.success())
+        .then_some(own)
+}
+
+#[test]
+fn python_gets_what_the_command_gives() {
+    let Some(python) = python() else {
+        return eprintln!(
+            "skipped: python3 has no numpy (name one that has it in TOMOLITH_PYTHON)"
+        );
+    };
+    let (own, folder) = (
+        Path::new(env!("CARGO_MANIFEST_DIR")),
+        tempfile::tempdir().unwrap(),
+    );
+    let package = folder.path().join("tomolith");
+    fs::create_dir(&package).unwrap();
+    fs::copy(
+        own.join("python/tomolith/__init__.py"),
+        package.join("__init__.py"),
+    )
+    .unwrap();
+    let library = env::current_exe()
+        .unwrap()
+        .with_file_name("libtomolith_native.so");
+    fs::copy(library, package.join("_native.abi3.so")).unwrap();
+    let tests = Command::new(python)
+        .args(["-m", "unittest", "discover", "--verbose"])
+        .arg(own.join("tests"))
+        .env("PYTHONPATH", folder.path())
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&tests.stderr);
+    assert!(tests.status.success(), "{said}");
+    assert!(said.contains("Ran 9 tests"), "{said}");
+}

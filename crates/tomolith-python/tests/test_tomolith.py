@@ -1,0 +1,152 @@
+"""What Python gives is what the command gives, and its derivatives are derivatives. Run by .ci/run:
+
+    python -m unittest discover crates/tomolith-python/tests
+"""
+
+import os
+import signal
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import numpy as np
+import tomolith
+
+GEAR = {
+    "target": {"phantom": "gear", "size_mm": 3.0},
+    "grid": {"pitch_mm": 0.2},
+    "resin": {"refractive_index": 1.5, "absorption_per_mm": 0.1},
+    "vial": {"index_matched": {"radius_mm": 3.0}},
+    "light": [
+        {"pixels": [24, 16], "angles": 36, "projector": {"collimated": {"pixel_pitch_mm": 0.2}}}
+    ],
+    "stop": {"iterations": 10},
+}
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+
+class Tasks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.job = tomolith.Job(GEAR).resolve()
+        cls.task = cls.job.task()
+
+    def test_the_pullback_is_the_transpose_of_the_dose(self):
+        random = np.random.default_rng(1)
+        x = random.random(self.task.start.size)
+        dose = self.task.dose(x)
+        cotangent = random.random(dose.size)
+        left = np.dot(dose.astype(float), cotangent)
+        right = np.dot(x, self.task.pullback(x, cotangent).astype(float))
+        self.assertLess(abs(left / right - 1), 1e-5)
+
+    def test_the_gradient_is_that_of_the_value(self):
+        start = self.task.start.astype(float)
+        step = np.random.default_rng(2).uniform(-1, 1, start.size) * 1e-3 * start.max()
+        ahead, behind = (self.task.value_and_gradient(start + s * step)[0] for s in (1, -1))
+        slope = np.dot(self.task.value_and_gradient(start)[1].astype(float), step)
+        self.assertLess(abs((ahead - behind) / 2 - slope), 0.01 * abs(slope))
+
+    def test_images_and_pixels_are_one(self):
+        (image,) = self.task.patterns(self.task.start)
+        self.assertEqual(image.shape, (36, 16, 24))
+        np.testing.assert_array_equal(self.task.pixels(image), self.task.start)
+        np.testing.assert_array_equal(self.task.pixels([image.astype(float)]), self.task.start)
+        (volume,) = self.task.volumes(self.task.dose(self.task.start))
+        self.assertEqual(volume.shape, self.task.target.shape)
+        # The part is brighter than the void
+        part, void = (volume[self.task.labels == label].mean() for label in (2, 1))
+        self.assertGreater(part, 1.5 * void)
+
+    def test_a_loop_of_ones_own_prints_better_than_the_start(self):
+        x = self.task.start.copy()
+        lower, upper = self.task.bounds
+        losses = []
+        for _ in range(10):
+            loss, gradient = self.task.value_and_gradient(x)
+            losses.append(loss)
+            x = np.clip(x - 0.1 * x.max() / abs(gradient).max() * gradient, lower, upper)
+        self.assertLess(losses[-1], losses[0])
+        begin, end = self.task.evaluate(self.task.start), self.task.evaluate(x)
+        self.assertGreater(end["iou"], begin["iou"])
+        self.assertEqual(begin, self.job.evaluate(self.task.patterns(self.task.start)))
+
+    def test_what_does_not_fit_is_said(self):
+        image = self.task.patterns(self.task.start)[0]
+        for call, words in [
+            (lambda: self.task.dose(np.zeros(3)), "x: found 3 elements; accepted: "),
+            (lambda: self.task.dose(np.zeros((2, 2))), "x: found an array of several axes"),
+            (lambda: self.job.evaluate(image[:2]), "accepted: [36, 16, 24] [frame, row, column]"),
+            (lambda: self.job.evaluate([image, image]), "found 2 arrays; accepted: 1"),
+            (lambda: tomolith.Job(GEAR, set=["stop.iteratons=3"]), "did you mean `iterations`?"),
+            (lambda: tomolith.Job("nowhere.toml"), "nowhere.toml: "),
+            (lambda: tomolith.sweep("nowhere.toml"), "nowhere.toml: "),
+        ]:
+            with self.assertRaises(tomolith.TomolithError) as raised:
+                call()
+            self.assertIn(words, str(raised.exception))
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_a_run_tells_what_the_same_patterns_print_anywhere(self):
+        job = tomolith.Job(GEAR, folder=self.folder / "run")
+        self.assertEqual(job.tables["stop"]["iterations"], 10)
+        self.assertGreater(job.check()["memory_mb"], 0)
+        events = []
+        run = job.run(progress=events.append)
+        iterations = [event["iteration"] for event in events if event["event"] == "iteration"]
+        self.assertEqual(iterations[-1], run["iterations"])
+        patterns = self.folder / "run" / "patterns.npz"
+        simulated = tomolith.Job(GEAR, folder=self.folder / "simulated").simulate(patterns)
+        self.assertEqual(simulated["evaluation"], run["evaluation"])
+        evaluated = job.resolve().evaluate(np.load(patterns)["patterns"])
+        for name in ("iou", "ver", "pw"):
+            self.assertEqual(evaluated[name], run["evaluation"][name])
+        with self.assertRaisesRegex(tomolith.TomolithError, "overwrite"):
+            tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
+
+    def test_the_print_in_time_is_that_of_the_same_material(self):
+        job = tomolith.Job(
+            EXAMPLES / "19-print-in-time.toml",
+            set=["grid.pitch_mm=0.2", "stop.iterations=3"],
+            folder=self.folder / "time",
+        )
+        run = job.run()
+        patterns = np.load(self.folder / "time" / "patterns.npz")["patterns"]
+        evaluated = job.resolve().evaluate(patterns)
+        self.assertGreater(run["in_time"][0]["best_jaccard"], 0.5)
+        self.assertEqual(evaluated["in_time"], run["in_time"])
+
+    def test_a_sweep_is_that_of_the_command(self):
+        (self.folder / "sweep.toml").write_text(
+            'job = "gear.toml"\nmetrics = ["evaluation.iou"]\n[[axes]]\nkey = "stop.iterations"\nvalues = [0, 3]\n'
+        )
+        (self.folder / "gear.toml").write_text(
+            "grid.pitch_mm = 0.3\ntarget = { phantom = 'gear', size_mm = 3.0 }\n"
+            "resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }\n"
+            "vial = { index_matched = { radius_mm = 3.0 } }\n"
+            "[[light]]\npixels = [16, 12]\nangles = 16\nprojector.collimated = { pixel_pitch_mm = 0.3 }\n"
+        )
+        outcome = tomolith.sweep(self.folder / "sweep.toml", folder=self.folder / "swept")
+        self.assertEqual((outcome["runs"], outcome["done"], outcome["failed"]), (2, 2, 0))
+
+    def test_what_a_callable_raises_and_an_interrupt_end_the_run(self):
+        def stop(event):
+            raise ZeroDivisionError
+
+        with self.assertRaises(ZeroDivisionError):
+            tomolith.Job(GEAR, folder=self.folder / "raised").run(progress=stop)
+        long = tomolith.Job(GEAR, set=["stop.iterations=1000000"], folder=self.folder / "long")
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            long.run()
+
+
+if __name__ == "__main__":
+    unittest.main()
