@@ -37,7 +37,14 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
     }
     let text = std::fs::read_to_string(&given.theirs)
         .map_err(|source| Error::io(&given.theirs, source))?;
-    let ours = job::import(&text)?;
+    let named = |error| match error {
+        Error::Unsupported { what, reason } => Error::Unsupported {
+            what: format!("{}: {what}", given.theirs.display()),
+            reason,
+        },
+        other => other,
+    };
+    let ours = job::import(&text).map_err(named)?;
     write_whole(&given.output, |file| {
         Ok(file.write_all(ours.text.as_bytes())?)
     })?;

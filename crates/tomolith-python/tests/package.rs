@@ -1,6 +1,7 @@
 //! Runs the tests of the package, `test_tomolith.py`, in Python on the library that was just built.
 #![expect(clippy::print_stderr, reason = "says that it was skipped")]
 
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};

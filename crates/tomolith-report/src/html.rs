@@ -416,7 +416,7 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
         return String::new();
     }
     format!(
-        "<section><h2>Turning and standing still</h2><p>The vial keeps turning while a frame is shown, which blurs the frame over its arc. The large numbers include this \
+        "<section><h2>Turning and standing still</h2><p>The vial keeps turning while a frame is shown, so the frame's light lands all along its arc. The large numbers include this \
          ({} positions per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.{window} \
          More frames per turn bring the two together.</p></section>",
         turning.sub_angles,

@@ -448,7 +448,7 @@ impl Sweep {
             (error, key) => {
                 let accepted = match error {
                     Error::Config { accepted, .. } => {
-                        format!("there {accepted}; or leave such runs out with `when`")
+                        format!("in every run {accepted}; or leave such runs out with `when`")
                     }
                     _ => "values that make sound jobs; leave others out with `when`".to_owned(),
                 };

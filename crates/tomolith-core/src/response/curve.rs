@@ -72,8 +72,8 @@ impl Curve {
         }
         if curve.doses.len() < 2 {
             return Err(Error::config(
-                "dose",
-                format!("found {}", counted(curve.doses.len(), "different dose")),
+                "first column",
+                format!("found {}", counted(curve.doses.len(), "different value")),
                 "at least two",
             ));
         }

@@ -191,7 +191,8 @@ impl ProjectorSpec {
             if let Some(pitch) = parameters.1.get_mut("pixel_pitch_mm")
                 && let Ok(Pitch(mm)) = serde_json::from_value(pitch.clone())
             {
-                let larger = Pitch(mm.map(|mm| factor * mm));
+                // Without the last digits of a product: 0.3, not 0.30000000000000004
+                let larger = Pitch(mm.map(|mm| (factor * mm * 1e9).round() / 1e9));
                 *pitch = serde_json::to_value(larger).unwrap_or_default();
             }
         }
