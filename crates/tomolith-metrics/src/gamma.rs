@@ -26,6 +26,8 @@ pub struct Gamma;
 
 impl Metric for Gamma {
     fn measure(&self, print: &Print<'_>) -> Measure {
+        // Where nothing turns solid at any threshold there is no range either
+        print.best()?;
         Some(100.0 * print.scan().length_near_best()?)
     }
 }
@@ -64,5 +66,6 @@ mod tests {
         assert!(near(print(20), 25.0));
         assert!(near(print(21), 50.0)); // 20/21 is above 0.95, 21/23 is not
         assert_eq!(measure(&[VOID], &[1.0]), None);
+        assert_eq!(measure(&[VOID, PART], &[0.0, 0.0]), None);
     }
 }
