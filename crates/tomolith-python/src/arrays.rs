@@ -11,7 +11,11 @@ use tomolith::grid::{PatternGrid, Patterns, Volume};
 /// The type of every array that is given: float32, converted where it is another.
 pub(crate) fn float32<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let numpy = array.py().import("numpy")?;
-    numpy.call_method1("ascontiguousarray", (array, numpy.getattr("float32")?))
+    let converted = numpy.call_method1("ascontiguousarray", (array, numpy.getattr("float32")?));
+    converted.map_err(|e| {
+        let found = e.value(array.py()).to_string();
+        TomolithError::new_err(format!("array: {found}; accepted: numbers"))
+    })
 }
 
 /// A field of `len` elements.
@@ -26,6 +30,12 @@ pub(crate) fn field(what: &str, array: &Bound<'_, PyAny>, len: usize) -> PyResul
         return Err(TomolithError::new_err(format!(
             "{what}: found {} elements; accepted: {len}",
             array.len()
+        )));
+    }
+    if let Some(i) = array.as_slice()?.iter().position(|v| !v.is_finite()) {
+        let found = array.as_slice()?[i];
+        return Err(TomolithError::new_err(format!(
+            "{what}: found {found} at element {i}; accepted: finite numbers"
         )));
     }
     let mut field = HostField::zeros(len);
@@ -84,6 +94,15 @@ pub(crate) fn patterns<'a>(
                 "patterns: found shape {found:?}; accepted: {shape:?} [frame, row, column]"
             )));
         };
+        let is_light = |value: &f32| value.is_finite() && *value >= 0.0;
+        if let Some(i) = array.as_slice()?.iter().position(|value| !is_light(value)) {
+            let [_, rows, columns] = shape;
+            let at = [i / (rows * columns), i / columns % rows, i % columns];
+            let found = array.as_slice()?[i];
+            return Err(TomolithError::new_err(format!(
+                "patterns: found {found} at {at:?} [frame, row, column]; accepted: finite values ≥ 0"
+            )));
+        }
         Ok(Patterns {
             grid: grid.clone(),
             values: array.as_slice()?.to_vec(),

@@ -1,7 +1,7 @@
 //! `Job`: a job file, and the whole run of it.
 
 use crate::resolved::ResolvedJob;
-use crate::work::{beside, beside_telling, plain, raised};
+use crate::work::{TomolithError, beside, beside_telling, plain, raised};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
@@ -19,8 +19,7 @@ impl Job {
     fn new(source: &Bound<'_, PyAny>, set: Vec<String>, folder: Option<PathBuf>) -> PyResult<Self> {
         let mut document = match source.cast::<PyDict>() {
             Ok(tables) => {
-                let json = source.py().import("json")?;
-                let text: String = json.call_method1("dumps", (tables,))?.extract()?;
+                let text = text_of(tables)?;
                 Document::json("job.json", text)
             }
             Err(_) => Document::read(&source.extract::<PathBuf>()?),
@@ -60,7 +59,8 @@ impl Job {
         plain(py, &plan)
     }
 
-    /// The whole run, as `tomolith run`: what it tells at its end. `progress` is called with a dict for each event.
+    /// The whole run, as `tomolith run`: what it tells at its end. `progress` is called with a dict for each event. A folder that holds a finished run
+    /// of another job is refused without `overwrite`; `resume` goes on from a checkpoint.
     #[pyo3(signature = (*, resume=false, overwrite=false, progress=None))]
     fn run<'py>(
         &self,
@@ -98,6 +98,33 @@ impl Job {
     fn __repr__(&self) -> String {
         format!("<tomolith.Job {}>", self.0.name())
     }
+}
+
+/// The tables as JSON; numbers and arrays of numpy and paths are taken for what they are.
+fn text_of(tables: &Bound<'_, PyDict>) -> PyResult<String> {
+    let py = tables.py();
+    let plain = wrap_pyfunction!(plain_value, py)?;
+    let options = PyDict::new(py);
+    options.set_item("default", plain)?;
+    options.set_item("allow_nan", false)?;
+    let json = py.import("json")?;
+    let text = json.call_method("dumps", (tables,), Some(&options));
+    text.map_err(|e| TomolithError::new_err(format!("job: {}", e.value(py))))?
+        .extract()
+}
+
+#[pyfunction]
+fn plain_value<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    if value.hasattr("tolist")? {
+        return value.call_method0("tolist");
+    }
+    let path = value.extract::<PathBuf>().map_err(|_| {
+        let kind = value.get_type();
+        TomolithError::new_err(format!(
+            "found a value of {kind}; accepted: numbers, strings, lists, dicts, paths, arrays"
+        ))
+    })?;
+    Ok(path.into_pyobject(value.py())?.str()?.into_any())
 }
 
 impl Job {

@@ -28,5 +28,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<job::Job>()?;
     module.add_class::<resolved::ResolvedJob>()?;
     module.add_class::<resolved::Task>()?;
+    module.add_function(wrap_pyfunction!(work::forked, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::sweep, module)?)
 }

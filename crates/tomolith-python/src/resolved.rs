@@ -8,6 +8,7 @@ use pyo3::types::PyDict;
 use std::sync::Arc;
 use tomolith::field::Field;
 use tomolith::job;
+use tomolith::metrics::Evaluation;
 use tomolith::objective::Objective;
 use tomolith::objective::penalty::PatternPenalty;
 
@@ -62,13 +63,13 @@ impl ResolvedJob {
     ) -> PyResult<Bound<'py, PyDict>> {
         let patterns = self::patterns(patterns, self.0.lights().iter().map(|light| &light.pixels))?;
         let print = beside(py, |run| self.0.evaluate(&patterns, run))?;
-        let of_print = PyDict::new(py);
-        of_print.set_item("threshold", print.evaluation.gel_threshold)?;
-        of_print.update(
-            plain(py, &print.evaluation.measures)?
-                .cast::<PyDict>()?
-                .as_mapping(),
-        )?;
+        let of_print = numbers(py, &print.evaluation)?;
+        let species = PyDict::new(py);
+        for (name, evaluation) in &print.species {
+            species.set_item(name, numbers(py, evaluation)?)?;
+        }
+        of_print.set_item("species", species)?;
+        of_print.set_item("one_exposure", plain(py, &print.one_exposure)?)?;
         of_print.set_item("in_time", plain(py, &print.in_time)?)?;
         Ok(of_print)
     }
@@ -80,6 +81,18 @@ impl ResolvedJob {
             self.0.lights().len()
         )
     }
+}
+
+/// The measures of a print, and the threshold that they belong to.
+fn numbers<'py>(py: Python<'py>, evaluation: &Evaluation) -> PyResult<Bound<'py, PyDict>> {
+    let numbers = PyDict::new(py);
+    numbers.set_item("threshold", evaluation.gel_threshold)?;
+    numbers.update(
+        plain(py, &evaluation.measures)?
+            .cast::<PyDict>()?
+            .as_mapping(),
+    )?;
+    Ok(numbers)
 }
 
 /// What an optimizer needs: x are the pixels that may be lit, d the doses of the voxels, both float32 with one axis.
@@ -95,6 +108,19 @@ impl Task {
     #[getter]
     fn start<'py>(&self, py: Python<'py>) -> Vector<'py> {
         of_field(py, &self.task.start)
+    }
+
+    /// Counts of the voxels of the optimization `(nz, ny, nx)`: those of `target`, `labels` and `volumes`.
+    #[getter]
+    fn shape(&self) -> (usize, usize, usize) {
+        self.task.labels.grid.shape.into()
+    }
+
+    /// Edge of those voxels across the axis, and along it, mm.
+    #[getter]
+    fn voxel_mm(&self) -> (f64, f64) {
+        let grid = &self.task.labels.grid;
+        (grid.pitch_mm, grid.height_mm)
     }
 
     /// Lower and upper bound of each element of x.

@@ -1,6 +1,6 @@
 //! `sweep`: a job with many values of its keys.
 
-use crate::work::{beside_telling, plain};
+use crate::work::{TomolithError, beside_telling, plain};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use tomolith_sweep::{Sweep, run};
@@ -16,7 +16,11 @@ pub(crate) fn sweep(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = threads.unwrap_or_else(cores).max(1);
+    let threads = threads.unwrap_or_else(cores);
+    if !(1..=256).contains(&threads) {
+        let text = format!("threads: found {threads}; accepted: 1 to 256");
+        return Err(TomolithError::new_err(text));
+    }
     let outcome = beside_telling(py, progress, |told, cancel| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {

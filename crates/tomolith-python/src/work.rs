@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyModule;
 use serde::Serialize;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
@@ -24,11 +25,28 @@ create_exception!(
 /// How often a call looks whether Python wants it to end.
 const PAUSE: Duration = Duration::from_millis(50);
 
+/// Whether this process has computed anything; and whether it is a fork of one that had, whose threads it lacks.
+static HAS_COMPUTED: AtomicBool = AtomicBool::new(false);
+static IS_FORK: AtomicBool = AtomicBool::new(false);
+
+/// Called in a forked child.
+#[pyfunction(name = "_forked")]
+pub(crate) fn forked() {
+    IS_FORK.store(HAS_COMPUTED.load(Ordering::SeqCst), Ordering::SeqCst);
+}
+
 /// Does work without Python's lock, in a thread of its own, while this one listens to signals.
 pub(crate) fn beside<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&Run) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
+    if IS_FORK.load(Ordering::SeqCst) {
+        return Err(TomolithError::new_err(
+            "this process is a fork of one that has computed before, and lacks its threads; accepted: processes that are \
+             spawned, as by multiprocessing.get_context(\"spawn\")",
+        ));
+    }
+    HAS_COMPUTED.store(true, Ordering::SeqCst);
     let run = &Run::new();
     let (done, interrupted) = py.detach(|| {
         thread::scope(|scope| {

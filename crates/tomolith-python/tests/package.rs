@@ -36,9 +36,8 @@ fn python_gets_what_the_command_gives() {
         package.join("__init__.py"),
     )
     .unwrap();
-    let library = env::current_exe()
-        .unwrap()
-        .with_file_name("libtomolith_native.so");
+    let library = format!("{DLL_PREFIX}tomolith_native{DLL_SUFFIX}");
+    let library = env::current_exe().unwrap().with_file_name(library);
     fs::copy(library, package.join("_native.abi3.so")).unwrap();
     let tests = Command::new(python)
         .args(["-m", "unittest", "discover", "--verbose"])
@@ -49,5 +48,5 @@ fn python_gets_what_the_command_gives() {
         .unwrap();
     let said = String::from_utf8_lossy(&tests.stderr);
     assert!(tests.status.success(), "{said}");
-    assert!(said.contains("Ran 9 tests"), "{said}");
+    assert!(said.contains("Ran 13 tests"), "{said}");
 }

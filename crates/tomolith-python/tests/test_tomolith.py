@@ -81,11 +81,40 @@ class Tasks(unittest.TestCase):
             (lambda: self.job.evaluate([image, image]), "found 2 arrays; accepted: 1"),
             (lambda: tomolith.Job(GEAR, set=["stop.iteratons=3"]), "did you mean `iterations`?"),
             (lambda: tomolith.Job("nowhere.toml"), "nowhere.toml: "),
+            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": float("nan")}}), "job: "),
+            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": object()}}), "found a value of"),
+            (lambda: self.task.dose(self.task.start * np.inf), "at element"),
+            (lambda: self.task.dose("abc"), "accepted: numbers"),
+            (lambda: self.job.evaluate(image - 1), "at [0, 0, 0] [frame, row, column]"),
+            (lambda: tomolith.sweep("nowhere.toml", threads=0), "1 to 256"),
             (lambda: tomolith.sweep("nowhere.toml"), "nowhere.toml: "),
         ]:
             with self.assertRaises(tomolith.TomolithError) as raised:
                 call()
             self.assertIn(words, str(raised.exception))
+
+
+    def test_tables_may_hold_numbers_of_numpy_and_paths(self):
+        light = {**GEAR["light"][0], "pixels": np.array([24, 16]), "angles": np.int64(36)}
+        same = tomolith.Job({**GEAR, "light": [light], "output": {"folder": Path("out/x")}})
+        self.assertEqual(same.tables["light"], tomolith.Job(GEAR).tables["light"])
+
+    def test_voxels_are_told(self):
+        self.assertEqual(self.task.shape, self.task.target.shape)
+        (across, along), pitch = self.task.voxel_mm, self.job.pitch_mm
+        self.assertAlmostEqual(self.task.shape[2] * across, self.job.shape[2] * pitch)
+        self.assertAlmostEqual(self.task.shape[0] * along, self.job.shape[0] * pitch)
+
+    @unittest.skipUnless(hasattr(os, "fork"), "no forks here")
+    def test_a_fork_is_refused(self):
+        child = os.fork()
+        if child == 0:
+            try:
+                self.task.dose(self.task.start)
+            except tomolith.TomolithError as error:
+                os._exit(0 if "spawn" in str(error) else 1)
+            os._exit(2)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0)
 
 
 class Runs(unittest.TestCase):
@@ -122,6 +151,18 @@ class Runs(unittest.TestCase):
         evaluated = job.resolve().evaluate(patterns)
         self.assertGreater(run["in_time"][0]["best_jaccard"], 0.5)
         self.assertEqual(evaluated["in_time"], run["in_time"])
+
+    def test_every_species_is_told(self):
+        coarse = ["grid.pitch_mm=0.2", "stop.iterations=1", "evaluate.refine=1"]
+        for light in ("light[0]", "light[1]"):
+            coarse += [f"{light}.angles=20", f"{light}.pixels=[32, 6]"]
+            coarse += [f"{light}.projector.collimated.pixel_pitch_mm=0.2"]
+        job = tomolith.Job(EXAMPLES / "20-two-colors.toml", set=coarse).resolve()
+        task = job.task()
+        print = task.evaluate(task.start)
+        self.assertEqual(list(print["species"]), ["acrylate", "epoxy"])
+        self.assertEqual(print["species"]["acrylate"]["iou"], print["iou"])
+        self.assertEqual(print["one_exposure"]["species"], ["acrylate", "epoxy"])
 
     def test_a_sweep_is_that_of_the_command(self):
         (self.folder / "sweep.toml").write_text(

@@ -154,6 +154,10 @@ pub(crate) fn evaluate_patterns(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
+    let whole = cancel;
+    let has_time = scene.spec.schedule.is_some();
+    let printing = whole.part(if has_time { share::IN_TIME } else { 0.0 });
+    let cancel = &whole.part(if has_time { 1.0 - share::IN_TIME } else { 1.0 });
     let sub_angles = judged_angles(scene);
     let grid = scene.fine_grid();
     let own = Exposed::new(&scene.grid, scene.optics.lights.clone());
@@ -283,7 +287,7 @@ pub(crate) fn evaluate_patterns(
         let (dose, ..) = doses.of(&turning, shown, &cancel.aside())?;
         other.responses(dose)
     })?;
-    let in_time = in_time(scene, voxels, shown, progress, cancel)?;
+    let in_time = in_time(scene, voxels, shown, progress, &printing)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
     if let Some(noise) = &noise {
         let text = format!("Monte Carlo paths: {noise}");
@@ -392,7 +396,7 @@ fn in_time(
     let others = scene.others.iter().map(|s| s.voxels(&scene.grid));
     let others = others.collect::<Result<Vec<_>>>()?;
     let all: Vec<&Voxels> = std::iter::once(voxels).chain(&others).collect();
-    print_in_time(scene, &all, shown, &cancel.aside())
+    print_in_time(scene, &all, shown, cancel)
 }
 
 /// Numbers of what is solid at this response.
@@ -412,6 +416,8 @@ pub(super) fn measure_at(
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
 mod share {
+    /// The print in time, of a job that has a schedule; the others share the rest.
+    pub(super) const IN_TIME: f64 = 0.5;
     /// Dose and numbers of the raw and of the written patterns on the job's own voxels, each.
     pub(super) const OWN_DOSE: f64 = 0.04;
     pub(super) const OWN_NUMBERS: f64 = 0.03;

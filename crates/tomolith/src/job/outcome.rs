@@ -187,14 +187,37 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether the required quality was met.
+    /// Whether the required quality was met, by every species.
     #[must_use]
     pub fn is_met(&self) -> bool {
-        let in_band = self.evaluation.gray.as_ref().and_then(|gray| gray.in_band);
-        let reached = |asked: Option<f64>, found: Option<f64>| {
-            asked.is_none_or(|asked| found.is_some_and(|found| found >= asked))
-        };
-        reached(self.required_iou, self.evaluation.iou) && reached(self.required_in_band, in_band)
+        self.required().all(|(.., missed)| missed.is_none())
+    }
+
+    /// What is required: key, number, and what falls short of it, if anything does.
+    fn required(&self) -> impl Iterator<Item = (&'static str, f64, Option<String>)> {
+        type Of = fn(&Quality) -> Measure;
+        let iou: Of = |quality| quality.iou;
+        let in_band: Of = |quality| quality.gray.as_ref().and_then(|gray| gray.in_band);
+        let all = [
+            ("require_iou", self.required_iou, iou),
+            ("require_in_band", self.required_in_band, in_band),
+        ];
+        all.into_iter().filter_map(|(key, asked, of)| {
+            let asked = asked?;
+            let mut prints: Vec<(&str, &Quality)> = (self.species.iter())
+                .map(|species| (species.name.as_str(), &species.evaluation))
+                .collect();
+            if prints.is_empty() {
+                prints.push(("", &self.evaluation));
+            }
+            let missed = prints.into_iter().find_map(|(name, quality)| {
+                let found = of(quality);
+                let text = || found.map_or("–".to_owned(), |found| format!("{found:.4}"));
+                let is_reached = found.is_some_and(|found| found >= asked);
+                (!is_reached).then(|| format!("{name} {}", text()).trim().to_owned())
+            });
+            Some((key, asked, missed))
+        })
     }
 
     /// What limits the print, in one sentence for every species.
@@ -281,14 +304,12 @@ impl fmt::Display for Summary {
             "evaluated on",
             concise(self.evaluation_pitch_mm)
         )?;
-        for (key, asked) in [
-            ("require_iou", self.required_iou),
-            ("require_in_band", self.required_in_band),
-        ] {
-            if let Some(asked) = asked {
-                let verdict = if self.is_met() { "met" } else { "NOT met" };
-                writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
-            }
+        for (key, asked, missed) in self.required() {
+            let verdict = match missed {
+                None => "met".to_owned(),
+                Some(found) => format!("NOT met: {found}"),
+            };
+            writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
         }
         for text in self.all_limits().into_iter().chain(self.exposures()) {
             writeln!(f, "\n{text}")?;

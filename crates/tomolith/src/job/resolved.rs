@@ -63,6 +63,7 @@ use crate::objective::penalty::Penalties;
 use crate::optics::light::Light;
 use crate::optics::vial::Vial;
 use crate::optimize::{Limits, Optimizer, problem};
+use crate::report::OneExposure;
 use crate::target::{Shape, Target};
 
 /// A job whose tables are objects; see the [module page](self).
@@ -76,6 +77,10 @@ pub struct ResolvedJob {
 pub struct Prediction {
     /// The print of the dose of a turn, measured.
     pub evaluation: Evaluation,
+    /// The prints of all species by their names, the first one's again; empty where there is one.
+    pub species: Vec<(String, Evaluation)>,
+    /// What they become at one exposure, where there are several.
+    pub one_exposure: Option<OneExposure>,
     /// What each network becomes over time, where the job has a schedule; else empty.
     pub in_time: Vec<TimeSummary>,
 }
@@ -197,9 +202,20 @@ impl ResolvedJob {
         let shown = &written.shown;
         let (scene, own) = (&self.scene, &self.voxels);
         let judged = evaluate_patterns(scene, own, shown, None, None, &mut Silent, run)?;
+        let name = |s: usize| scene.species_name(s).unwrap_or_default().to_owned();
+        let others = judged.others.into_iter().map(|other| other.evaluation);
+        let mut species = Vec::new();
+        for (i, other) in others.enumerate() {
+            if i == 0 {
+                species.push((name(0), judged.evaluation.clone()));
+            }
+            species.push((name(i + 1), other));
+        }
         let in_time = judged.in_time.as_ref().map(InTime::summary);
         Ok(Prediction {
             evaluation: judged.evaluation,
+            species,
+            one_exposure: judged.one_exposure,
             in_time: in_time.unwrap_or_default(),
         })
     }

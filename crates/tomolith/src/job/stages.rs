@@ -433,6 +433,10 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         wall_s: scene.spec.stop.wall_s,
     };
     let cost = work.cost(&rates);
+    if scene.spec.schedule.is_some() {
+        let text = "the seconds are those without the print in time, which comes on top";
+        scene.notes.push(text.to_owned());
+    }
     let memory_budget_mb = super::resources::memory_budget_mb(scene.spec.resources.memory_gb);
     if let Some((text, is_much)) = work.of_scenarios(&rates, memory_budget_mb) {
         let told = if is_much {

@@ -47,7 +47,9 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
     }
     let material = material(spec, mixing.as_deref(), domain)?;
     must_have_thresholds(&material, given)?;
-    must_have_inhibitors(spec, mixing.as_deref().unwrap_or_default(), given)?;
+    let rows = mixing.as_deref().unwrap_or_default();
+    must_be_in_order(spec, rows)?;
+    must_have_inhibitors(spec, rows, given)?;
     must_begin_as_the_resin(spec)
 }
 
@@ -210,6 +212,22 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
             "a dose that diffuses is what \"dose\" is optimized against",
             "\"dose\" with material.diffusion",
         ));
+    }
+    Ok(())
+}
+
+/// Refuses networks that have the names of species in another order: a network is that of the species at its place.
+fn must_be_in_order(spec: &JobSpec, rows: &[Row]) -> Result<()> {
+    let photopolymer = spec.material.as_ref().and_then(|m| m.photopolymer.as_ref());
+    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    for (s, (network, (own, _))) in networks.iter().zip(rows).enumerate() {
+        if network.name != *own && rows.iter().any(|(name, _)| *name == network.name) {
+            return Err(Error::config(
+                format!("material.photopolymer.networks[{s}].name"),
+                format!("`{}`, in the place of species `{own}`", network.name),
+                "networks in the order of the species, one for each",
+            ));
+        }
     }
     Ok(())
 }

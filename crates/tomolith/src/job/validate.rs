@@ -402,6 +402,21 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         let accepted = format!("from bounds.min = {min} to {MOST_LIGHT:e} mJ/mm²");
         within("bounds.max", max, min, MOST_LIGHT, &accepted)
     })?;
+    for (i, light) in spec.light.iter().enumerate() {
+        let key = |name: &str| format!("light[{i}].bounds.{name}");
+        let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
+        optional(light.bounds.min, |own| {
+            let most = light.bounds.max.or(max).unwrap_or(MOST_LIGHT);
+            within(&key("min"), own, 0.0, MOST_LIGHT, &accepted)?;
+            within(&key("min"), own, 0.0, most, "at most the largest value")
+        })?;
+        optional(light.bounds.max, |own| {
+            let least = light.bounds.min.unwrap_or(min);
+            positive(&key("max"), own, "mJ/mm²")?;
+            let accepted = format!("from {least}, the smallest value, to {MOST_LIGHT:e} mJ/mm²");
+            within(&key("max"), own, least, MOST_LIGHT, &accepted)
+        })?;
+    }
     optional(bits.map(f64::from), |v| {
         within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
     })?;
@@ -608,6 +623,8 @@ mod tests {
             ("light.sub_angles=0", "light[0].sub_angles"),
             ("bounds.min=-1", "bounds.min"),
             ("bounds.min=1e30", "bounds.min"),
+            ("light[0].bounds.max=0", "light[0].bounds.max"),
+            ("light[0].bounds.min=9", "light[0].bounds.min"),
             ("bounds.max=1e30", "bounds.max"),
             ("bounds.min=5", "bounds.max"),
             ("bounds.bits=0", "bounds.bits"),

@@ -345,6 +345,24 @@ fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
         refused(&[lights, species, bare]),
         "material.photopolymer.networks[0].inhibitors"
     );
+    // A network is that of the species at its place
+    let two = "species=[{ name = \"resin\", driven_by = { a = 1.0 } }, { name = \"epoxy\", driven_by = { b = 1.0 } }]";
+    let network = |name: &str| {
+        format!(
+            "{{ name = \"{name}\", curing = {{ threshold = {{ critical_dose_mj_per_mm3 = 0.5 }} }} }}"
+        )
+    };
+    let networks = |names: [&str; 2]| {
+        format!(
+            "material.photopolymer.networks=[{}]",
+            names.map(network).join(", ")
+        )
+    };
+    assert!(ResolvedJob::new(&job(&[lights, two, &networks(["resin", "epoxy"])]).unwrap()).is_ok());
+    assert_eq!(
+        refused(&[lights, two, &networks(["epoxy", "resin"])]),
+        "material.photopolymer.networks[0].name"
+    );
     assert_eq!(
         refused(&[bare, "schedule.optimize=\"frozen\""]),
         "schedule.optimize"
