@@ -133,7 +133,7 @@ struct ResponseArguments {
 struct KineticsArguments {
     #[command(flatten)]
     measured: Measured,
-    /// Also say the curing time at this irradiance, `20` or `\"0.2 mW/mm2\"`
+    /// Also say the curing time at this irradiance, `20` or `"0.2 mW/mm2"`
     #[arg(long, value_name = "IRRADIANCE", allow_negative_numbers = true)]
     at: Option<String>,
 }
@@ -224,7 +224,9 @@ fn gray(given: &GrayArguments) -> Result<()> {
             continue;
         };
         let residuals = fit.residuals(&table);
-        let worst = residuals.iter().fold(0.0f64, |worst, r| worst.max(r.abs()));
+        // A share of nothing is no number: black points of 0
+        let known = residuals.iter().filter(|r| r.is_finite());
+        let worst = known.fold(0.0f64, |worst, r| worst.max(r.abs()));
         let usable = fit.usable(given.top);
         let range = match usable {
             Some([low, high]) => format!("usable from gray {low:.1} to {high:.1}"),

@@ -130,8 +130,11 @@ impl Polynomial {
     #[must_use]
     pub fn text(&self) -> String {
         let powers = ["", " x", " x²"];
+        let largest = self.coefficients.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         let terms = self.coefficients.iter().enumerate().rev();
+        // What rounding leaves of a coefficient that is 0 is no number for people
         terms
+            .filter(|(_, c)| c.abs() > 1e-15 * largest)
             .map(|(i, c)| format!("{}{}", concise(*c), powers[i]))
             .collect::<Vec<_>>()
             .join(" + ")
@@ -213,7 +216,13 @@ impl GrayCurve {
                         ));
                     }
                 }
-                _ => return Err(unusable(&format!("the fit {}", polynomial.text()), usable)),
+                _ => {
+                    return Err(unusable(
+                        &format!("the fit {}", polynomial.text()),
+                        usable,
+                        &format!("{RISING}; the form `monotone` follows every table that does"),
+                    ));
+                }
             }
         }
         Ok(GrayCurve {
@@ -331,10 +340,13 @@ fn check_points(table: &Curve) -> Result<()> {
         (None, None) if y.iter().all(|v| *v == y[0]) => "the same irradiance everywhere".to_owned(),
         (None, None) => return Ok(()),
     };
-    Err(unusable(&found, usable_points(table)))
+    Err(unusable(&found, usable_points(table), RISING))
 }
 
-fn unusable(what: &str, usable: Option<[f64; 2]>) -> Error {
+/// What a table must be.
+const RISING: &str = "irradiances that are not negative and rise with the gray value";
+
+fn unusable(what: &str, usable: Option<[f64; 2]>, accepted: &str) -> Error {
     let range = match usable {
         Some([low, high]) => format!("it is usable from gray {low:.2} to {high:.2}"),
         None => "no range of it is usable".to_owned(),
@@ -342,6 +354,6 @@ fn unusable(what: &str, usable: Option<[f64; 2]>) -> Error {
     Error::config(
         "irradiance",
         format!("{what}: not a rising curve from black to white; {range}"),
-        "irradiances that are not negative and rise with the gray value; the form `monotone` follows every table that does",
+        accepted,
     )
 }
