@@ -92,9 +92,16 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let critical = match &given.critical_dose {
         Some(text) => VOLUMETRIC_DOSE.parse("--critical-dose", text)?,
         None => job.spec.resin.critical_dose_mj_per_mm3.ok_or_else(|| {
+            let material = job.spec.material.as_ref();
+            let has_networks = material.is_some_and(|m| m.photopolymer.is_some());
             missing(
                 "--critical-dose",
-                "at which dose the resin gels",
+                match has_networks {
+                    true => {
+                        "at which dose the resin gels without inhibitors (its networks say theirs)"
+                    }
+                    false => "at which dose the resin gels",
+                },
                 "a dose per volume, or resin.critical_dose_mj_per_mm3 in the job",
             )
         })?,

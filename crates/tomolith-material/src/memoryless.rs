@@ -48,7 +48,7 @@ impl Memoryless {
             return Err(Error::config(
                 "response",
                 format!("{} responses", responses.len()),
-                format!("{}, one per row of the mixing matrix", mixing.species()),
+                format!("{}, one for each species", mixing.species()),
             ));
         }
         if !(gel_dose > 0.0 && gel_dose.is_finite()) {

@@ -216,7 +216,7 @@ impl Params {
             return Err(Error::config(
                 "networks",
                 format!("{} networks", self.networks.len()),
-                format!("{}, one per row of the mixing matrix", mixing.species()),
+                format!("{}, one for each species", mixing.species()),
             ));
         }
         for (i, network) in self.networks.iter().enumerate() {

@@ -46,12 +46,14 @@ pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Opt
 
 /// Bytes of those and, while they are made, of the first part of a turn that repeats itself.
 pub(super) fn bytes_at_first(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
-    let parts = if repeats(lights, vial, grid) {
-        2.0
-    } else {
-        f64::INFINITY
+    let of_light = |light| {
+        let views = Views::of(vial, light);
+        let period = Turned::of(vial, light, grid, &views).period;
+        let first = if period < views.count() { period } else { 0 };
+        expected(light, vial, grid) * (1.0 + first as f64 / views.count().max(1) as f64)
     };
-    bytes(lights, vial, grid).map(|bytes| bytes * (1.0 + 1.0 / parts))
+    bytes(lights, vial, grid)?;
+    Some(BYTES * lights.iter().map(of_light).sum::<f64>())
 }
 
 /// Whether entries of a part of the turn serve all of it, for all lights.

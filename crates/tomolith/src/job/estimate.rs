@@ -235,14 +235,11 @@ impl Extent {
         let patterns = self.active_pixels as f64 * 4.0 * (vectors + shown);
         let per_voxel =
             BYTES_PER_VOXEL + self.fields as f64 * BYTES_PER_VOXEL_OF_FIELDS + self.glow();
+        // One entry for each patch of voxels and each frame, at least: larger voxels save most of them
+        let entries = self.models() * self.cached_bytes.unwrap_or_default();
         [
-            (lanes(&self.finest) * per_voxel + self.of_rows()) / 1e6,
-            (self.models()
-                * (self.scratch(1)
-                    + self.bytes_of_walks()
-                    + self.cached_bytes.unwrap_or_default())
-                + patterns)
-                / 1e6,
+            (lanes(&self.finest) * per_voxel + self.of_rows() + entries) / 1e6,
+            (self.models() * (self.scratch(1) + self.bytes_of_walks()) + patterns) / 1e6,
             self.working_mb[0],
         ]
     }

@@ -66,6 +66,13 @@ fn must_be_times(given: &ScheduleSpec, schedule: &Schedule) -> Result<()> {
             "a finite number of seconds, 0 (every step) or more",
         ));
     }
+    if given.optimize == Against::Frozen && given.rounds == 0 {
+        return Err(Error::config(
+            "schedule.rounds",
+            "found 0: nothing would say what inhibitors take",
+            "at least 1 with optimize = \"frozen\"; or optimize = \"dose\"",
+        ));
+    }
     if given.snapshots > MOST_SNAPSHOTS {
         return Err(Error::config(
             "schedule.snapshots",

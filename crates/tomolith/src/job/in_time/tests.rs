@@ -293,6 +293,10 @@ fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
         ("schedule.step_s=0", "schedule.step_s"),
         ("schedule.step_s=1e-9", "schedule.step_s"),
         ("schedule.snapshots=101", "schedule.snapshots"),
+        (
+            "schedule={ turns = 2, rounds = 0, optimize = \"frozen\" }",
+            "schedule.rounds",
+        ),
         ("schedule.shading_every_s=-1", "schedule.shading_every_s"),
         (
             "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.2, 0.2], attenuation_per_mm = [0.2, 0.5] }]",
