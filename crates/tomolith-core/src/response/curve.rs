@@ -72,8 +72,8 @@ impl Curve {
         }
         if curve.doses.len() < 2 {
             return Err(Error::config(
-                "first column",
-                format!("found {}", counted(curve.doses.len(), "different value")),
+                "dose",
+                format!("found {}", counted(curve.doses.len(), "different dose")),
                 "at least two",
             ));
         }
