@@ -83,7 +83,7 @@ class Tasks(unittest.TestCase):
             (lambda: tomolith.Job("nowhere.toml"), "nowhere.toml: "),
             (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": float("nan")}}), "job: "),
             (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": object()}}), "found a value of"),
-            (lambda: self.task.dose(self.task.start * np.inf), "at element"),
+            (lambda: self.task.dose(np.full(self.task.start.size, np.inf)), "at element"),
             (lambda: self.task.dose("abc"), "accepted: numbers"),
             (lambda: self.job.evaluate(image - 1), "at [0, 0, 0] [frame, row, column]"),
             (lambda: tomolith.sweep("nowhere.toml", threads=0), "1 to 256"),
@@ -183,6 +183,9 @@ class Runs(unittest.TestCase):
 
         with self.assertRaises(ZeroDivisionError):
             tomolith.Job(GEAR, folder=self.folder / "raised").run(progress=stop)
+        # Programs that were started in the background ignore interrupts
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         long = tomolith.Job(GEAR, set=["stop.iterations=1000000"], folder=self.folder / "long")
         threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
         with self.assertRaises(KeyboardInterrupt):
