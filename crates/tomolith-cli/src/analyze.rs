@@ -346,7 +346,8 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     let mut answer = Answer::default();
     let mut found = Vec::new();
     for &r in &given.at {
-        let (rate, dose) = (vial.mean_rate(r), vial.dose(r, phase, given.seconds));
+        let rate = vial.lasting_rate(r, phase);
+        let dose = vial.dose(r, phase, given.seconds);
         let mut text = format!(
             "mean rate {}, dose {} s after {} s",
             significant(rate, 5),
@@ -367,12 +368,15 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     }
     let kappa = given.radius_mm / given.penetration_mm;
     let ratio = wall_rate(kappa) / (-kappa).exp();
-    answer.line(
-        "wall over axis",
-        format!("{} (in closed form)", significant(ratio, 4)),
-    );
+    let turns = given.turn_deg_per_s > 0.0;
     answer.set("points", found);
-    answer.set("wall_over_axis", ratio);
+    if turns {
+        answer.line(
+            "wall over axis",
+            format!("{} (in closed form)", significant(ratio, 4)),
+        );
+        answer.set("wall_over_axis", ratio);
+    }
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for t in steps(0.0, given.seconds) {
         let doses = given.at.iter().map(|r| vial.dose(*r, phase, t));
@@ -403,20 +407,24 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
             let cured = given
                 .dose_time_s
                 .and_then(|dose| vial.curing_s(r, phase, dose));
-            vec![r, vial.mean_rate(r), cured.unwrap_or(f64::NAN)]
+            vec![r, vial.lasting_rate(r, phase), cured.unwrap_or(f64::NAN)]
         })
         .collect();
+    let [low, high] = (across.iter()).fold([f64::INFINITY, 0.0f64], |[low, high], row| {
+        [low.min(row[1]), high.max(row[1])]
+    });
     let mut radial = Plot::new(
         Axis::linear("r/R", 0.0, 1.0),
-        Axis::log("mean rate", across[0][1], across[POINTS][1]),
+        Axis::log("mean rate", low, high),
     );
     let line: Vec<[f64; 2]> = across.iter().map(|row| [row[0], row[1]]).collect();
-    radial.line(&line, "accent", "mean over a turn");
-    radial.dots(
-        &[[0.0, (-kappa).exp()], [1.0, wall_rate(kappa)]],
-        "gel",
-        "closed forms",
-    );
+    if turns {
+        radial.line(&line, "accent", "mean over a turn");
+        let closed = [[0.0, (-kappa).exp()], [1.0, wall_rate(kappa)]];
+        radial.dots(&closed, "gel", "closed forms");
+    } else {
+        radial.line(&line, "accent", "at rest");
+    }
     let files = [
         ("buildup.csv", csv(&names, &rows)),
         ("buildup.svg", plot.file("Dose against time")),

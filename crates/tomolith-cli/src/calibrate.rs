@@ -534,6 +534,13 @@ fn dose(given: &DoseArguments) -> Result<()> {
         );
     }
     let depth = fit.penetration_mm().or(given.penetration_mm);
+    if let (Some(fitted), Some(asked)) = (fit.penetration_mm(), given.penetration_mm) {
+        answer.warn(format!(
+            "--penetration-mm {} is not used: the depths of the table give {} mm; leave it out, or the depths",
+            significant(asked, 4),
+            significant(fitted, 4)
+        ));
+    }
     let mut files = vec![("dose.svg", fit.plot())];
     if let Some(depth) = depth {
         if depth > DEEPEST_MM {

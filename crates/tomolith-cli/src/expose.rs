@@ -98,7 +98,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
                 "--critical-dose",
                 match has_networks {
                     true => {
-                        "at which dose the resin gels without inhibitors (its networks say theirs)"
+                        "at which dose the resin gels without inhibitors (each of its networks has one of its own)"
                     }
                     false => "at which dose the resin gels",
                 },
@@ -345,11 +345,14 @@ fn show(
     }
     for (name, pw) in windows {
         let of = if name.is_empty() { "" } else { ", " };
-        let seconds = significant(pw * plan.time_s, 3);
+        let long = match *pw >= 0.0 {
+            true => format!("{} s", significant(pw * plan.time_s, 3)),
+            false => "so no time prints all of the part and nothing else".to_owned(),
+        };
         answer.line(
             "process window",
             format!(
-                "{} of the gel dose, {seconds} s (min in − max out{of}{name})",
+                "{} of the gel dose, {long} (min in − max out{of}{name})",
                 percent(*pw)
             ),
         );

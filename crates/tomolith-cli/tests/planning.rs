@@ -80,6 +80,10 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "calibrate gray negative.csv",
         &["a negative irradiance", "from gray 128.00 to 255.00"],
     );
+    // A black point of 0 has no share to be off by
+    bench.write("black.csv", "0,0\n128,4\n255,8.1\n");
+    let said = bench.expect(0, "calibrate gray black.csv");
+    assert!(said.contains("off by up to 0 %, usable"), "{said}");
     // Falling is told before the missing top
     bench.write("low.csv", "10,3\n30,2\n");
     bench.refuse("calibrate gray low.csv", &["falls from 3 to 2"]);
@@ -293,6 +297,14 @@ fn discs_are_drawn_and_their_result_is_read() {
     let fit = bench.json("calibrate dose diameter.csv");
     near(&fit["fit"]["critical_mj_per_cm2"], 12.0, 0.05);
     near(&fit["fit"]["length_mm"], 0.05, 0.001);
+    let unused = format!("calibrate dose {} --penetration-mm 5", example("discs.csv"));
+    let unused = &bench.json(&unused)["warnings"];
+    assert!(
+        unused
+            .to_string()
+            .contains("--penetration-mm 5 is not used"),
+        "{unused}"
+    );
     let fit = bench.json(&format!("calibrate dose {}", example("discs.csv")));
     near(&fit["fit"]["critical_mj_per_cm2"], 38.0, 2.0);
     near(&fit["fit"]["length_mm"], 2.4, 0.1);
@@ -480,6 +492,11 @@ fn designs_are_analyzed() {
         bench.read("buildup/buildup.csv").lines().next(),
         Some("time_s,dose_s_at_0,dose_s_at_0.5,dose_s_at_1")
     );
+    // At rest r/R = ½ keeps e^(−κ/2) of the light, κ = 10
+    let rest = bench.json(&format!("{line} --turn-deg-per-s 0 --seconds 50"));
+    near(&rest["points"][1]["mean_rate"], (-5.0f64).exp(), 1e-9);
+    near(&rest["points"][1]["dose_s"], 50.0 * (-5.0f64).exp(), 1e-7);
+    assert!(rest["wall_over_axis"].is_null());
     bench.refuse(&format!("{line} --at 1.5"), &["--at", "found 1.5"]);
     bench.refuse(
         &format!("{line} --turn-deg-per-s -1"),

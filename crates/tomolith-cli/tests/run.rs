@@ -322,6 +322,29 @@ fn a_quality_that_is_not_met_ends_with_one() {
 }
 
 #[test]
+fn every_species_must_have_the_quality_that_is_asked() {
+    let bench = bench();
+    let job = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/20-two-colors.toml"
+    );
+    let mut line =
+        format!("run {job} --output two --set grid.pitch_mm=0.15 --set stop.iterations=2");
+    for light in ["light[0]", "light[1]"] {
+        line += &format!(" --set {light}.angles=30 --set {light}.pixels=[42,6]");
+        line += &format!(" --set {light}.projector.collimated.pixel_pitch_mm=0.15");
+    }
+    // The first species, acrylate, has an IoU above 0.98 here, the second one not
+    let said = bench.stdout(1, &format!("{line} --set evaluate.require_iou=0.98"));
+    assert!(said.contains("NOT met: epoxy 0."), "{said}");
+    let said = bench.stdout(
+        0,
+        &format!("{line} --overwrite --set evaluate.require_iou=0.7"),
+    );
+    assert!(said.contains("0.7000 met"), "{said}");
+}
+
+#[test]
 fn json_lines_and_silence_are_kept() {
     let bench = bench();
     let lines = bench.stdout(0, "run job.toml --json");

@@ -86,6 +86,16 @@ impl TurningVial {
         self.swept(r, PI) / PI
     }
 
+    /// Mean over a long time of a point that began at an angle φ (rad): that of a turn, or of where it stays in a vial at rest.
+    #[must_use]
+    pub fn lasting_rate(&self, r: f64, phase: f64) -> f64 {
+        if self.turn_deg_per_s == 0.0 {
+            self.rate(r, -phase)
+        } else {
+            self.mean_rate(r)
+        }
+    }
+
     /// Dose after a time (s) of a point that began at an angle φ (rad) behind the side that faces the light, in s of unattenuated light.
     #[must_use]
     pub fn dose(&self, r: f64, phase: f64, seconds: f64) -> f64 {

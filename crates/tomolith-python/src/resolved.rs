@@ -11,6 +11,7 @@ use tomolith::job;
 use tomolith::metrics::Evaluation;
 use tomolith::objective::Objective;
 use tomolith::objective::penalty::PatternPenalty;
+use tomolith::units::counted;
 
 /// Elements of a field.
 type Vector<'py> = Bound<'py, PyArray1<f32>>;
@@ -77,8 +78,8 @@ impl ResolvedJob {
     fn __repr__(&self) -> String {
         let [nz, ny, nx] = self.0.grid().shape;
         format!(
-            "<tomolith.ResolvedJob: {nz} × {ny} × {nx} voxels, {} light(s)>",
-            self.0.lights().len()
+            "<tomolith.ResolvedJob: {nz} × {ny} × {nx} voxels, {}>",
+            counted(self.0.lights().len(), "light")
         )
     }
 }

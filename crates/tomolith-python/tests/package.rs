@@ -5,6 +5,8 @@ use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
+use tomolith::job::{Job, Silent};
+use tomolith::run::Run;
 
 /// The Python to run, which needs numpy: `TOMOLITH_PYTHON`, which must work, or `python3` where that has it.
 fn python() -> Option<PathBuf> {
@@ -19,7 +21,7 @@ fn python() -> Option<PathBuf> {
 }
 
 #[test]
-fn python_gets_what_the_command_gives() {
+fn python_gets_what_the_library_gives() {
     let Some(python) = python() else {
         return eprintln!(
             "skipped: python3 has no numpy (name one that has it in TOMOLITH_PYTHON)"
@@ -39,14 +41,22 @@ fn python_gets_what_the_command_gives() {
     let library = format!("{DLL_PREFIX}tomolith_native{DLL_SUFFIX}");
     let library = env::current_exe().unwrap().with_file_name(library);
     fs::copy(library, package.join("_native.abi3.so")).unwrap();
+    // The job of the tests, run by the library, for Python to compare its own run with
+    let run = folder.path().join("library");
+    let job = Job::read(&own.join("tests/gear.json"), &[]).unwrap();
+    let job = job.with_folder(&run, "folder");
+    tomolith::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
     let tests = Command::new(python)
         .args(["-m", "unittest", "discover", "--verbose"])
         .arg(own.join("tests"))
         .env("PYTHONPATH", folder.path())
+        .env("TOMOLITH_LIBRARY_RUN", &run)
         .env("PYTHONDONTWRITEBYTECODE", "1")
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&tests.stderr);
     assert!(tests.status.success(), "{said}");
-    assert!(said.contains("Ran 13 tests"), "{said}");
+    let source = fs::read_to_string(own.join("tests/test_tomolith.py")).unwrap();
+    let ran = format!("Ran {} tests", source.matches("def test_").count());
+    assert!(said.contains(&ran), "{ran}: {said}");
 }

@@ -1,8 +1,6 @@
-"""What Python gives is what the command gives, and its derivatives are derivatives. Run by .ci/run:
+"""What Python gives is what the library gives, and its derivatives are derivatives. `cargo test` runs it (package.rs)."""
 
-    python -m unittest discover crates/tomolith-python/tests
-"""
-
+import json
 import os
 import signal
 import tempfile
@@ -13,16 +11,8 @@ from pathlib import Path
 import numpy as np
 import tomolith
 
-GEAR = {
-    "target": {"phantom": "gear", "size_mm": 3.0},
-    "grid": {"pitch_mm": 0.2},
-    "resin": {"refractive_index": 1.5, "absorption_per_mm": 0.1},
-    "vial": {"index_matched": {"radius_mm": 3.0}},
-    "light": [
-        {"pixels": [24, 16], "angles": 36, "projector": {"collimated": {"pixel_pitch_mm": 0.2}}}
-    ],
-    "stop": {"iterations": 10},
-}
+HERE = Path(__file__).parent
+GEAR = json.loads((HERE / "gear.json").read_text())
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
@@ -137,6 +127,13 @@ class Runs(unittest.TestCase):
         evaluated = job.resolve().evaluate(np.load(patterns)["patterns"])
         for name in ("iou", "ver", "pw"):
             self.assertEqual(evaluated[name], run["evaluation"][name])
+        # The library itself has run the same job
+        library = Path(os.environ["TOMOLITH_LIBRARY_RUN"])
+        report = json.loads((library / "report.json").read_text())
+        self.assertEqual(evaluated["surface_mean_mm"], report["evaluation"]["surface_mean_mm"])
+        np.testing.assert_array_equal(
+            np.load(patterns)["patterns"], np.load(library / "patterns.npz")["patterns"]
+        )
         with self.assertRaisesRegex(tomolith.TomolithError, "overwrite"):
             tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
 
@@ -164,7 +161,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(print["species"]["acrylate"]["iou"], print["iou"])
         self.assertEqual(print["one_exposure"]["species"], ["acrylate", "epoxy"])
 
-    def test_a_sweep_is_that_of_the_command(self):
+    def test_a_sweep_tells_what_it_came_to(self):
         (self.folder / "sweep.toml").write_text(
             'job = "gear.toml"\nmetrics = ["evaluation.iou"]\n[[axes]]\nkey = "stop.iterations"\nvalues = [0, 3]\n'
         )

@@ -3,11 +3,13 @@
 //! An optimization asks for doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
 //! kept, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
 //! frame bring from a column to a voxel is one entry, so that a frame averaged over four angles costs little more than one that stands
-//! still. Views that repeat those of a quarter turn before have the same entries, turned ([`turned`](super::turned)): they are found once. Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of
-//! the uninterrupted one.
+//! still. Views that repeat those of a quarter turn before have the same entries, turned ([`turned`](super::turned)): they are found once. Dose
+//! and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of the
+//! uninterrupted one.
 //!
 //! # Cost
-//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept.
+//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept; a quarter of that
+//! time, and for its duration a quarter more memory, where quarters repeat.
 
 use super::filled::{Filled, FilledTile};
 use super::kernel::{Block, Isa, MAX_BLOCK};

@@ -37,6 +37,20 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
     })
 }
 
+/// The first to the last of `used` vectors that hold anything in any row: what rows of pixels above and below the part leave dark is never read again.
+fn held(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
+    let is_held = |&vector: &usize| {
+        let own = vector * LANES..(vector + 1) * LANES;
+        let mut rows = lanes.par_chunks_exact(row * LANES);
+        rows.any(|lanes| is_filled(&lanes[own.clone()]))
+    };
+    let Some(first) = (0..used).find(is_held) else {
+        return 0..0;
+    };
+    let last = (first..used).rev().find(is_held).unwrap_or(first);
+    first..last + 1
+}
+
 /// For each row of lanes, which blocks hold anything but 0.
 pub(super) struct Filled {
     /// The blocks of a row.
@@ -46,9 +60,10 @@ pub(super) struct Filled {
 }
 
 impl Filled {
-    /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays.
+    /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays. Vectors that are empty in all
+    /// rows, at either end, are in no block.
     pub(super) fn of(lanes: &[f32], row: usize, used: usize) -> Self {
-        let long: Vec<Block> = cut(row, 0..used, MAX_BLOCK).collect();
+        let long: Vec<Block> = cut(row, held(lanes, row, used), MAX_BLOCK).collect();
         let parts = |block: &Block| cut(row, block.first..block.first + block.count, SHORT);
         let short: Vec<Block> = long.iter().flat_map(parts).collect();
         let rows: Vec<u64> = lanes
@@ -255,9 +270,14 @@ mod tests {
         let all = filled(&|_, _| true);
         assert_eq!(counts(&all), [10, 10]);
         assert!(all.any_in(49, 0) && all.any_in(0, 1));
-        let few = filled(&|i, vector| i % 7 == 3 && vector == 12);
+        // A row that is lit at both ends, and few that are lit between
+        let is_lit = |i, vector| match i {
+            0 => vector == 0 || vector == 19,
+            _ => i % 7 == 3 && vector == 12,
+        };
+        let few = filled(&is_lit);
         assert_eq!(counts(&few), [5; 4]);
-        for i in 0..50 {
+        for i in 1..50 {
             for block in 0..4 {
                 assert_eq!(
                     few.any_in(i, block),
@@ -270,12 +290,33 @@ mod tests {
     }
 
     #[test]
+    fn vectors_that_are_dark_in_all_rows_are_in_no_block() {
+        let (row, used) = (5, 4);
+        let lit = |places: &[[usize; 2]]| {
+            let mut lanes = vec![0.0; 3 * row * LANES];
+            for [i, vector] in places {
+                lanes[(i * row + vector) * LANES + 15] = 1.0;
+            }
+            let filled = Filled::of(&lanes, row, used);
+            let ranges = filled.blocks.iter().map(|b| b.first..b.first + b.count);
+            (ranges.collect::<Vec<_>>(), filled.any(1))
+        };
+        let one = |range: Range<usize>| [range].to_vec();
+        assert_eq!(lit(&[[0, 1], [2, 2]]), (one(1..3), false));
+        assert_eq!(lit(&[[1, 3]]), (one(3..4), true));
+        assert_eq!(lit(&[[1, 0]]), (one(0..1), true));
+        // The fifth vector is padding
+        assert_eq!(lit(&[[1, 4]]), (Vec::new(), false));
+    }
+
+    #[test]
     fn padding_and_blocks_beyond_the_sixty_fourth_lose_nothing() {
         // 70 short blocks: the last seven share a bit
         let (row, used) = (352, 350);
-        let mut lanes = vec![0.0; 2 * row * LANES];
+        let mut lanes = vec![0.0; 3 * row * LANES];
         lanes[351 * LANES] = 1.0;
         lanes[(row + 349) * LANES] = f32::NAN;
+        lanes[2 * row * LANES] = 1.0;
         let filled = Filled::of(&lanes, row, used);
         assert!(
             !filled.any(0),

@@ -378,15 +378,10 @@ impl LightPlan {
         }
     }
 
-    /// Slots of a column of a view of the first part of the turn, in all parts.
-    fn slots_of_parts(&self, view: usize, column: u32) -> impl Iterator<Item = usize> {
-        let first = view * self.columns + column as usize;
-        (first..self.lit.len()).step_by(self.turned.period * self.columns)
-    }
-
     /// Whether a column of a view of the first part lights anything in any part of the turn.
     pub(super) fn is_lit_in_any_part(&self, view: usize, column: u32) -> bool {
-        let mut slots = self.slots_of_parts(view, column);
+        let first = view * self.columns + column as usize;
+        let mut slots = (first..self.lit.len()).step_by(self.turned.period * self.columns);
         slots.any(|slot| self.is_lit(slot))
     }
 

@@ -2,7 +2,8 @@
 //!
 //! A round vial looks the same from everywhere, and a square grid about the axis looks the same after a quarter turn (a rectangular one after half a turn).
 //! Where the frames are those of the first quarter again and again, what a column brings to a voxel is what it brought to the voxel a quarter turn
-//! before: the matrix of a slice is that of the first part of the turn. [`cached`](super::cached) finds and keeps that part alone.
+//! before: the matrix of a slice is that of the first part of the turn. [`cached`](super::cached) finds that part alone and copies
+//! it, turned.
 
 use super::cached::EDGE;
 use super::views::{SAME, Views};
@@ -72,7 +73,7 @@ impl Turned {
         turn(at, self.patches, (4 - right_angles) % 4)
     }
 
-    /// Which voxels of a patch are now where its first, second, third and fourth were before so many right angles.
+    /// Where the voxels of a patch, its first to its fourth, lie after so many right angles.
     pub(super) fn corners(right_angles: usize) -> [usize; EDGE * EDGE] {
         match right_angles {
             0 => [0, 1, 2, 3],

@@ -517,7 +517,8 @@ impl<'a> Shown<'a> {
         let degrees: Vec<f64> = grid
             .azimuths
             .iter()
-            .map(|a| a.rem_euclid(TAU).to_degrees())
+            // Without the last digits of a conversion: 30, not 29.999999999999996
+            .map(|a| (a.rem_euclid(TAU).to_degrees() * 1e9).round() / 1e9)
             .collect();
         json!({
             "name": self.names[i],

@@ -154,10 +154,10 @@ pub(crate) fn evaluate_patterns(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
-    let whole = cancel;
-    let has_time = scene.spec.schedule.is_some();
-    let printing = whole.part(if has_time { share::IN_TIME } else { 0.0 });
-    let cancel = &whole.part(if has_time { 1.0 - share::IN_TIME } else { 1.0 });
+    let schedule = scene.spec.schedule.as_ref();
+    let in_time_share = schedule.map_or(0.0, |_| share::IN_TIME);
+    let printing = cancel.part(in_time_share);
+    let cancel = &cancel.part(1.0 - in_time_share);
     let sub_angles = judged_angles(scene);
     let grid = scene.fine_grid();
     let own = Exposed::new(&scene.grid, scene.optics.lights.clone());
@@ -416,7 +416,7 @@ pub(super) fn measure_at(
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
 mod share {
-    /// The print in time, of a job that has a schedule; the others share the rest.
+    /// The print in time, of a job that has a schedule: what it takes depends on the schedule, and was not measured. The others share the rest.
     pub(super) const IN_TIME: f64 = 0.5;
     /// Dose and numbers of the raw and of the written patterns on the job's own voxels, each.
     pub(super) const OWN_DOSE: f64 = 0.04;

@@ -165,8 +165,8 @@ impl Job {
         spec
     }
 
-    /// The same job as a quick trial: a third of the resolution, few angles, few iterations (but for `light.angles` and `stop.iterations`
-    /// that the command line sets). What it prints is poor, but every stage runs.
+    /// The same job as a quick trial: a third of the resolution, few angles, few iterations, and no quality that is asked for
+    /// (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every stage runs.
     #[must_use]
     pub fn toy(mut self) -> Self {
         self.is_toy = true;
@@ -201,7 +201,12 @@ impl Job {
         spec.grid.refine = Some(1);
         spec.evaluate.refine.get_or_insert(LEAST_REFINE);
         spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
-        (spec.evaluate.require_iou, spec.evaluate.require_in_band) = (None, None);
+        if !is_set("evaluate.require_iou") {
+            spec.evaluate.require_iou = None;
+        }
+        if !is_set("evaluate.require_in_band") {
+            spec.evaluate.require_in_band = None;
+        }
         self
     }
 
@@ -294,6 +299,7 @@ mod tests {
             vial = { index_matched = { radius_mm = 3.0 } }
             light = [{ pixels = [60, 30], angles = 180, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
             stop = { iterations = 40 }
+            evaluate = { require_iou = 0.9 }
         "#;
         let counts = |assignments: &[&str]| {
             let mut document = Document::toml("job.toml", text).unwrap();
@@ -301,11 +307,19 @@ mod tests {
                 document.set(assignment).unwrap();
             }
             let spec = Job::from_document(document).unwrap().toy().spec;
-            (spec.stop.iterations, spec.light[0].angles.count())
+            (
+                spec.stop.iterations,
+                spec.light[0].angles.count(),
+                spec.evaluate.require_iou,
+            )
         };
-        assert_eq!(counts(&[]), (TOY_ITERATIONS, TOY_FRAMES));
-        let set = ["stop.iterations=12", "light.angles=90"];
-        assert_eq!(counts(&set), (12, 90));
+        assert_eq!(counts(&[]), (TOY_ITERATIONS, TOY_FRAMES, None));
+        let set = [
+            "stop.iterations=12",
+            "light.angles=90",
+            "evaluate.require_iou=0.5",
+        ];
+        assert_eq!(counts(&set), (12, 90, Some(0.5)));
     }
 
     #[test]

@@ -1,0 +1,147 @@
+//! Entries that are kept between calls.
+
+use super::*;
+
+#[test]
+fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
+    for vial in vials() {
+        for isa in Isa::available() {
+            for (columns, pitch, sub_angles) in [(45, 0.11, 1), (90, 0.055, 1), (21, 0.23, 3)] {
+                // More views than a group has, some columns dark for good; a grid that patches do not fill
+                let mut light = Light::new(
+                    PatternGrid::full_turn(11, 0.2, 19, columns, pitch),
+                    Resin::absorbing(1.48, 0.2),
+                );
+                light.sub_angles = sub_angles;
+                let run = |column: usize| (0, if column % 5 == 2 { 0 } else { 19 });
+                light.active = Some((0..11 * columns).map(run).collect());
+                let grid = VolumeGrid::centered([21, 35, 37], 0.1);
+                let model = || {
+                    Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone())
+                        .unwrap()
+                        .with_isa(isa)
+                };
+                let (plain, kept) = (model(), model().cached());
+                let what = format!("{vial:?} {isa:?} {columns}");
+                check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{what}: {e}"));
+                // Two frames in three are dark, and so is most of the cotangent
+                let mut x = check::noise(1, plain.patterns[0].len());
+                for frame in (0..11).filter(|frame| frame % 3 > 0) {
+                    x[plain.patterns[0].elements_of(frame..frame + 1)].fill(0.0);
+                }
+                let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
+                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (e, d) in expected.iter().zip(&dose) {
+                    assert!((e - d).abs() < 2e-6 * scale, "{what}: {e} {d}");
+                }
+                let mut cotangent = LinearOperator::new_dose(&plain).unwrap();
+                let noise = check::noise(2, cotangent.len());
+                for (i, c) in cotangent.as_mut_slice().iter_mut().enumerate() {
+                    *c = if i / 32 % 7 == 3 { noise[i] } else { 0.0 };
+                }
+                let [expected, gradient] = [&plain, &kept].map(|model| {
+                    let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                    model
+                        .adjoint(&cotangent, &mut gradient, &Run::new())
+                        .unwrap();
+                    gradient.as_slice().to_vec()
+                });
+                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (e, g) in expected.iter().zip(&gradient) {
+                    assert!((e - g).abs() < 2e-6 * scale, "{what}: {e} {g}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn entries_of_a_part_of_the_turn_serve_all_of_it() {
+    // Quarters of a square grid and halves of a rectangular one; tiles that a turn maps onto tiles, and some that it does not; columns that are
+    // dark from some sides alone; more views than a group has in each part
+    for (vial, (shape, frames, descends)) in vials().iter().take(2).flat_map(|vial| {
+        [
+            ([5, 36, 36], 44, false),
+            ([5, 32, 32], 12, true),
+            ([5, 30, 40], 22, false),
+        ]
+        .map(|case| (vial, case))
+    }) {
+        let mut pixels = PatternGrid::full_turn(frames, 0.2, 6, 45, 0.11);
+        if descends {
+            pixels
+                .azimuths
+                .iter_mut()
+                .for_each(|azimuth| *azimuth = -*azimuth);
+        }
+        let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.2));
+        light.sub_angles = 2;
+        let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
+        light.active = Some((0..frames * 45).map(run).collect());
+        let grid = VolumeGrid::centered(shape, 0.1);
+        let model = || Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+        let (plain, kept) = (model(), model().cached());
+        let parts = if shape[1] == shape[2] { 4 } else { 2 };
+        assert_eq!(kept.lights[0].turned.period, frames / parts);
+        check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
+        let x = check::noise(1, plain.patterns[0].len());
+        let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
+        let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+        // A grid beside the axis repeats nothing, and has as many updates but for voxels that light hardly touches
+        let mut beside = grid.clone();
+        beside.center_mm[0] = 1e-6;
+        let beside = Parallel::new(vial.as_ref(), vec![light.clone()], beside).unwrap();
+        assert_eq!(beside.lights[0].turned.period, frames);
+        let [some, all] = [&kept, &beside].map(|model| LinearOperator::updates(model) as f64);
+        assert!((some / all - 1.0).abs() < 1e-3, "{some} {all}");
+        for (e, d) in expected.iter().zip(&dose) {
+            // Strips of a turned frame are rounded otherwise
+            assert!((e - d).abs() < 1e-5 * scale, "{vial:?} {shape:?}: {e} {d}");
+        }
+    }
+}
+
+#[test]
+fn what_is_kept_takes_the_memory_that_was_said() {
+    for vial in &vials()[..2] {
+        for (pitch, sub_angles) in [(0.05, 1), (0.05, 4), (0.2, 4), (0.11, 2)] {
+            let columns = (4.6 / pitch) as usize;
+            let mut light = Light::new(
+                PatternGrid::full_turn(24, 0.2, 19, columns, pitch),
+                Resin::absorbing(1.48, 0.2),
+            );
+            light.sub_angles = sub_angles;
+            let grid = VolumeGrid::centered([21, 48, 48], 0.05);
+            let said = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
+            let model = Parallel::new(vial.as_ref(), vec![light], grid)
+                .unwrap()
+                .cached();
+            let found = model.cache(0, &Run::new()).unwrap().unwrap();
+            let ratio = found.bytes() as f64 / said;
+            assert!(
+                (0.8..1.1).contains(&ratio),
+                "{vial:?} {pitch} {sub_angles}: {ratio}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_stopped_run_keeps_no_half_of_the_entries() {
+    let light = Light::new(
+        PatternGrid::full_turn(9, 0.2, 19, 40, 0.1),
+        Resin::absorbing(1.48, 0.2),
+    );
+    let grid = VolumeGrid::centered([21, 35, 37], 0.1);
+    let model = Parallel::new(vials()[0].as_ref(), vec![light], grid)
+        .unwrap()
+        .cached();
+    let (run, x) = (Run::new(), LinearOperator::new_patterns(&model).unwrap());
+    run.cancel();
+    let mut dose = LinearOperator::new_dose(&model).unwrap();
+    let stopped = model.add_forward(0..9, &x, &mut dose, &run);
+    assert!(matches!(stopped, Err(Error::Canceled)));
+    assert!(model.cache[0].get().is_none());
+    model.add_forward(0..9, &x, &mut dose, &Run::new()).unwrap();
+    assert!(model.cache[0].get().is_some());
+}
