@@ -167,12 +167,30 @@ impl Error {
 /// The library's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// The name among `names` that is nearest to `word`, when it is near enough to be a slip of the keyboard.
+/// Ends of names that are units.
+const UNITS: [&str; 7] = ["_per_mm", "_mm", "_um", "_nm", "_deg", "_hz", "_s"];
+
+/// The name among `names` that is nearest to `word`: the same with a unit, or near enough to be a slip of the keyboard.
+///
+/// ```
+/// use tomolith_core::error::nearest_name;
+/// let names = ["absorption_per_mm", "absorption_map"];
+/// assert_eq!(nearest_name("absorption", names), Some("absorption_per_mm"));
+/// assert_eq!(nearest_name("absorbtion_map", names), Some("absorption_map"));
+/// ```
 #[must_use]
 pub fn nearest_name<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let is_unit = |name: &str| {
+        name.strip_prefix(word)
+            .is_some_and(|end| UNITS.contains(&end))
+    };
+    let near = |name: &str| match is_unit(name) {
+        true => 1.0,
+        false => strsim::jaro_winkler(word, name),
+    };
     names
         .into_iter()
-        .map(|name| (strsim::jaro_winkler(word, name), name))
+        .map(|name| (near(name), name))
         .filter(|(score, _)| *score > 0.75)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, name)| name)

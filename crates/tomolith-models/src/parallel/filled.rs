@@ -41,7 +41,7 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
 fn held(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
     let is_held = |&vector: &usize| {
         let own = vector * LANES..(vector + 1) * LANES;
-        let mut rows = lanes.par_chunks_exact(row * LANES);
+        let rows = lanes.par_chunks_exact(row * LANES);
         rows.any(|lanes| is_filled(&lanes[own.clone()]))
     };
     let Some(first) = (0..used).find(is_held) else {

@@ -67,6 +67,7 @@ mod filled;
 mod gather;
 mod heights;
 pub mod kernel;
+mod loose;
 mod mapped;
 mod patches;
 mod plan;
@@ -89,6 +90,7 @@ use filled::{Filled, FilledTile, NeededEntries};
 use gather::Gatherer;
 use heights::Spread;
 use kernel::Isa;
+use loose::Loose;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
 use rayon::prelude::*;
@@ -143,7 +145,10 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let kept = || cached::bytes_at_first(scene.lights, scene.vial, grid).unwrap_or_default();
+        let kept = || match grid.shape {
+            [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
+            _ => cached::bytes_at_first(scene.lights, scene.vial, grid).unwrap_or_default(),
+        };
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
             cached_bytes: is_optimized.then(kept),
@@ -160,8 +165,8 @@ impl ModelFamily for Params {
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
         let lights = scene.lights.to_vec();
-        let caches = scene.purpose == Purpose::Optimize
-            && cached::bytes(&lights, scene.vial, &grid).is_some();
+        let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, scene.vial, &grid).is_some();
+        let caches = scene.purpose == Purpose::Optimize && is_kept();
         let mut model = Parallel::under(scene.vial, lights, self.kernel, grid, input.run)?;
         if caches {
             model = model.cached();
@@ -194,9 +199,10 @@ pub struct Parallel {
     /// Lanes of pixels, kept between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
-    /// Whether the entries of all frames are kept from the first call on; they, of each light, once they are known.
+    /// Whether the entries of all frames are kept from the first call on; they, of each light, once they are known; those of a slice.
     caches: bool,
     cache: Vec<OnceLock<CachedEntries>>,
+    loose: Vec<OnceLock<Loose>>,
 }
 
 /// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
@@ -249,6 +255,7 @@ impl Parallel {
         }
         Ok(Parallel {
             cache: plans.iter().map(|_| OnceLock::new()).collect(),
+            loose: plans.iter().map(|_| OnceLock::new()).collect(),
             caches: false,
             lights: plans,
             patterns,
@@ -269,10 +276,10 @@ impl Parallel {
     }
 
     /// Keeps the entries (column, voxel, weight) of all frames from the first call on: worth it where a dose is asked for again and
-    /// again, and their memory, 8 bytes an entry, is there.
+    /// again, and their memory, 8 bytes an entry, is there. Of a slice those that its fast kernels do not find.
     #[must_use]
     pub fn cached(mut self) -> Self {
-        self.caches = !self.is_plane();
+        self.caches = true;
         self
     }
 
@@ -286,6 +293,15 @@ impl Parallel {
             let _ = self.cache[light].set(found);
         }
         Ok(self.cache[light].get())
+    }
+
+    /// The single entries that are kept of a light of a slice; None where none are.
+    fn loose(&self, light: usize, run: &Run) -> Result<Option<&Loose>> {
+        if self.caches && self.loose[light].get().is_none() {
+            let found = Loose::of(self, &self.lights[light], run)?;
+            let _ = self.loose[light].set(found);
+        }
+        Ok(self.loose[light].get())
     }
 
     /// Whether there is a single slice, whose rows have no lanes.

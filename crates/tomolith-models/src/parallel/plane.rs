@@ -6,6 +6,7 @@
 
 use super::chains::{Avx512, Chain, Taps, WINDOW};
 use super::comb::{Comb, Integrals, Square};
+use super::loose::Loose;
 use super::plan::LightPlan;
 use super::rake::MOST;
 use super::strips::Major;
@@ -76,6 +77,7 @@ impl Parallel {
                 }
             });
         let all = sources.as_slice();
+        let loose = (plan, self.loose(light, run)?);
         let nx = self.outputs[0].grid.shape[2];
         tile_rows(&self.tiles, dose, 1, nx)
             .into_par_iter()
@@ -107,7 +109,9 @@ impl Parallel {
                     } else if meeting.end > meeting.first {
                         let values = plan.frame(values, beam);
                         let square = &mut along[square_of(Major::Y)];
-                        bench.add_loose(self, plan, (beam, meeting), tile, values, square);
+                        let own = &mut bench.entries;
+                        let found = self.loose_entries(loose, (index, beam), meeting, own);
+                        add_loose(found, values, square);
                     }
                 }
                 for (y, row) in rows.iter_mut().enumerate() {
@@ -141,6 +145,7 @@ impl Parallel {
             .len()
             .div_ceil(4 * rayon::current_num_threads())
             .max(1);
+        let loose = self.loose(light, run)?;
         pixels.as_mut_slice()[views.start * plan.columns..views.end * plan.columns]
             .par_chunks_mut(chunk * plan.columns)
             .enumerate()
@@ -152,7 +157,7 @@ impl Parallel {
                     if run.is_canceled() {
                         return;
                     }
-                    gathering.add_tile(self, plan, (index, tile), cotangent, pixels);
+                    gathering.add_tile(self, (plan, loose), (index, tile), cotangent, pixels);
                 }
                 gathering.end(plan, pixels);
             });
@@ -188,26 +193,15 @@ impl Bench {
         }
         wide.add_taps(&self.taps, local.rows, &window, square);
     }
+}
 
-    /// Entries one by one; `square` has its lanes along x.
-    fn add_loose(
-        &mut self,
-        model: &Parallel,
-        plan: &LightPlan,
-        (beam, meeting): (usize, Meeting),
-        tile: &Tile,
-        values: &[f32],
-        square: &mut Square,
-    ) {
-        self.entries.clear();
-        let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
-        plan.enumerate(model.path, beam, meeting, &local, &mut self.entries);
-        for run in &self.entries.runs {
-            let value = values[run.column as usize];
-            let of_run = self.entries.of(run);
-            for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
-                square[voxel as usize] += weight * value;
-            }
+/// Entries one by one; `square` has its lanes along x.
+fn add_loose(found: &TileEntries, values: &[f32], square: &mut Square) {
+    for run in &found.runs {
+        let value = values[run.column as usize];
+        let of_run = found.of(run);
+        for (&voxel, &weight) in of_run.slots.iter().zip(of_run.weights) {
+            square[voxel as usize] += weight * value;
         }
     }
 }
@@ -255,7 +249,7 @@ impl Gathering {
     fn add_tile(
         &mut self,
         model: &Parallel,
-        plan: &LightPlan,
+        (plan, loose): (&LightPlan, Option<&Loose>),
         (index, tile): (usize, &Tile),
         cotangent: &[f32],
         pixels: &mut [f32],
@@ -292,12 +286,11 @@ impl Gathering {
                     pixels[column] += sum;
                 }
             } else {
-                self.entries.clear();
-                let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-                plan.enumerate(model.path, i, meeting, &local, &mut self.entries);
+                let own = &mut self.entries;
+                let found = model.loose_entries((plan, loose), (index, i), meeting, own);
                 let values = &self.integrals[square_of(Major::Y)].value;
-                for run in &self.entries.runs {
-                    let of_run = self.entries.of(run);
+                for run in &found.runs {
+                    let of_run = found.of(run);
                     let terms = of_run.slots.iter().zip(of_run.weights);
                     pixels[run.column as usize] += terms
                         .map(|(&voxel, &weight)| weight * values[voxel as usize])

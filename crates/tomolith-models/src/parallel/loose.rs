@@ -1,0 +1,118 @@
+//! Single entries that a slice needs, found once.
+//!
+//! Most tiles of a slice are lit by combs, rakes and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a resin wall cuts it, entries are found one by one, which takes
+//! some thirty times as long: two tiles in a hundred took a third of the time of a slice. A model that is asked again and again keeps them, where they take at most [`MOST`] bytes a light.
+//! Sums along them have the same order, and so the same bits.
+
+use super::Parallel;
+use super::plan::LightPlan;
+use super::tiles::{Local, Meeting, Slots, TILE, TileEntries};
+use crate::Run;
+use rayon::prelude::*;
+use tomolith_core::error::{Error, Result};
+use tomolith_optics::light::Light;
+
+/// Most bytes that are kept of a light.
+const MOST: usize = 128 << 20;
+
+/// Bytes of a tile and a beam, roughly: three columns cross a voxel at most times, each with a slot and a weight.
+const OF_MEETING: usize = 3 * TILE * TILE * (size_of::<u32>() + size_of::<f32>());
+
+/// Bytes that are kept at most of these lights in a slice of so many voxels.
+pub(super) fn bytes(lights: &[Light], voxels: usize) -> f64 {
+    let of_light = |light: &Light| {
+        let beams = light.pixels.frames() * light.sub_angles.max(1);
+        (voxels.div_ceil(TILE * TILE) * beams * OF_MEETING).min(MOST)
+    };
+    lights.iter().map(of_light).sum::<usize>() as f64
+}
+
+/// The entries of a light, of all tiles and beams that have no other way.
+pub(super) struct Loose {
+    /// `[tile][beam]`, one more than where they stand in `found`; 0 for none.
+    at: Vec<u32>,
+    found: Vec<TileEntries>,
+}
+
+impl Loose {
+    /// Finds them; empty where they are too many.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`].
+    pub(super) fn of(model: &Parallel, plan: &LightPlan, run: &Run) -> Result<Self> {
+        let beams = plan.beams.len();
+        let needed = |&at: &usize| model.is_loose(plan, at % beams, plan.meetings[at]);
+        let places: Vec<usize> = (0..plan.meetings.len()).filter(needed).collect();
+        let mut at = vec![0; plan.meetings.len()];
+        if places.len() * OF_MEETING > MOST {
+            let found = Vec::new();
+            return Ok(Loose { at, found });
+        }
+        let find = |&at: &usize| {
+            let mut found = TileEntries::default();
+            if !run.is_canceled() {
+                let place = (at / beams, at % beams);
+                model.enumerate_loose(plan, place, plan.meetings[at], &mut found);
+            }
+            found
+        };
+        let found = places.par_iter().map(find).collect();
+        if run.is_canceled() {
+            return Err(Error::Canceled);
+        }
+        for (i, &place) in places.iter().enumerate() {
+            at[place] = i as u32 + 1;
+        }
+        Ok(Loose { at, found })
+    }
+
+    /// Bytes of slots and weights.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        let entries: usize = self.found.iter().map(|found| found.slots.len()).sum();
+        entries * (size_of::<u32>() + size_of::<f32>())
+    }
+
+    fn at(&self, place: usize) -> Option<&TileEntries> {
+        self.found.get((self.at[place] as usize).checked_sub(1)?)
+    }
+}
+
+impl Parallel {
+    /// Whether a beam lights a tile entry by entry.
+    fn is_loose(&self, plan: &LightPlan, beam: usize, meeting: Meeting) -> bool {
+        let is_comb = meeting.comb && plan.combs[beam].is_some();
+        let is_rake = meeting.rake && plan.rakes[beam].is_some();
+        let is_chain = meeting.chain && self.path.wide.is_some();
+        meeting.end > meeting.first && !(is_comb || is_rake || is_chain)
+    }
+
+    fn enumerate_loose(
+        &self,
+        plan: &LightPlan,
+        (tile, beam): (usize, usize),
+        meeting: Meeting,
+        found: &mut TileEntries,
+    ) {
+        found.clear();
+        let major = plan.beams[beam].major;
+        let local = Local::new(&self.tiles[tile], major, Slots::WITHIN_TILE);
+        plan.enumerate(self.path, beam, meeting, &local, found);
+    }
+
+    /// Entries of a tile and a beam: those that are kept, or found anew in `own`.
+    pub(super) fn loose_entries<'a>(
+        &self,
+        (plan, kept): (&LightPlan, Option<&'a Loose>),
+        (tile, beam): (usize, usize),
+        meeting: Meeting,
+        own: &'a mut TileEntries,
+    ) -> &'a TileEntries {
+        let place = tile * plan.beams.len() + beam;
+        if let Some(kept) = kept.and_then(|kept| kept.at(place)) {
+            return kept;
+        }
+        self.enumerate_loose(plan, (tile, beam), meeting, own);
+        own
+    }
+}
