@@ -178,7 +178,7 @@ fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() 
     assert!(
         bench
             .read("a/table.md")
-            .contains("differs, because the study does not say why")
+            .contains("unexplained: another number, and the study does not say why")
     );
     let bench = bench_of(&STUDY.replace("\"--pixels\", \"100\"", "\"--pixels\", \"0\""));
     bench.ended(1, "reproduce disc --quick --output a");
@@ -229,6 +229,35 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             "title = \"All of the map\"\nof = \"map\"",
             "title = \"All of the map\"\nof = \"voxel\"",
             ["tables[0].of", "`voxel` is no sweep or job", "map"],
+        ),
+        (
+            "[runs.map]",
+            "[runs.\"../map\"]",
+            ["runs", "a run named `../map`", "letters, digits"],
+        ),
+        (
+            "command = [\"analyze\", \"voxel\"",
+            "command = [\"reproduce\", \".\"",
+            ["runs.voxel.command", "reproduces a study", "line 8"],
+        ),
+        (
+            "within = 0.5",
+            "within = -0.5",
+            ["rows[0].within", "found -0.5", "0 or more"],
+        ),
+        (
+            "within = 0.5",
+            "take = \"max\"\nwithin = 0.5",
+            ["rows[0].take", "without over", "line"],
+        ),
+        (
+            "at = { lower = 0.5 }",
+            "at = {}",
+            [
+                "rows[0].at",
+                "it says nothing of `lower`",
+                "a value for every axis",
+            ],
         ),
         (
             "within = 1e-9",

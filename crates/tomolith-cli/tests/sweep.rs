@@ -109,6 +109,9 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
     )
     .unwrap();
     let text = bench.stdout(1, "sweep hard.toml --output out");
-    assert!(text.contains("no run meets best.where"), "{text}");
+    assert!(
+        text.contains("no finished run has the number that ranks and meets best.where"),
+        "{text}"
+    );
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
 }

@@ -590,6 +590,24 @@ fn placed(axis: &Axis, wanted: usize) -> Vec<(f64, String)> {
     axis.ticks(wanted.max(2)).into_iter().map(part).collect()
 }
 
+/// Width of a letter of a caption, about.
+const LETTER: f64 = 6.5;
+
+/// A text in lines of at most so many letters, but for longer words.
+fn wrapped(text: &str, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= most => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// The whole picture.
 struct Sheet {
     columns: usize,
@@ -598,7 +616,8 @@ struct Sheet {
     /// Room on the right.
     right: f64,
     body: String,
-    caption: bool,
+    /// Lines of the caption.
+    lines: usize,
 }
 
 impl Sheet {
@@ -611,15 +630,19 @@ impl Sheet {
             panel: [width, flat * height],
             right,
             body: String::new(),
-            caption: false,
+            lines: 0,
         }
     }
 
+    fn width(&self) -> f64 {
+        self.columns as f64 * (LEFT + self.panel[0]) + self.right
+    }
+
     fn size(&self) -> [f64; 2] {
-        let [width, height] = self.panel;
-        let foot = if self.caption { 2.0 * FOOT } else { FOOT };
+        let height = self.panel[1];
+        let foot = (1 + self.lines) as f64 * FOOT;
         [
-            self.columns as f64 * (LEFT + width) + self.right,
+            self.width(),
             HEAD + self.rows as f64 * (ABOVE + height + BELOW) + foot,
         ]
     }
@@ -635,7 +658,8 @@ impl Sheet {
     }
 
     fn head(&mut self, title: &str, caption: &str) {
-        self.caption = !caption.is_empty();
+        let lines = wrapped(caption, ((self.width() - 32.0) / LETTER) as usize);
+        self.lines = lines.len();
         let [_, height] = self.size();
         add(
             &mut self.body,
@@ -644,14 +668,16 @@ impl Sheet {
                 escape(title)
             ),
         );
-        add(
-            &mut self.body,
-            format_args!(
-                "<text class=\"small\" x=\"16\" y=\"{:.1}\">{}</text>",
-                height - FOOT - 12.0,
-                escape(caption)
-            ),
-        );
+        for (line, below) in lines.iter().rev().zip(1..) {
+            let y = height - f64::from(below) * FOOT - 12.0;
+            add(
+                &mut self.body,
+                format_args!(
+                    "<text class=\"small\" x=\"16\" y=\"{y:.1}\">{}</text>",
+                    escape(line)
+                ),
+            );
+        }
     }
 
     /// What the marks mean, in one line below all.

@@ -5,7 +5,7 @@
 
 use crate::pictures;
 use crate::plan::{SweepPlan, firsts};
-use crate::table::{State, Table, failure, state};
+use crate::table::{State, Table, failure, report, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
@@ -19,7 +19,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::write_whole;
-use tomolith::job::{self, Job, KeptModel, RunFolder, Silent, folder::TAKEN};
+use tomolith::job::{self, Document, Job, KeptModel, RunFolder, Silent, folder::TAKEN};
 use tomolith::models::Run;
 use tomolith::units::counted;
 use tomolith::{Error, Result};
@@ -153,7 +153,11 @@ impl fmt::Display for SweepOutcome {
             None if self.is_share => {
                 writeln!(f, "{:>12} collect all shares with --merge", "share")?
             }
-            None => writeln!(f, "{:>12} no run meets best.where", "best")?,
+            None => writeln!(
+                f,
+                "{:>12} none: no finished run has the number that ranks and meets best.where",
+                "best"
+            )?,
         }
         for file in &self.files {
             writeln!(f, "{:>12} {}", "wrote", file.display())?;
@@ -209,8 +213,11 @@ pub fn run(
         .unwrap_or_default();
     fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
     let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
+    // A run comes after those that it may start from
     for i in own_runs(plan, shard) {
-        turns[i] = if is_ready(plan, i) {
+        let from = parents(plan, i);
+        let are_done = from.iter().all(|&parent| turns[parent] == RunState::Done);
+        turns[i] = if are_done && is_ready(plan, i, &from) {
             RunState::Done
         } else {
             RunState::Waits
@@ -301,6 +308,7 @@ fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     let folder = plan.folder();
     fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
     let mut outcome = counted_up(plan, &table);
+    pictures::remove_outdated(plan, &folder);
     outcome.files = table.write(&folder)?;
     outcome
         .files
@@ -354,8 +362,12 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
     {
         *file = absolute.to_string_lossy().into_owned();
     }
+    let done = match table.counts()[0] {
+        done if done == plan.runs.len() => String::new(),
+        done => format!("{done} finished ones of "),
+    };
     let mut text = format!(
-        "# The best of {}: run {} ({}).\n",
+        "# The best of {done}{}: run {} ({}).\n",
         counted(plan.runs.len(), "run"),
         i + 1,
         plan.words(i)
@@ -391,11 +403,45 @@ fn own_runs(plan: &SweepPlan, shard: Option<Shard>) -> BTreeSet<usize> {
     own
 }
 
-/// Whether a run is finished, with what others need of it.
-fn is_ready(plan: &SweepPlan, i: usize) -> bool {
+/// The runs that a run starts from, if none of them fails: the first of those with the same job, each once.
+fn parents(plan: &SweepPlan, i: usize) -> Vec<usize> {
+    let firsts = firsts(&plan.runs);
+    let mut parents = Vec::new();
+    for parent in plan.runs[i].parents.iter().map(|&parent| firsts[parent]) {
+        if !parents.contains(&parent) {
+            parents.push(parent);
+        }
+    }
+    parents
+}
+
+/// Whether a run is finished, started from these runs, with what others need of it.
+fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     let folder = plan.run_folder(i);
-    let has_patterns = plan.sweep.spec.warm_start.is_none() || folder.join(PATTERNS).is_file();
-    has_patterns && RunFolder::finished(&folder).is_some()
+    if RunFolder::finished(&folder).is_none() || report(&folder).is_err() {
+        return false;
+    }
+    plan.sweep.spec.warm_start.is_none()
+        || folder.join(PATTERNS).is_file() && started_from(&folder) == Some(ids(plan, from))
+}
+
+fn ids(plan: &SweepPlan, runs: &[usize]) -> Vec<String> {
+    runs.iter().map(|&run| plan.runs[run].id.clone()).collect()
+}
+
+/// The runs whose patterns a run of this folder started from, by the job that it left; none where that cannot be read.
+fn started_from(folder: &Path) -> Option<Vec<String>> {
+    let job = Document::read(&folder.join("job.toml")).ok()?;
+    let patterns = job.root.pointer("/start/patterns");
+    let run_of = |file: &Value| {
+        let folder = Path::new(file.as_str()?).parent()?;
+        Some(folder.file_name()?.to_string_lossy().into_owned())
+    };
+    let files = patterns.into_iter().flat_map(|patterns| {
+        let others = patterns["or"].as_array().into_iter().flatten();
+        std::iter::once(&patterns["file"]).chain(others)
+    });
+    files.map(run_of).collect()
 }
 
 const PATTERNS: &str = "patterns.npz";
@@ -635,7 +681,7 @@ impl Slot<'_> {
         let cancel = Arc::clone(&lock(self.run));
         loop {
             // Another process may have finished it meanwhile
-            if is_ready(self.plan, i) {
+            if is_ready(self.plan, i, from) {
                 return state(self.plan, i);
             }
             let job = self.job(i, from)?;

@@ -21,17 +21,7 @@ const PANELS: usize = 24;
 /// [`Error::Io`](tomolith::Error::Io).
 pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Result<Vec<PathBuf>> {
     let file = |path: &String| {
-        let name: String = path
-            .chars()
-            .map(|c| {
-                if c.is_alphanumeric() || "._-".contains(c) {
-                    c
-                } else {
-                    '-'
-                }
-            })
-            .collect();
-        let file = folder.join(format!("{name}.svg"));
+        let file = folder.join(file_name(path));
         let svg = picture(plan, table, path);
         write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
         Ok(file)
@@ -40,6 +30,27 @@ pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Resul
         return Ok(Vec::new());
     }
     plan.sweep.metrics.iter().map(file).collect()
+}
+
+fn file_name(metric: &str) -> String {
+    let kept = |c: char| match c.is_alphanumeric() || "._-".contains(c) {
+        true => c,
+        false => '-',
+    };
+    format!("{}.svg", metric.chars().map(kept).collect::<String>())
+}
+
+/// Removes the pictures of metrics that the table of an earlier call had and this sweep does not collect.
+pub(crate) fn remove_outdated(plan: &SweepPlan, folder: &Path) {
+    let before = std::fs::read_to_string(folder.join("table.csv")).unwrap_or_default();
+    let head = before.lines().next().unwrap_or_default();
+    let metrics = head.split(',').skip_while(|name| *name != "state").skip(1);
+    for metric in metrics.take_while(|name| *name != "feasible") {
+        if !plan.sweep.metrics.iter().any(|own| own == metric) {
+            // Gone already is as good
+            let _ = std::fs::remove_file(folder.join(file_name(metric)));
+        }
+    }
 }
 
 /// The picture of a metric.

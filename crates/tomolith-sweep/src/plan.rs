@@ -146,6 +146,12 @@ impl Sweep {
         }
         let derived = (spec.derived.iter())
             .map(|(key, text)| {
+                let sets_it = |axis: &Axis| axis.keys().contains(&key.as_str());
+                if let Some(i) = axes.iter().position(sets_it) {
+                    let found = format!("axes[{i}] sets this key, too");
+                    let accepted = "a key that no axis sets; or an axis with a `name` and cases";
+                    return Err(Error::config(format!("derived.{key}"), found, accepted));
+                }
                 let expression = expression(text, &format!("derived.{key}"), &axes)?;
                 Ok((key.clone(), expression))
             })
@@ -221,7 +227,7 @@ impl Sweep {
             .map(|(key, value)| self.change(key, value));
         let derived = self.derived.iter().filter_map(|(key, expression)| {
             let value = expression.value(&|name| named(&self.axes, point, name))?;
-            Some(self.change(key, &Value::from(value)))
+            Some(self.change(key, &number(value)))
         });
         let without = self.leaves_surfaces_out();
         let without = without.then(|| "evaluate.surfaces=false".to_owned());
@@ -284,6 +290,11 @@ impl Sweep {
         if let Some(file) = folder.ancestors().find(|path| path.is_file()) {
             let found = format!("`{}` is a file", file.display());
             let error = Error::config("folder", found, "a folder, or a name where none is yet");
+            return Err(self.document.locate(error));
+        }
+        if RunFolder::finished(&folder).is_some() {
+            let found = format!("`{}` is the folder of a run", folder.display());
+            let error = Error::config("folder", found, "the folder of a sweep, or a new name");
             return Err(self.document.locate(error));
         }
         let points = self.points(cancel).map_err(|e| self.document.locate(e))?;
@@ -392,6 +403,16 @@ impl Sweep {
     ) -> Result<(String, u64)> {
         if cancel.is_stop_asked() {
             return Err(Error::Canceled);
+        }
+        for (key, expression) in &self.derived {
+            let value = expression.value(&|name| named(&self.axes, point, name));
+            if let Some(value) = value.filter(|value| !value.is_finite()) {
+                return Err(Error::config(
+                    format!("derived.{key}"),
+                    format!("{value} at {}", self.words(point)),
+                    "a finite number in every run; leave others out with `when`",
+                ));
+            }
         }
         let mut job = self.job(point)?;
         job.spec.resources.memory_gb = memory_mb.map(gigabytes);
@@ -621,6 +642,16 @@ const SCALED: u64 = 1 << 63;
 pub(crate) const RUNS: &str = "runs";
 const ARITHMETIC: &str = "arithmetic on numbers and names of axes, such as \"1 - upper\"";
 const COMPARISON: &str = "a comparison, such as \"lower < upper\"";
+
+/// A whole number without a point, for keys that count.
+fn number(value: f64) -> Value {
+    const EXACT: f64 = (1u64 << 53) as f64;
+    if value.fract() == 0.0 && value.abs() < EXACT {
+        Value::from(value as i64)
+    } else {
+        Value::from(value)
+    }
+}
 
 fn gigabytes(mb: u64) -> f64 {
     mb as f64 / 1e3

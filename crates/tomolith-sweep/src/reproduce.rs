@@ -87,7 +87,10 @@ impl Verdict {
             Verdict::Differs(why) => ("differs", why),
             Verdict::UnderSpecified(why) => ("under-specified", why),
             Verdict::NotCompared(why) => ("not compared", why),
-            Verdict::Unexplained => ("differs", "the study does not say why"),
+            Verdict::Unexplained => (
+                "unexplained",
+                "another number, and the study does not say why",
+            ),
             Verdict::Missing(why) => ("no number", why),
         }
     }
@@ -112,6 +115,9 @@ pub struct StudyRow {
     pub quantity: String,
     /// What is published, for people.
     pub published: String,
+    /// The same as a number.
+    #[serde(skip)]
+    published_number: Option<f64>,
     /// Ours.
     pub ours: Option<f64>,
     /// Ours over the published number, where that is not 0.
@@ -180,6 +186,7 @@ impl Reproduction {
         let words = [
             "reproduced",
             "differs",
+            "unexplained",
             "under-specified",
             "not compared",
             "no number",
@@ -437,7 +444,7 @@ fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>>
     let mut named: BTreeMap<&str, f64> = BTreeMap::new();
     let mut rows = Vec::new();
     for row in &study.spec.rows {
-        let ours = ours(row, found, &tables, &named);
+        let ours = ours(row, study.is_quick, (found, &tables), &named);
         if let (Some(name), Ok(ours)) = (&row.name, &ours) {
             named.insert(name, *ours);
         }
@@ -449,8 +456,8 @@ fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>>
 /// Our number, or why there is none.
 fn ours(
     row: &RowSpec,
-    found: &BTreeMap<String, Found>,
-    tables: &BTreeMap<&str, Table<'_>>,
+    is_quick: bool,
+    (found, tables): (&BTreeMap<String, Found>, &BTreeMap<&str, Table<'_>>),
     named: &BTreeMap<&str, f64>,
 ) -> Result<f64, Verdict> {
     let of = |name: &str| named.get(name).copied();
@@ -460,7 +467,13 @@ fn ours(
     let parsed = |text: &String| text.parse::<Condition>().ok();
     if let Some(value) = &row.value {
         let value = value.parse::<Expression>().ok();
-        return value.and_then(|value| value.value(&of)).ok_or_else(unknown);
+        let value = value
+            .and_then(|value| value.value(&of))
+            .ok_or_else(unknown)?;
+        return match value.is_finite() {
+            true => Ok(value),
+            false => Err(missing("not a finite number")),
+        };
     }
     if let Some(holds) = row.holds.as_ref().and_then(parsed) {
         if holds.names().iter().any(|name| of(name).is_none()) {
@@ -480,14 +493,14 @@ fn ours(
             Ok(number) => number.ok_or_else(|| missing("not defined")),
             Err(why) => Err(Verdict::Missing(why)),
         },
-        Found::Sweep(plan) => of_sweep(row, plan, &tables[name.as_str()], metric),
+        Found::Sweep(plan) => of_sweep(row, is_quick, (plan, &tables[name.as_str()]), metric),
     }
 }
 
 fn of_sweep(
     row: &RowSpec,
-    plan: &SweepPlan,
-    table: &Table<'_>,
+    is_quick: bool,
+    (plan, table): (&SweepPlan, &Table<'_>),
     metric: &str,
 ) -> Result<f64, Verdict> {
     let missing = |why: &str| Err(Verdict::Missing(why.to_owned()));
@@ -514,9 +527,10 @@ fn of_sweep(
     };
     let Some(i) = i else {
         return match row.at {
-            Some(_) => Err(Verdict::NotCompared(
+            Some(_) if is_quick => Err(Verdict::NotCompared(
                 "no run of this size has these values".to_owned(),
             )),
+            Some(_) => missing("no run has the values of `at`"),
             None => missing("no run is the best, or none is named"),
         };
     };
@@ -583,6 +597,7 @@ fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> StudyR
     StudyRow {
         quantity: row.quantity.clone(),
         published: text.unwrap_or_else(|| "–".to_owned()),
+        published_number: row.published,
         ours: ours_number,
         ratio: pair
             .filter(|(_, published)| *published != 0.0)
@@ -701,9 +716,14 @@ fn csv(rows: &[StudyRow]) -> String {
     let number = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
     for row in rows {
         let (verdict, because) = row.verdict.parts();
+        let published = match (row.published_number, row.published.as_str()) {
+            (Some(published), _) => published.to_string(),
+            (None, "–") => String::new(),
+            (None, words) => field(words),
+        };
         let cells = [
             field(&row.quantity),
-            field(&row.published),
+            published,
             number(row.ours),
             number(row.ratio),
             number(row.difference),

@@ -260,6 +260,23 @@ impl Study {
             {
                 return refuse("at", name);
             }
+            let open = |axis: &&crate::axes::Axis| {
+                let is_named = row
+                    .at
+                    .as_ref()
+                    .is_some_and(|at| at.contains_key(&axis.name));
+                !is_named && axis.values().len() > 1
+            };
+            if row.at.is_some()
+                && row.over.is_none()
+                && let Some(axis) = sweep.axes.iter().find(open)
+            {
+                return Err(self.document.locate(Error::config(
+                    format!("rows[{i}].at"),
+                    format!("several runs have these values: it says nothing of `{}`", axis.name),
+                    "a value for every axis; or over = [] with take, for all that have these values",
+                )));
+            }
             for text in row.over.iter().flatten() {
                 let condition = text.parse::<Condition>().ok();
                 let unknown =
@@ -342,6 +359,25 @@ fn metrics(row: &RowSpec) -> Vec<String> {
 
 fn check(spec: &StudySpec) -> Result<()> {
     for (name, run) in &spec.runs {
+        let is_plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
+        if name.is_empty() || !name.chars().all(is_plain) {
+            return Err(Error::config(
+                "runs",
+                format!("a run named `{name}`"),
+                "letters, digits, `_` and `-`: it is the name of its folder",
+            ));
+        }
+        let first = run
+            .command
+            .as_ref()
+            .map(|words| words.first().map(String::as_str));
+        if matches!(first, Some(None | Some("reproduce"))) {
+            return Err(Error::config(
+                format!("runs.{name}.command"),
+                "no command, or one that reproduces a study",
+                "what is typed after `tomolith`, such as [\"analyze\", \"buildup\", …]",
+            ));
+        }
         let kinds = [
             run.sweep.is_some(),
             run.job.is_some(),
@@ -431,6 +467,30 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         if let Err(found) = text.parse::<Condition>() {
             return refuse(key, found, "a comparison, such as \"lower >= 0.75*upper\"");
         }
+    }
+    if row.best && row.at.is_some() {
+        return refuse("best", "beside at".to_owned(), "one of best and at");
+    }
+    if row.take.is_some() && row.over.is_none() {
+        return refuse(
+            "take",
+            "without over".to_owned(),
+            "over = [conditions], or [] for all",
+        );
+    }
+    if row.within.is_some() && row.within_percent.is_some() {
+        return refuse("within", "beside within_percent".to_owned(), "one of them");
+    }
+    for (key, most) in [
+        ("within", row.within),
+        ("within_percent", row.within_percent),
+    ] {
+        if let Some(most) = most.filter(|most| !(*most >= 0.0 && most.is_finite())) {
+            return refuse(key, format!("found {most}"), "0 or more");
+        }
+    }
+    if let Some(name) = row.name.as_deref().filter(|name| named.contains(name)) {
+        return refuse("name", format!("`{name}` once more"), "a name of its own");
     }
     if row.over.is_some() && row.take.is_none() && row.share_of.is_none() {
         return refuse(

@@ -181,6 +181,20 @@ pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
     path.into()
 }
 
+/// The report of a run.
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Format`] for one that is no JSON.
+pub(crate) fn report(folder: &Path) -> Result<Value> {
+    let path = folder.join("report.json");
+    let bytes = std::fs::read(&path).map_err(|e| Error::io(&path, e))?;
+    serde_json::from_slice(&bytes).map_err(|e| Error::Format {
+        path,
+        found: e.to_string(),
+        accepted: "the report of a run".to_owned(),
+    })
+}
+
 /// What a run's folder holds.
 pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
     let folder = plan.run_folder(i);
@@ -196,8 +210,11 @@ pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
         found,
         accepted: "a report of a run with the metrics of the sweep".to_owned(),
     };
-    let bytes = std::fs::read(&path).map_err(|e| Error::io(&path, e))?;
-    let report: Value = serde_json::from_slice(&bytes).map_err(|e| refused(e.to_string()))?;
+    let report = match report(&folder) {
+        Ok(report) => report,
+        // The next call makes it anew
+        Err(error) => return Ok(State::Failed(error.to_string())),
+    };
     let values = plan
         .sweep
         .metrics

@@ -274,6 +274,52 @@ fn a_run_that_fails_is_noted_and_tried_again() {
     assert_eq!(bench.table("out"), bench.table("whole"));
 }
 
+#[test]
+fn runs_that_started_elsewhere_are_done_again_when_their_own_start_is_there() {
+    let warm = SWEEP.replace("[best]", "keep = \"patterns\"\n[warm_start]\n[best]");
+    let bench = Bench::new(&warm);
+    bench.whole("whole", 2);
+    let plan = bench.plan("out");
+    // The second run fails, and those after it start from the first in its place
+    let foreign = plan.run_folder(1).join("thesis.tex");
+    fs::create_dir_all(foreign.parent().unwrap()).unwrap();
+    fs::write(&foreign, "mine").unwrap();
+    let outcome = run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    assert_eq!((outcome.done, outcome.failed), (5, 1));
+    assert_ne!(bench.table("out"), bench.table("whole"));
+    // As long as it fails they stay
+    let before = bench.reports("out");
+    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    assert_eq!(before, bench.reports("out"));
+    fs::remove_file(&foreign).unwrap();
+    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    assert_eq!(bench.table("out"), bench.table("whole"));
+}
+
+#[test]
+fn a_damaged_report_is_made_anew_and_old_pictures_go() {
+    let bench = Bench::new(SWEEP);
+    bench.whole("whole", 2);
+    let plan = bench.plan("out");
+    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    fs::write(plan.run_folder(3).join("report.json"), "{\"eval").unwrap();
+    let merged = merge(&plan, &[]).unwrap();
+    assert_eq!((merged.done, merged.failed), (5, 1));
+    let best = fs::read_to_string(bench.path("out/best.toml")).unwrap();
+    assert!(
+        best.starts_with("# The best of 5 finished ones of 6 runs: "),
+        "{best}"
+    );
+    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    assert_eq!(bench.table("out"), bench.table("whole"));
+    let fewer = SWEEP.replace("\"history.loss\", ", "");
+    fs::write(bench.path("sweep.toml"), fewer).unwrap();
+    let picture = |name: &str| bench.path("out").join(name).exists();
+    assert!(picture("history.loss.svg"));
+    bench.whole("out", 2);
+    assert!(!picture("history.loss.svg") && picture("optimization.pw.svg"));
+}
+
 /// The numbers of the rows of a table, by run.
 fn rows(table: &str) -> Vec<Vec<f64>> {
     let number = |text: &str| text.parse().unwrap_or(f64::NAN);
@@ -550,6 +596,14 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         (
             format!("{SWEEP}[warm_start]\n"),
             vec!["warm_start: ", "keep = \"patterns\""],
+        ),
+        (
+            format!("{SWEEP}[derived]\n\"objective.ospw.upper\" = \"lower + 0.1\"\n"),
+            vec!["derived.objective.ospw.upper: axes[1] sets this key, too"],
+        ),
+        (
+            format!("{SWEEP}[derived]\n\"bounds.max\" = \"1 / (lower - 0.3)\"\n"),
+            vec!["derived.bounds.max: inf at lower = 0.3"],
         ),
         (
             format!("{SWEEP}[resources]\nside_by_side = 0\n"),

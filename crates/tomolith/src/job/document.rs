@@ -484,6 +484,14 @@ fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
     })
 }
 
+/// Steps as they are written.
+fn dotted(steps: &[Step]) -> String {
+    steps.iter().fold(String::new(), |path, step| match step {
+        Step::Key(key) => join(&path, key),
+        Step::Index(index) => format!("{path}[{index}]"),
+    })
+}
+
 /// Puts `value` where the steps lead, making tables on the way; returns the path, or what was found instead and is accepted.
 fn insert(
     node: &mut Value,
@@ -508,6 +516,14 @@ fn insert(
         let mut map = Map::new();
         map.insert(key.clone(), Value::Object(Map::new()));
         *node = Value::Object(map);
+    }
+    // A key with dots in it, as scenarios have: "motion.offset_mm" = [0.1, 0]
+    if let Value::Object(map) = node
+        && !rest.is_empty()
+        && let Some(child) = map.get_mut(&dotted(steps))
+    {
+        *child = value;
+        return Ok(join(path, &dotted(steps)));
     }
     match (node, step) {
         (Value::Object(map), Step::Key(key)) => {
@@ -657,6 +673,17 @@ mod tests {
             } => place.line,
             other => panic!("no place: {other}"),
         }
+    }
+
+    #[test]
+    fn a_key_with_dots_in_it_is_the_key_that_a_path_means() {
+        let text = "[[scenario]]\nset = { \"motion.offset_mm\" = [0.1, 0.0] }\n";
+        let mut document = Document::toml("a.toml", text).unwrap();
+        document
+            .set("scenario[0].set.motion.offset_mm=[0.3, 0.0]")
+            .unwrap();
+        let set = document.root.pointer("/scenario/0/set").unwrap();
+        assert_eq!(*set, serde_json::json!({ "motion.offset_mm": [0.3, 0.0] }));
     }
 
     #[test]

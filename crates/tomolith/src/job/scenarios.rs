@@ -129,6 +129,7 @@ fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
     let tables =
         serde_json::to_string(&spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
     let mut document = Document::json(job.document.file.clone(), tables)?;
+    let mut seen: Vec<String> = Vec::new();
     for (key, value) in set {
         each_leaf(key, value, &mut |key, value| {
             let table = key.split(['.', '[']).next().unwrap_or_default();
@@ -140,6 +141,11 @@ fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
                     accepted,
                 ));
             }
+            if seen.iter().any(|other| other == key) {
+                let found = "set twice: with dots in its name, and in a table";
+                return Err(Error::config(key, found, "once"));
+            }
+            seen.push(key.to_owned());
             // Numbers, texts and lists are written alike in JSON and TOML
             document.assign(&format!("{key}={value}")).map(drop)
         })?;
@@ -459,6 +465,10 @@ mod tests {
             ),
             ("resin.absorbtion_per_mm = 0.1", "resin.absorbtion_per_mm"),
             ("stop.iterations = 3", "stop.iterations"),
+            (
+                "motion.offset_mm = [0.1, 0.0], \"motion.offset_mm\" = [0.2, 0.0]",
+                "motion.offset_mm",
+            ),
             ("\"light[0].pixels\" = [30, 12]", "light"),
             ("motion.offset_mm = [2000.0, 0.0]", "motion.offset_mm[0]"),
         ] {
