@@ -91,7 +91,7 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         let mut apart = light.clone();
         let azimuths = apart.pixels.azimuths.iter_mut();
         azimuths
-            .zip([0.0, 1e-7, 2e-7].into_iter().cycle())
+            .zip([0.0, 1e-7, 2e-7, 3e-7, 4e-7].into_iter().cycle())
             .for_each(|(azimuth, by)| *azimuth += by);
         let apart = Parallel::new(vial.as_ref(), vec![apart], grid.clone()).unwrap();
         assert_eq!(apart.lights[0].turned.period, frames);
