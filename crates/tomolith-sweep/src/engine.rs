@@ -213,9 +213,10 @@ pub fn run(
         .unwrap_or_default();
     fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
     let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
+    let firsts = firsts(&plan.runs);
     // A run comes after those that it may start from
     for i in own_runs(plan, shard) {
-        let from = parents(plan, i);
+        let from = parents(plan, &firsts, i);
         let are_done = from.iter().all(|&parent| turns[parent] == RunState::Done);
         turns[i] = if are_done && is_ready(plan, i, &from) {
             RunState::Done
@@ -404,8 +405,7 @@ fn own_runs(plan: &SweepPlan, shard: Option<Shard>) -> BTreeSet<usize> {
 }
 
 /// The runs that a run starts from, if none of them fails: the first of those with the same job, each once.
-fn parents(plan: &SweepPlan, i: usize) -> Vec<usize> {
-    let firsts = firsts(&plan.runs);
+fn parents(plan: &SweepPlan, firsts: &[usize], i: usize) -> Vec<usize> {
     let mut parents = Vec::new();
     for parent in plan.runs[i].parents.iter().map(|&parent| firsts[parent]) {
         if !parents.contains(&parent) {

@@ -37,7 +37,7 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
     })
 }
 
-/// The first to the last of `used` vectors that hold anything in any row: what rows of pixels above and below the part leave dark is never read again.
+/// The first to the last of `used` vectors that hold anything in any row: rows of pixels above and below the part leave the others dark.
 fn held(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
     let is_held = |&vector: &usize| {
         let own = vector * LANES..(vector + 1) * LANES;

@@ -1,8 +1,9 @@
 //! Single entries that a slice needs, found once.
 //!
-//! Most tiles of a slice are lit by combs, rakes and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a resin wall cuts it, entries are found one by one, which takes
-//! some thirty times as long: two tiles in a hundred took a third of the time of a slice. A model that is asked again and again keeps them, where they take at most [`MOST`] bytes a light.
-//! Sums along them have the same order, and so the same bits.
+//! Most tiles of a slice are lit by combs, rakes and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a
+//! resin wall cuts it, entries are found one by one: two tiles in a hundred took a third of the time of a slice. A model that is asked
+//! again and again keeps them, where they take about [`MOST`] bytes a light at most. Sums along them have the same order, and so the
+//! same bits.
 
 use super::Parallel;
 use super::plan::LightPlan;
@@ -12,7 +13,7 @@ use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_optics::light::Light;
 
-/// Most bytes that are kept of a light.
+/// Bytes that are kept of a light at most, by [`OF_MEETING`].
 const MOST: usize = 128 << 20;
 
 /// Bytes of a tile and a beam, roughly: three columns cross a voxel at most times, each with a slot and a weight.
